@@ -6,12 +6,11 @@ use std::path::Path;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
-use standfast_cases::{Assessment, AssessmentView, CaseFile, Interface, UpToError, check_up_to, report};
+use standfast_cases::{
+    Assessment, AssessmentView, CaseFile, Document, Interface, UpToError, check_up_to, report,
+};
 
-use crate::invalid;
-
-/// Words, suffix and SVG of a figure.
-type Figure = (String, String, String);
+use crate::{Figure, figures};
 
 /// The answer to a case.
 #[pyclass(frozen, module = "standfast._standfast")]
@@ -34,9 +33,7 @@ impl CaseAnswer {
 
     /// The figures.
     fn figures(&self, py: Python<'_>) -> PyResult<Vec<Figure>> {
-        let figures = py.detach(|| self.assessment.figures(&self.view));
-        let figures = figures.map_err(|error| invalid(error, &[]))?.into_iter();
-        Ok(figures.map(|figure| (figure.words, figure.suffix, figure.figure.svg().to_owned())).collect())
+        py.detach(|| figures(&self.assessment, &self.view))
     }
 }
 

@@ -2,10 +2,13 @@
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast_cases::design::{BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling};
-use standfast_cases::{CaseFile, Explained, report};
+use standfast_cases::design::{
+    BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, boundary_csv,
+};
+use standfast_cases::{CaseFile, Document, Explained, report};
 
 use crate::assess::beside;
+use crate::figures;
 use crate::watch::patiently;
 
 /// Names of the arguments of `standfast.design` in errors.
@@ -49,7 +52,7 @@ pub(crate) fn design(
     patiently(py, move || {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| refused(&error))?;
         let design = Design::of(&file, request).map_err(|error| refused(&error))?;
-        Ok((design.text(), design.json()))
+        Ok((design.text(&()), design.json(&(), &[])))
     })?
 }
 
@@ -72,10 +75,10 @@ pub(crate) fn boundary(
         let (and, [from, to]) = and_;
         let request = BoundaryRequest { design, and, from, to };
         let rendered = |boundary: DesignBoundary| {
-            let svg = boundary.figure().map(|figure| figure.svg().to_owned());
-            (boundary.text(), boundary.json(), boundary.csv(), svg)
+            let svg = figures(&boundary, &())?.pop().map(|(_, _, svg)| svg);
+            Ok((boundary.text(&()), boundary.json(&(), &[]), boundary_csv(&boundary), svg))
         };
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| refused(&error))?;
-        DesignBoundary::of(&file, request).map(rendered).map_err(|error| refused(&error))
+        DesignBoundary::of(&file, request).map_err(|error| refused(&error)).and_then(rendered)
     })?
 }

@@ -29,6 +29,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use standfast::{InputError, Mode, Verdict};
+use standfast_cases::Document;
 
 /// All modes in the order of their codes and ground that fails, as (name, symbol, words).
 #[pyfunction]
@@ -56,6 +57,15 @@ fn invalid(error: InputError, index: &[usize]) -> PyErr {
     }
     let words = format!("{} at index {}; expected {}", error.given(), written(index), error.expected);
     at_index(PyValueError::new_err(words), index)
+}
+
+/// Words, suffix and SVG of a figure.
+type Figure = (String, String, String);
+
+/// The figures of an answer.
+fn figures<D: Document + ?Sized>(answer: &D, view: &D::View) -> PyResult<Vec<Figure>> {
+    let figures = answer.figures(view).map_err(|error| invalid(error, &[]))?.into_iter();
+    Ok(figures.map(|figure| (figure.words, figure.suffix, figure.figure.svg().to_owned())).collect())
 }
 
 /// An index as Python writes it.

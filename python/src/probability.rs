@@ -5,15 +5,15 @@ use std::num::NonZero;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast_cases::CaseFile;
 use standfast_cases::random::{
     ChanceRequest, Draws, Effort, Happening, MethodAsked, Probability, ValueRange,
 };
-use standfast_cases::report;
+use standfast_cases::{CaseFile, Document, report};
 
 use crate::assess::beside;
 use crate::onset::NO_MODE;
 use crate::watch::patiently;
+use crate::{Figure, figures};
 
 /// Arguments of a call, as `_probability.py` gives them.
 #[derive(FromPyObject)]
@@ -31,28 +31,23 @@ pub(crate) struct Arguments {
 
 /// The answer to a case with random numbers.
 #[pyclass(frozen, module = "standfast._standfast")]
-pub(crate) struct ChanceAnswer {
-    answer: Probability,
-    file: CaseFile,
-}
+pub(crate) struct ChanceAnswer(Probability);
 
 #[pymethods]
 impl ChanceAnswer {
     /// For reading.
     fn text(&self) -> String {
-        self.answer.text()
+        self.0.text(&())
     }
 
     /// As one JSON document.
     fn json(&self) -> String {
-        self.answer.json()
+        self.0.json(&(), &[])
     }
 
-    /// Words and SVG of each figure.
-    fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String)>> {
-        let figures = py.detach(|| self.answer.figures(&self.file));
-        let figures = figures.map_err(|error| PyValueError::new_err(report(&error)))?.into_iter();
-        Ok(figures.map(|figure| (figure.words.to_owned(), figure.figure.svg().to_owned())).collect())
+    /// The figures.
+    fn figures(&self, py: Python<'_>) -> PyResult<Vec<Figure>> {
+        py.detach(|| figures(&self.0, &()))
     }
 }
 
@@ -83,10 +78,8 @@ pub(crate) fn probability(
     patiently(py, move || {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));
         let file = file.map_err(|error| PyValueError::new_err(report(&error)))?;
-        match Probability::along(&file, request, over.as_ref()) {
-            Ok(answer) => Ok(ChanceAnswer { answer, file }),
-            Err(error) => Err(PyValueError::new_err(report(&error))),
-        }
+        let answer = Probability::along(&file, request, over.as_ref());
+        answer.map(ChanceAnswer).map_err(|error| PyValueError::new_err(report(&error)))
     })?
 }
 

@@ -9,18 +9,16 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use standfast::Mode;
-use standfast_cases::CaseFile;
-use standfast_cases::motion::{
-    BlockCase, Follow, FollowedMotion, GivenBase, Record, RecordUnit, all_json, follow_all,
-};
-use standfast_cases::report;
+use standfast_cases::motion::{BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit};
+use standfast_cases::{CaseFile, Document, report};
 
 use crate::watch::patiently;
+use crate::{Figure, figures};
 
 /// The motion of a case in each of its situations, the worst first.
 #[pyclass(frozen, module = "standfast._standfast")]
 pub(crate) struct MotionAnswer {
-    answers: Vec<(BlockCase, FollowedMotion)>,
+    answers: Vec<FollowedMotion>,
     files: BTreeMap<String, String>,
     all: bool,
 }
@@ -35,18 +33,17 @@ type Series<'py> = ([Bound<'py, PyArray1<f64>>; 6], Bound<'py, PyArray1<u8>>);
 impl MotionAnswer {
     /// For reading.
     fn text(&self) -> String {
-        let texts = self.answers.iter().map(|(case, followed)| case.text(followed, self.all));
-        texts.collect::<Vec<_>>().join("\n")
+        self.answers.text(&MotionView { all: self.all })
     }
 
     /// As one JSON document.
     fn json(&self) -> String {
-        all_json(&self.answers, &[])
+        self.answers.json(&MotionView::default(), &[])
     }
 
     /// True if quantities are in SI units; those of a block are in the units of its case.
     fn is_si(&self) -> bool {
-        self.answers.iter().all(|(case, _)| case.si)
+        self.answers.iter().all(|followed| followed.case.si)
     }
 
     /// The contents of the files that the case names.
@@ -55,15 +52,14 @@ impl MotionAnswer {
     }
 
     /// Words, suffix and SVG of each figure of the worst situation.
-    fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String, String)>> {
-        let (case, followed) = self.whole(py, 0)?;
-        let figures = py.detach(|| case.figures(&followed)).into_iter();
-        Ok(figures.map(|f| (f.words.to_owned(), f.suffix.to_owned(), f.figure.svg().to_owned())).collect())
+    fn figures(&self, py: Python<'_>) -> PyResult<Vec<Figure>> {
+        let worst = [self.whole(py, 0)?];
+        py.detach(|| figures(&worst[..], &MotionView::default()))
     }
 
     /// The motion in one of the situations, every `dt` until it ends.
     fn series<'py>(&self, py: Python<'py>, place: usize, dt: f64) -> PyResult<Series<'py>> {
-        let outcome = self.whole(py, place)?.1.outcome;
+        let outcome = self.whole(py, place)?.outcome;
         let count = (outcome.t_final / dt + 1e-9).floor();
         if count >= 1e9 {
             return Err(PyValueError::new_err(format!("{count:e} steps; expected a longer dt")));
@@ -83,15 +79,14 @@ impl MotionAnswer {
 impl MotionAnswer {
     /// The whole motion in one of the situations. It is followed again, because the whole of it takes far more memory than what
     /// came of it.
-    fn whole(&self, py: Python<'_>, place: usize) -> PyResult<(BlockCase, FollowedMotion)> {
-        let Some((case, _)) = self.answers.get(place) else {
+    fn whole(&self, py: Python<'_>, place: usize) -> PyResult<FollowedMotion> {
+        let Some(followed) = self.answers.get(place) else {
             return Err(PyIndexError::new_err(format!("{place} of {} situations", self.answers.len())));
         };
-        let case = case.clone();
+        let case = followed.case.clone();
         patiently(py, move || {
-            let followed = case.follow(&Follow { series: true, ..Follow::default() });
-            let followed = followed.map_err(|error| PyValueError::new_err(error.to_string()))?;
-            Ok((case, followed))
+            let followed = FollowedMotion::of(case, &Follow { series: true, ..Follow::default() });
+            followed.map_err(|error| PyValueError::new_err(error.to_string()))
         })?
     }
 }
@@ -146,7 +141,7 @@ pub(crate) fn simulate(
     let (sensitivity, all) = options;
     patiently(py, move || {
         let (cases, files) = cases(case, &base)?;
-        let answers = follow_all(cases, &Follow { sensitivity, ..Follow::default() });
+        let answers = FollowedMotion::of_all(cases, &Follow { sensitivity, ..Follow::default() });
         let answers = answers.map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok(MotionAnswer { answers, files, all })
     })?

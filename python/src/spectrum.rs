@@ -5,8 +5,12 @@ use std::thread;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast_cases::motion::{Progressed, SpectrumError, SpectrumRequest, SpectrumSteps};
+use standfast_cases::Document;
+use standfast_cases::motion::{
+    Progressed, Spectrum, SpectrumError, SpectrumRequest, SpectrumSteps, spectrum_csv,
+};
 
+use crate::figures;
 use crate::simulate::{MotionCase, Samples, cases, given_base};
 use crate::watch::{Caller, aside};
 
@@ -56,8 +60,8 @@ pub(crate) fn spectrum(
                 watch.advance(1);
             }
         };
-        let spectrum = case.spectrum(&request, &done).map_err(refused)?;
-        let svg = spectrum.figure().svg().to_owned();
-        Ok((spectrum.text(), spectrum.json(&[]), spectrum.csv(), svg, spectrum.si))
+        let spectrum = Spectrum::of(&case, &request, &done).map_err(refused)?;
+        let svg = figures(&spectrum, &())?.pop().map_or_else(String::new, |(_, _, svg)| svg);
+        Ok((spectrum.text(&()), spectrum.json(&(), &[]), spectrum_csv(&spectrum), svg, spectrum.si))
     })?
 }

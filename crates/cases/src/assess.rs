@@ -1,5 +1,4 @@
-//! A case answered: every situation of it with its outcome, and its figures. [`text`](Assessment::text) and
-//! [`json`](Assessment::json) render the same answer.
+//! The answer to a case, written: as text, as JSON and as figures.
 
 mod acting;
 pub mod checks;
@@ -13,102 +12,25 @@ mod section;
 mod text;
 pub mod verdict;
 
-use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
-use standfast::loads::Earthquake;
-use standfast::{Departure, InputError, Mode, Motion, Outcome, Situation, Stage, Verdict};
-use standfast_probability::sample::Estimate;
+use standfast::InputError;
 
-use crate::case::{Acting, Case};
-use crate::case_file::CaseFile;
-use crate::criteria::{Check, Criterion};
-use crate::error::CaseError;
+use crate::document::{AnswerFigure, Document};
 use crate::interface::Interface;
-use crate::motion::{
-    BlockCase, Follow, FollowedMotion, MotionCheck, MotionCriterion, worst_checks as worst_motion_checks,
+pub use acting::situation_title;
+pub use loads::{left_out, share};
+pub use standfast_answers::assess::{
+    AnyCheck, Assessed, Assessment, BaseResponse, CaseCheck, Component, Elastic, MotionAssessment, predicate,
 };
-use crate::random::{ProbabilityError, not_rest};
-use crate::units::Extent;
-pub use figures::{CaseFigure, FigureKind};
-pub use ground::BaseResponse;
-pub(crate) use json::{SCHEMA, optional_number_or_word};
-pub(crate) use loads::load_words;
-pub use loads::{Component, left_out, share};
 pub use text::criteria_met;
-pub(crate) use text::heading;
+pub(crate) use text::{heading, met_words};
 
 /// Load factor up to which a rising load is followed where nothing else is said, as a multiple of the full load.
 pub const UP_TO: f64 = 2.0;
 
 /// Number of governing situations that are shown one by one, with figures, where not all are asked for.
 pub const GOVERNING: usize = 8;
-
-/// The answer to a case.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Assessment {
-    /// The case.
-    pub case: Case,
-    /// Its situations: one for each combination, or each force that acts alone, or the only one.
-    pub all: Vec<Assessed>,
-    /// The part of the answer in time, of a case with histories: [`of_file`](Assessment::of_file) has it.
-    pub in_time: Option<MotionAssessment>,
-}
-
-/// A case in time beside its first instant.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MotionAssessment {
-    /// A sentence, without its stop, on what is answered of the first instant.
-    pub note: String,
-    /// Criteria of the motion.
-    pub criteria: Vec<MotionCriterion>,
-    /// The motion in every situation, the worst first; empty where it was not followed, because nothing is asked of it.
-    pub motions: Vec<(BlockCase, FollowedMotion)>,
-}
-
-/// A criterion of a case where it is met worst, be it of the first instant or of the motion.
-#[derive(Debug, Clone, PartialEq)]
-pub enum AnyCheck<'a> {
-    /// Of the first instant.
-    Instant(CaseCheck<'a>),
-    /// Of the motion, and the place of the situation.
-    Motion(MotionCheck, usize),
-}
-
-/// A situation of a case with everything that is said about it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Assessed {
-    /// Its place among the situations of the case.
-    pub index: usize,
-    /// The loads of the case that act.
-    pub acting: Acting,
-    /// Extent of its forces and moments: a metre run or the whole body.
-    pub extent: Extent,
-    /// The acceleration of the base.
-    pub earthquake: Option<Earthquake>,
-    /// True if that is the worst of those that are tried, which is reported.
-    pub is_reported: bool,
-    /// The body under its loads.
-    pub situation: Situation,
-    /// The answer on its base.
-    pub outcome: Outcome,
-    /// The share of its base in the answer, where the case says what that bears.
-    pub ground: Option<BaseResponse>,
-    /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
-    /// for it.
-    pub not_rest: Option<Estimate>,
-    /// The answers under the other accelerations of the base, none of them worse as a whole.
-    pub others: Vec<Assessed>,
-}
-
-/// A criterion where it is met worst.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CaseCheck<'a> {
-    /// The criterion and how far it is met.
-    pub check: Check,
-    /// The situation, under the acceleration of the base that is worst for this criterion.
-    pub assessed: &'a Assessed,
-}
 
 /// View of an answer: how much of it is shown, and in which words.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -144,393 +66,29 @@ pub fn check_up_to(factor: f64) -> Result<f64, UpToError> {
 #[error("expected a load factor from {} to {}, as {}", FOLLOWED.start(), FOLLOWED.end(), UP_TO)]
 pub struct UpToError;
 
-impl Assessment {
-    /// Answers a case.
-    ///
-    /// # Errors
-    /// If the loads add up to what the mechanics cannot take.
-    pub fn of(case: &Case) -> Result<Assessment, InputError> {
-        Assessment::owning(case.clone())
+/// The situations that are shown one by one, the worst first: all, or those that govern.
+pub fn shown<'a>(assessment: &'a Assessment, view: &AssessmentView) -> Vec<&'a Assessed> {
+    let mut shown = assessment.worst_first();
+    if !view.all {
+        shown.truncate(GOVERNING);
     }
+    shown
+}
 
-    /// Answers a case that is not needed elsewhere.
-    ///
-    /// # Errors
-    /// As [`of`](Assessment::of).
-    pub fn owning(case: Case) -> Result<Assessment, InputError> {
-        let acting = case.acting().into_iter().enumerate();
-        let all =
-            acting.map(|(index, acting)| Assessed::of(&case, index, acting)).collect::<Result<_, _>>()?;
-        Ok(Assessment { case, all, in_time: None })
-    }
+/// JSON as `docs/answer.schema.json` has it; figures: k–μ diagrams for the loads that have a point there, the load path where loads rise
+/// together, and the section.
+impl Document for Assessment {
+    type View = AssessmentView;
 
-    /// Answers the case of a file: as [`of`](Assessment::of), and the probability that a criterion asks for. A case in time is answered at
-    /// its first instant, and followed where something is asked of its motion.
-    ///
-    /// # Errors
-    /// If the case makes no sense, its probability is not found, or its motion cannot be followed.
-    pub fn of_file(file: &CaseFile) -> Result<Assessment, CaseError> {
-        Assessment::following(file, None)
-    }
-
-    /// Answers a case file with the motion of a case in time followed as `follow` says; not followed if that is `None`.
-    ///
-    /// # Errors
-    /// As [`of_file`](Assessment::of_file).
-    pub fn following(file: &CaseFile, follow: Option<&Follow>) -> Result<Assessment, CaseError> {
-        if let Some(first) = file.first_instant()? {
-            return Assessment::in_time(file, &first, follow);
-        }
-        let case = file.case()?;
-        let asks = case.criteria.iter().any(Criterion::is_chance);
-        let assessment = Assessment::owning(case).map_err(|error| file.refused(error))?;
-        if asks { assessment.with_chance(file) } else { Ok(assessment) }
-    }
-
-    /// Adds to every situation the chance that the body does not stay at rest; the file is that of the case.
-    ///
-    /// # Errors
-    /// If it is not found.
-    pub(crate) fn with_chance(mut self, file: &CaseFile) -> Result<Assessment, CaseError> {
-        let found = not_rest(file).map_err(|error| match error {
-            ProbabilityError::Case(error) => error,
-            other => file.no_chance(other.to_string()),
-        })?;
-        for assessed in &mut self.all {
-            let of = found.iter().find(|(acting, _)| *acting == assessed.acting).map(|(_, chance)| *chance);
-            assessed.not_rest = of;
-            assessed.others.iter_mut().for_each(|other| other.not_rest = of);
-        }
-        Ok(self)
-    }
-
-    /// All situations under all accelerations of the base that were tried.
-    pub fn tried(&self) -> impl Iterator<Item = &Assessed> {
-        self.all.iter().flat_map(Assessed::tried)
-    }
-
-    /// Of all that was tried, where a number is least, the first of several.
-    pub fn least(&self, of: impl Fn(&Assessed) -> f64) -> &Assessed {
-        let least = self.tried().min_by(|one, two| of(one).total_cmp(&of(two)));
-        least.expect("a case has a situation")
-    }
-
-    /// The situation that is worst: see [`worst_first`](Assessment::worst_first).
-    pub fn governing(&self) -> &Assessed {
-        let severity = self.all.iter().map(|assessed| (assessed.severity(&self.case), assessed));
-        let worst = severity.min_by(|(one, _), (two, _)| Severity::compare(one, two));
-        worst.expect("a case has a situation").1
-    }
-
-    /// The situations, the worst first: by what is used of the criteria, then by where the body leaves rest, then by the lesser and
-    /// the greater safety factor, then in their order.
-    pub fn worst_first(&self) -> Vec<&Assessed> {
-        let severity = self.all.iter().map(|assessed| (assessed.severity(&self.case), assessed));
-        let mut severity: Vec<_> = severity.collect();
-        severity.sort_by(|(one, _), (two, _)| Severity::compare(one, two));
-        severity.into_iter().map(|(_, assessed)| assessed).collect()
-    }
-
-    /// The situations that are shown one by one, the worst first: all, or those that govern.
-    pub fn shown(&self, view: &AssessmentView) -> Vec<&Assessed> {
-        let mut shown = self.worst_first();
-        if !view.all {
-            shown.truncate(GOVERNING);
-        }
-        shown
-    }
-
-    /// The name of a situation: its force that acts alone, or its combination.
-    pub fn name(&self, assessed: &Assessed) -> Option<String> {
-        self.case.acting_name(assessed.acting)
-    }
-
-    /// The criteria, each where it is met worst; the governing one first.
-    pub fn checks(&self) -> Vec<CaseCheck<'_>> {
-        self.checks_of(&self.case.criteria)
-    }
-
-    /// Other criteria than those of the case, each where it is met worst; the governing one first.
-    pub fn checks_of(&self, criteria: &[Criterion]) -> Vec<CaseCheck<'_>> {
-        worst_checks(criteria, || self.tried())
-    }
-
-    /// The criteria of the motion, each in the situation that meets it worst; the governing one first.
-    pub fn motion_checks(&self) -> Vec<(MotionCheck, usize)> {
-        self.in_time.as_ref().map_or_else(Vec::new, |in_time| self.motion_checks_of(&in_time.criteria))
-    }
-
-    /// Other criteria than those of the case, each in the situation whose motion meets it worst; the governing one first.
-    pub(crate) fn motion_checks_of(&self, criteria: &[MotionCriterion]) -> Vec<(MotionCheck, usize)> {
-        let Some(in_time) = &self.in_time else { return Vec::new() };
-        let checks = worst_motion_checks(criteria, &in_time.motions).into_iter();
-        checks.map(|(check, place)| (check, self.place_of(&in_time.motions[place].0))).collect()
-    }
-
-    /// The place among the situations of the one that a motion is of.
-    fn place_of(&self, motion: &BlockCase) -> usize {
-        self.all.iter().position(|assessed| self.name(assessed) == motion.situation).unwrap_or(0)
-    }
-
-    /// All criteria, of the first instant and of the motion; the governing one first.
-    pub fn all_checks(&self) -> Vec<AnyCheck<'_>> {
-        let motion = self.motion_checks().into_iter().map(|(check, place)| AnyCheck::Motion(check, place));
-        let mut checks: Vec<_> = self.checks().into_iter().map(AnyCheck::Instant).chain(motion).collect();
-        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
-        checks
-    }
-
-    /// The criteria of a situation, of the first instant and of the motion; the governing one first.
-    pub(crate) fn checks_in<'a>(&'a self, assessed: &'a Assessed) -> Vec<AnyCheck<'a>> {
-        let mut checks: Vec<_> = assessed.checks(&self.case).into_iter().map(AnyCheck::Instant).collect();
-        for (case, followed) in self.in_time.iter().flat_map(|in_time| &in_time.motions) {
-            if self.place_of(case) == assessed.index {
-                let found = case.checks(&followed.outcome).into_iter();
-                checks.extend(found.map(|check| AnyCheck::Motion(check, assessed.index)));
-            }
-        }
-        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
-        checks
-    }
-
-    /// True if all criteria are met; `None` where there is none.
-    pub fn met(&self) -> Option<bool> {
-        let checks = self.all_checks();
-        (!checks.is_empty()).then(|| checks.iter().all(AnyCheck::is_met))
-    }
-
-    /// The answer for reading, in lines of at most 88 characters.
-    pub fn text(&self, view: &AssessmentView) -> String {
+    fn text(&self, view: &AssessmentView) -> String {
         text::render(self, view)
     }
 
-    /// The answer as one JSON document, at full precision; `files` are those of the figures that were written. See
-    /// `docs/answer.schema.json`.
-    pub fn json(&self, view: &AssessmentView, files: &[String]) -> String {
-        json::render(self, view, files)
+    fn json(&self, view: &AssessmentView, figures: &[String]) -> String {
+        json::render(self, view, figures)
     }
 
-    /// The figures: k–μ diagrams for the loads that have a point there, the load path where loads rise together, and the section.
-    ///
-    /// # Errors
-    /// If a figure's numbers are out of range.
-    pub fn figures(&self, view: &AssessmentView) -> Result<Vec<CaseFigure>, InputError> {
+    fn figures(&self, view: &AssessmentView) -> Result<Vec<AnswerFigure>, InputError> {
         figures::all(self, view)
-    }
-}
-
-impl AnyCheck<'_> {
-    /// The name of the criterion.
-    pub fn name(&self) -> &'static str {
-        match self {
-            AnyCheck::Instant(CaseCheck { check, .. }) => check.criterion.name(),
-            AnyCheck::Motion(check, _) => check.criterion.name(),
-        }
-    }
-
-    /// The quantity it asks for, in words.
-    pub fn words(&self) -> &'static str {
-        match self {
-            AnyCheck::Instant(CaseCheck { check, .. }) => check.criterion.words(),
-            AnyCheck::Motion(check, _) => check.criterion.words(),
-        }
-    }
-
-    /// Bound, value and utilisation as they are read, and whether it is met.
-    pub fn cells(&self) -> [String; 4] {
-        match self {
-            AnyCheck::Instant(CaseCheck { check, assessed }) => [
-                check.criterion.required(),
-                check.value_words(assessed),
-                check.utilisation_words(),
-                check.met_words().to_owned(),
-            ],
-            AnyCheck::Motion(check, _) => [
-                check.criterion.required(check.si),
-                check.value_words(),
-                check.utilisation_words(),
-                check.met_words().to_owned(),
-            ],
-        }
-    }
-
-    /// True if it is met.
-    pub fn is_met(&self) -> bool {
-        match self {
-            AnyCheck::Instant(CaseCheck { check, .. }) => check.met,
-            AnyCheck::Motion(check, _) => check.met,
-        }
-    }
-
-    /// The situation that meets it worst.
-    pub fn assessed<'a>(&'a self, assessment: &'a Assessment) -> &'a Assessed {
-        match self {
-            AnyCheck::Instant(CaseCheck { assessed, .. }) => assessed,
-            AnyCheck::Motion(_, place) => &assessment.all[*place],
-        }
-    }
-
-    /// True if it is of another acceleration of the base than the one that is reported.
-    pub fn is_of_another_shaking(&self) -> bool {
-        matches!(self, AnyCheck::Instant(CaseCheck { assessed, .. }) if !assessed.is_reported)
-    }
-
-    fn urgency(&self) -> f64 {
-        match self {
-            AnyCheck::Instant(CaseCheck { check, .. }) => check.urgency(),
-            AnyCheck::Motion(check, _) => check.urgency(),
-        }
-    }
-}
-
-impl Assessed {
-    /// A situation under the worst of the accelerations of the base that are tried.
-    fn of(case: &Case, index: usize, acting: Acting) -> Result<Assessed, InputError> {
-        let answer = |situation: Situation, earthquake| {
-            let (outcome, ground) = match &case.ground {
-                Some(foundation) => {
-                    let (outcome, ground) = BaseResponse::of(case, foundation, &situation)?;
-                    (outcome, Some(ground))
-                }
-                None => (situation.outcome()?, None),
-            };
-            let (extent, others) = (case.extent, Vec::new());
-            Ok(Assessed {
-                index,
-                acting,
-                extent,
-                earthquake,
-                is_reported: true,
-                situation,
-                outcome,
-                ground,
-                not_rest: None,
-                others,
-            })
-        };
-        let shaken = |shaking: Option<[f64; 2]>| {
-            let earthquake = shaking.and_then(|signs| case.shaken(signs));
-            let assessed: Assessed = answer(case.decided(acting, shaking)?, earthquake)?;
-            let is_near = |criterion: &Criterion| criterion.is_near(&assessed);
-            // A factor on its bound, too, is told by the numbers as they are written.
-            if assessed.situation.is_as_written() || !case.criteria.iter().any(is_near) {
-                return Ok(assessed);
-            }
-            answer(case.as_written(assessed.situation, acting, shaking), earthquake)
-        };
-        let tried = case.shakings(acting).into_iter().map(|signs| {
-            let assessed = shaken(Some(signs))?;
-            Ok((assessed.severity(case), assessed))
-        });
-        let mut tried: Vec<(Severity, Assessed)> = tried.collect::<Result<_, InputError>>()?;
-        if tried.is_empty() {
-            return shaken(None);
-        }
-        // Of two that are the same but for rounding the given one, which is the first, stays.
-        let is_worse = |one: usize, than: usize| tried[one].0.is_worse_than(&tried[than].0);
-        let worst = (1..tried.len()).fold(0, |worst, next| if is_worse(next, worst) { next } else { worst });
-        let (_, worst) = tried.remove(worst);
-        tried.sort_by(|(one, _), (two, _)| Severity::compare(one, two));
-        let others = tried.into_iter().map(|(_, other)| Assessed { is_reported: false, ..other }).collect();
-        Ok(Assessed { others, ..worst })
-    }
-
-    /// The verdict under the full load, applied at once.
-    pub fn verdict(&self) -> Option<Verdict> {
-        self.outcome.full.verdict
-    }
-
-    /// The mode that begins under the full load; none where the ground fails.
-    pub fn mode(&self) -> Option<Mode> {
-        self.outcome.full.mode()
-    }
-
-    /// Accelerations and reactions of the mode that begins.
-    pub fn motion(&self) -> Option<&Motion> {
-        self.outcome.full.motion.as_ref()
-    }
-
-    /// The departure from rest as the variable loads rise.
-    pub fn departure(&self) -> Departure {
-        self.outcome.departure
-    }
-
-    /// True if a load of the situation varies.
-    pub fn rises(&self) -> bool {
-        !self.outcome.path.is_empty()
-    }
-
-    /// The stages of the rising variable loads up to a load factor.
-    pub fn path_up_to(&self, largest: f64) -> Vec<Stage> {
-        Stage::up_to(&self.outcome.path, largest)
-    }
-
-    /// True if the base decides the response: it crushes, or the ground under it fails.
-    pub fn is_on_ground(&self) -> bool {
-        self.ground.as_ref().is_some_and(|ground| ground.limit.is_some())
-    }
-
-    /// True if a combination multiplies a load by another factor than 1.
-    pub fn is_factored(&self) -> bool {
-        self.situation.loads().iter().any(|load| load.factor != 1.0)
-    }
-
-    /// This and the other accelerations of the base that were tried.
-    pub fn tried(&self) -> impl Iterator<Item = &Assessed> {
-        std::iter::once(self).chain(&self.others)
-    }
-
-    /// The criteria of the case, each under the acceleration of the base that meets it worst; the governing one first.
-    pub fn checks(&self, case: &Case) -> Vec<CaseCheck<'_>> {
-        worst_checks(&case.criteria, || self.tried())
-    }
-
-    fn severity(&self, case: &Case) -> Severity {
-        // Which acceleration of the base is worst does not hang on a chance, which is that of all of them.
-        let asked =
-            case.criteria.iter().filter(|criterion| !criterion.is_chance() || self.not_rest.is_some());
-        let used = asked.map(|criterion| criterion.check(self).urgency()).fold(0.0, f64::max);
-        let stability = &self.outcome.stability;
-        let [sliding, overturning] = match self.outcome.full.is_lifted() {
-            true => [0.0; 2],
-            false => [stability.sliding, stability.overturning()],
-        };
-        let factors = [sliding.min(overturning), sliding.max(overturning)];
-        Severity([-used, self.departure().load_factor(), factors[0], factors[1]])
-    }
-}
-
-/// Each criterion where it is met worst of all that was tried.
-fn worst_checks<'a, T: Iterator<Item = &'a Assessed>>(
-    criteria: &[Criterion],
-    tried: impl Fn() -> T,
-) -> Vec<CaseCheck<'a>> {
-    let worst = |criterion: &Criterion| {
-        let checks = tried().map(|assessed| CaseCheck { check: criterion.check(assessed), assessed });
-        checks.reduce(|worst, next| if next.check.urgency() > worst.check.urgency() { next } else { worst })
-    };
-    let mut checks: Vec<_> = criteria.iter().filter_map(worst).collect();
-    checks.sort_by(|one, two| two.check.urgency().total_cmp(&one.check.urgency()));
-    checks
-}
-
-/// Severity of a situation; the lesser the worse, the first number that differs counts.
-struct Severity([f64; 4]);
-
-impl Severity {
-    /// Relative difference up to which two numbers are the same but for rounding.
-    const ROUNDING: f64 = 1e-9;
-
-    fn compare(one: &Severity, two: &Severity) -> Ordering {
-        let pairs = one.0.iter().zip(two.0);
-        pairs.map(|(one, two)| one.total_cmp(&two)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
-    }
-
-    fn is_worse_than(&self, other: &Severity) -> bool {
-        let differs = |one: f64, two: f64| {
-            one != two && (one - two).abs() > Severity::ROUNDING * one.abs().max(two.abs()).min(f64::MAX)
-        };
-        let first = self.0.iter().zip(other.0).find(|(one, two)| differs(**one, *two));
-        first.is_some_and(|(one, two)| *one < two)
     }
 }

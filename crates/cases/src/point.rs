@@ -12,10 +12,9 @@ use standfast::relation::Relation;
 use standfast::{InputError, Mode, Modes, Motion, Response, Verdict};
 
 use self::crush::{BaseNumbers, Crushing};
-use crate::assess::SCHEMA;
 use crate::describe::{self, Changes};
+use crate::json::{SCHEMA, number_or_word, written};
 use crate::layout::{columns, digits, paragraph, row};
-use crate::results::number_or_word;
 
 /// A point on its base. The report's force points left; one to the right is its mirror image.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,7 +108,7 @@ pub fn json(placed: &PlacedPoint) -> String {
         overturning: f64,
     }
     let (sliding, overturning, _) = placed.factors();
-    crate::json(&Document { schema: SCHEMA, answer: PointDocument::of(placed), sliding, overturning })
+    written(&Document { schema: SCHEMA, answer: PointDocument::of(placed), sliding, overturning })
 }
 
 fn one_line(placed: &PlacedPoint) -> String {

@@ -1,59 +1,27 @@
-//! Random numbers of a case: the `[random]` table, and what comes of it.
-//!
-//! ```text
-//! [random] ── read ──► Random ── ChanceProblem::of ──► ChanceProblem ── Probability::of ──► Probability ──► text, JSON
-//!                       names and laws   │  laws and correlations as `standfast-probability` takes them,
-//!                                        └─ and the modes as intervals of one of them
-//! ```
-//!
-//! No uncertainty is applied unless it is written. For given other numbers each mode is an interval of the friction between curves
-//! known in closed form, so that friction is not sampled; where it is certain, a number takes its place in which the loads are
-//! linear.
+//! Probabilities, written: as text, as JSON and as figures.
 
-mod answer;
-mod base;
-mod chances;
-mod criterion;
-mod departure;
 mod document;
-mod draws;
-mod error;
 mod figures;
-mod fragility;
-mod intervals;
-mod joint;
-mod mechanics;
-mod outcome;
-mod overturn;
-mod point;
-mod problem;
-mod quantity;
-mod resolve;
-mod storm;
-mod subject;
-mod template;
 mod text;
 
-pub use answer::{
-    ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Method, MethodAsked, Probability,
-    RandomNumber,
-};
-pub use criterion::ChanceCriterion;
-pub(crate) use criterion::not_rest;
-pub use draws::{Draw, Draws, WeighedDraws};
-pub use error::ProbabilityError;
-pub use figures::ProbabilityFigure;
-pub use fragility::{Fit, Fragility, FragilityPoint, ValueRange};
-pub use joint::JointChance;
-pub use overturn::{Overturning, PeakChances};
-pub use standfast_probability::sample::{Effort, Estimate};
+use standfast::InputError;
 
-pub use storm::{
-    Exceedance, FollowedWaves, Pulse, Quantile, RotatingWaves, Sliding, SlidingError, Storm, StormField,
-};
+use crate::document::{AnswerFigure, Document};
+pub use standfast_answers::random::*;
 
-pub use template::template;
+/// JSON as `docs/probability.schema.json` has it: of the least safe set of loads, and behind it of the others.
+impl Document for Probability {
+    type View = ();
 
-pub use problem::ChanceProblem;
-pub use quantity::{Bias, Coordinate, Quantity};
-pub use standfast_inputs::random::{RANDOM, Random, RandomEntry, RandomProblem, Rate};
+    fn text(&self, (): &()) -> String {
+        text::text(self)
+    }
+
+    fn json(&self, (): &(), figures: &[String]) -> String {
+        document::json(self, figures)
+    }
+
+    fn figures(&self, (): &()) -> Result<Vec<AnswerFigure>, InputError> {
+        Ok(figures::all(self))
+    }
+}

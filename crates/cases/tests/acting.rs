@@ -3,7 +3,9 @@
 
 use standfast::{Departure, Mode, Verdict, Wrench};
 use standfast_cases::results::{ResultName, ResultValue};
-use standfast_cases::{Acting, Assessed, Assessment, AssessmentView, CaseFile, Interface, check_up_to};
+use standfast_cases::{
+    Acting, Assessed, Assessment, AssessmentView, CaseFile, Document, Interface, check_up_to,
+};
 
 fn assess(text: &str) -> Assessment {
     let case = CaseFile::parse("case.toml", text).and_then(|file| file.case());
@@ -508,7 +510,7 @@ fn criteria_are_checked_under_every_acceleration() {
             to: None,
             spelling: &standfast_cases::design::Spelling::PROGRAM,
         };
-        let design = standfast_cases::design::Design::of(&file, request).unwrap().json();
+        let design = standfast_cases::design::Design::of(&file, request).unwrap().json(&(), &[]);
         let design: serde_json::Value = serde_json::from_str(&design).unwrap();
         let found = design["found"]["boundary"].as_f64().unwrap();
         assert!((found / (2.4 * 0.2 / 0.7) - 1.0).abs() < 1e-6, "{found}");

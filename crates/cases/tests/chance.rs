@@ -1,11 +1,12 @@
 //! Criteria on the probability that a body does not stay at rest, against laws written out by hand.
 
 use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
+use standfast_cases::motion::FollowedMotion;
 use standfast_cases::random::{
     ChanceRequest, Draws, Effort, Estimate, Happening, Method, Overturning, Probability, ProbabilityError,
     ValueRange, WeighedDraws, template,
 };
-use standfast_cases::{Assessment, CaseFile};
+use standfast_cases::{Assessment, CaseFile, Document};
 use standfast_probability::normal::{above, below, quantile_above};
 
 fn file(text: &str) -> CaseFile {
@@ -36,7 +37,7 @@ fn a_design_for_a_probability_is_that_of_the_law() {
         spelling: &Spelling::PROGRAM,
     };
     let design = Design::of(&case, request).unwrap_or_else(|error| panic!("{error}"));
-    let json: serde_json::Value = serde_json::from_str(&design.json()).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&design.json(&(), &[])).unwrap();
     let found = json["found"]["value"].as_f64().unwrap();
     let resistance_per_metre = 0.5 * 60e3 / 12.0 * 9.81;
     let by_hand = (200e3 + quantile_above(1e-3) * 20e3) / resistance_per_metre;
@@ -55,8 +56,8 @@ fn a_design_for_a_probability_is_that_of_the_law() {
         .replace("width = 12", &format!("width = {less}"))
         .replace("mass = 60e3", &format!("mass = {}", 60e3 * less / 12.0));
     assert!(at(&less) > 1e-3);
-    let words: Vec<String> = design.text().split_whitespace().map(str::to_owned).collect();
-    assert!(words.join(" ").contains("the upper end of the interval of p_not_rest"), "{}", design.text());
+    let words: Vec<String> = design.text(&()).split_whitespace().map(str::to_owned).collect();
+    assert!(words.join(" ").contains("the upper end of the interval of p_not_rest"), "{}", design.text(&()));
 }
 
 /// The upper end of the interval decides, not the estimate.
@@ -162,7 +163,7 @@ fn a_chance_if_known_that_was_never_met_is_a_bound() {
          bias.force = {{ lognormal = {{ cov = 0.0001 }} }}\n"
     );
     let found = answer(&text.replace("sd = 20e3", "sd = 30e3"), ChanceRequest::default());
-    let printed = found.text();
+    let printed = found.text(&());
     assert!(found.situations[0].known.iter().all(|known| known.high > 0.0), "{printed}");
     let known = printed.lines().find(|line| line.starts_with("  load.push.force")).unwrap();
     assert!(known.contains("below "), "{printed}");
@@ -325,7 +326,7 @@ fn rotations_are_those_of_the_motion_in_time() {
         let timed = still.replace("[wave]\n", &format!("[wave]\n{history}"));
         let cases =
             file(&timed).motions().unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)));
-        let outcome = cases[0].follow(&Default::default()).unwrap().outcome;
+        let outcome = FollowedMotion::of(cases[0].clone(), &Default::default()).unwrap().outcome;
         slide += chance * outcome.slide.abs();
         over += chance * f64::from(u8::from(outcome.overturned()));
     }
@@ -400,7 +401,8 @@ fn overturning_is_that_of_the_motions_one_by_one() {
                         let case = body(draws.values[0][i], draws.values[1][i]) + &shaken(file, peak);
                         let case = case + &of_force(bias);
                         let cases = CaseFile::read("case.toml", &case, &files).unwrap().motions().unwrap();
-                        let outcome = cases[0].follow(&Default::default()).unwrap().outcome;
+                        let outcome =
+                            FollowedMotion::of(cases[0].clone(), &Default::default()).unwrap().outcome;
                         let turned = outcome.max_theta > 0.0;
                         [turned || outcome.max_slide > 0.0, turned, outcome.overturned()]
                     })
@@ -472,14 +474,14 @@ fn figures_of_answers_are_tidy() {
         let file = file(text);
         let found = Probability::along(&file, request, over.as_ref())
             .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)));
-        let figures = found.figures(&file).unwrap();
-        let suffixes: Vec<&str> = figures.iter().map(|figure| figure.suffix).collect();
+        let figures = found.figures(&()).unwrap();
+        let suffixes: Vec<&str> = figures.iter().map(|figure| &*figure.suffix).collect();
         assert_eq!(suffixes, expected);
         for figure in &figures {
             let (width, height) = figure.figure.size();
             let labels = figure.figure.labels();
             for (i, label) in labels.iter().enumerate() {
-                let of = (figure.suffix, figure.figure.title());
+                let of = (&*figure.suffix, figure.figure.title());
                 let rect = label.rect;
                 let within =
                     rect.x0 >= 1.0 && rect.y0 >= 1.0 && rect.x1 <= width - 1.0 && rect.y1 <= height - 1.0;

@@ -5,7 +5,7 @@
 
 use standfast::{Boundary, Departure, Mode};
 use standfast_cases::sweep::{Factor, Sweep, SweepResult};
-use standfast_cases::{Assessment, AssessmentView, CaseFile};
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Document};
 
 /// A generator of whole numbers.
 struct Dice(u64);

@@ -5,8 +5,9 @@ use serde_json::Value;
 use standfast_cases::couple::{Variable, vary};
 use standfast_cases::design::{
     BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, Target, TargetError,
+    boundary_csv,
 };
-use standfast_cases::{Assessment, Case, CaseFile, Key, report};
+use standfast_cases::{Assessment, Case, CaseFile, Check, Document, Key, report};
 
 /// A dry block under one force: it slides at μ m g/F, and turns about the corner at m g w/(2 F e).
 const BLOCK: &str = "[body]\nwidth = 4\nheight = 6\ndensity = 2400\nfriction = 0.5\n\
@@ -37,17 +38,17 @@ fn request(vary: &str, target: &str, extreme: Extreme) -> DesignRequest {
 fn design(text: &str, request: DesignRequest) -> Value {
     let file = file(text);
     let design = Design::of(&file, request).map_err(|error| report(&error)).unwrap();
-    let json: Value = serde_json::from_str(&design.json()).unwrap();
+    let json: Value = serde_json::from_str(&design.json(&(), &[])).unwrap();
     // The text shows the same value.
     let printed = json["found"]["printed"].as_str().unwrap();
-    assert!(design.text().contains(printed), "{printed} is not in\n{}", design.text());
+    assert!(design.text(&()).contains(printed), "{printed} is not in\n{}", design.text(&()));
     json
 }
 
 fn refusal(text: &str, request: DesignRequest) -> String {
     let file = file(text);
     match Design::of(&file, request) {
-        Ok(design) => panic!("{}", design.text()),
+        Ok(design) => panic!("{}", design.text(&())),
         Err(error) => report(&error).split_whitespace().collect::<Vec<_>>().join(" "),
     }
 }
@@ -211,7 +212,7 @@ fn sets_that_are_no_intervals_are_found_whole() {
                 (number(&one["from"]["boundary"])..=number(&one["to"]["boundary"])).contains(&value)
             });
             let found = with(text, name, value)
-                .is_some_and(|answer| answer.tried().all(|assessed| criterion.check(assessed).met));
+                .is_some_and(|answer| answer.tried().all(|assessed| Check::of(criterion, assessed).met));
             assert_eq!(found, listed, "{name} {value}");
         }
     }
@@ -253,7 +254,7 @@ fn a_gap_between_two_stretches_is_said() {
         assert_eq!(ends.len(), 4);
         ends.iter().zip(expected).for_each(|(found, expected)| near(*found, expected));
         let file = file(text);
-        let text = Design::of(&file, asked).unwrap().text().replace("\n ", "").replace("  ", " ");
+        let text = Design::of(&file, asked).unwrap().text(&()).replace("\n ", "").replace("  ", " ");
         assert!(text.contains(words), "{text}");
     }
 }
@@ -413,8 +414,9 @@ fn boundary(text: &str, asked: DesignRequest, and: &str, from: &str, to: &str) -
     let [from, to] = [from, to].map(|end| (!end.is_empty()).then(|| end.to_owned()));
     let request = BoundaryRequest { design: asked, and: and.to_owned(), from, to };
     let boundary = DesignBoundary::of(&file, request).map_err(|error| report(&error)).unwrap();
-    let figure = boundary.figure().map_or(String::new(), |figure| figure.caption().to_owned());
-    (serde_json::from_str(&boundary.json()).unwrap(), boundary.csv(), figure)
+    let figure =
+        boundary.figures(&()).unwrap().pop().map_or(String::new(), |drawn| drawn.figure.caption().to_owned());
+    (serde_json::from_str(&boundary.json(&(), &[])).unwrap(), boundary_csv(&boundary), figure)
 }
 
 /// Width over friction of the dry block: w = 1.3 F/(μ ρ g h) while it slides, then what keeps it from turning. Each row of the
@@ -495,7 +497,7 @@ fn refusals_of_two_quantities() {
         let from = from.map(str::to_owned);
         let design = request(vary, target, Extreme::Least);
         match DesignBoundary::of(&file, BoundaryRequest { design, and: and.to_owned(), from, to: None }) {
-            Ok(boundary) => boundary.text(),
+            Ok(boundary) => boundary.text(&()),
             Err(error) => report(&error).split_whitespace().collect::<Vec<_>>().join(" "),
         }
     };

@@ -8,7 +8,7 @@ use standfast::ground::strength::CrushPoint;
 use standfast::{Point, Wrench};
 use standfast_cases::results::{ResultName, ResultValue};
 use standfast_cases::sweep::{Factor, Sweep, SweepResult};
-use standfast_cases::{Assessment, AssessmentView, CaseFile};
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Document};
 
 fn assessment(text: &str) -> Assessment {
     let file = CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}: {text}"));

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 
 use standfast_cases::couple::Variable;
 use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
-use standfast_cases::motion::{Follow, MotionRows};
+use standfast_cases::motion::{Follow, FollowedMotion, MotionRows, MotionView};
 use standfast_cases::random::{ChanceRequest, Effort, Method, Probability};
 use standfast_cases::sweep::{Factor, Sweep};
-use standfast_cases::{Assessment, AssessmentView, CaseFile, Id, Key};
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Id, Key};
 
 const RECORD: &str = "time_s,a_cm_s2\n0,0\n0.1,300\n0.3,-420\n0.5,250\n0.7,0\n";
 
@@ -191,8 +191,9 @@ fn every_number_changes_what_simulate_says() {
             continue;
         }
         let follow = |file: &CaseFile| {
-            let answers = file.follow(&Follow::default()).map_err(|error| error.to_string())?;
-            Ok::<_, String>(standfast_cases::motion::all_json(&answers, &[]))
+            let answers =
+                FollowedMotion::of_file(&file, &Follow::default()).map_err(|error| error.to_string())?;
+            Ok::<_, String>(answers.json(&MotionView::default(), &[]))
         };
         let plain = follow(&file).unwrap();
         for id in variables(&file) {

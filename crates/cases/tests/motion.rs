@@ -2,16 +2,17 @@
 
 use std::path::Path;
 
-use standfast_cases::motion::{BlockCase, Follow, FollowedMotion, GivenBase, Record, RecordUnit, follow_all};
-use standfast_cases::{Acting, CaseError, CaseFile};
+use standfast_cases::motion::{BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit};
+use standfast_cases::{Acting, CaseError, CaseFile, Document};
 use standfast_motion::End;
 
 fn no_file(file: &str) -> Result<String, String> {
     Err(format!("no file {file}"))
 }
 
-fn follow(text: &str) -> Vec<(BlockCase, FollowedMotion)> {
-    CaseFile::read("case.toml", text, &no_file).unwrap().follow(&Follow::default()).unwrap()
+fn follow(text: &str) -> Vec<FollowedMotion> {
+    FollowedMotion::of_file(&CaseFile::read("case.toml", text, &no_file).unwrap(), &Follow::default())
+        .unwrap()
 }
 
 /// The situations of a case.
@@ -29,8 +30,8 @@ fn close(found: f64, expected: f64, tolerance: f64) {
 fn breaking_wave_slides_a_caisson() {
     let text = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
     let answers = follow(text);
-    let [(case, followed)] = &answers[..] else { panic!("{}", answers.len()) };
-    assert_eq!(case.situation.as_deref(), Some("wave times 1.5"));
+    let [followed] = &answers[..] else { panic!("{}", answers.len()) };
+    assert_eq!(followed.case.situation.as_deref(), Some("wave times 1.5"));
     let lines = text.lines().filter(|line| !line.starts_with("history"));
     let still: String = lines.map(|line| format!("{line}\n")).collect();
     let still = CaseFile::parse("case.toml", &still).unwrap().case().unwrap();
@@ -108,7 +109,7 @@ fn body_and_block_agree() {
         horizontal = { shape = "sine", peak = 0.980665, angular_frequency = 8.97597901025655, duration = 2 }
     "#;
     let (one, two) = (follow(body), follow(block));
-    let (one, two) = (&one[0].1.outcome, &two[0].1.outcome);
+    let (one, two) = (&one[0].outcome, &two[0].outcome);
     assert!(one.events.len() > 5);
     let story = |outcome: &standfast_motion::MotionOutcome| {
         outcome.events.iter().map(|e| (e.why, e.state)).collect::<Vec<_>>()
@@ -129,14 +130,14 @@ fn alternatives_one_by_one() {
     };
     let body = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n";
     let answers = follow(&format!("{body}{}{}{}", load("a", 2.4e6), load("b", 3e6), load("c", 1e6)));
-    let names: Vec<_> = answers.iter().map(|(case, _)| case.situation.clone().unwrap()).collect();
+    let names: Vec<_> = answers.iter().map(|followed| followed.case.situation.clone().unwrap()).collect();
     assert_eq!(names, ["b", "a", "c"]);
     // (F − μmg) F T²/(2 m² μ g)
     let (m, r) = (378e3, 0.6 * 378e3 * 9.81);
-    for ((_, followed), force) in answers.iter().zip([3e6, 2.4e6]) {
+    for (followed, force) in answers.iter().zip([3e6, 2.4e6]) {
         close(-followed.outcome.slide, (force - r) * force * 0.09 / (2.0 * m * r), 1e-10);
     }
-    assert_eq!(answers[2].1.outcome.slide, 0.0);
+    assert_eq!(answers[2].outcome.slide, 0.0);
 }
 
 /// Faults are said with their places.
@@ -166,7 +167,7 @@ fn wrong_cases() {
     }
     let lift = "[[load]]\nforce = 5e6\ndirection = \"up\"\ndistance = 7.5\npermanent = true\n";
     let cases = motions(&format!("{body}{lift}{base}"), &no_file).unwrap();
-    let error = follow_all(cases, &Follow::default()).unwrap_err();
+    let error = FollowedMotion::of_all(cases, &Follow::default()).unwrap_err();
     assert!(error.to_string().contains("floats"), "{error}");
 }
 
@@ -182,7 +183,7 @@ fn examples_are_followed() {
             std::fs::read_to_string(entry.path()).unwrap(),
         );
         let cases = CaseFile::read(&name, &text, &read).unwrap().motions().unwrap();
-        for (_, followed) in follow_all(cases, &Follow::default()).unwrap() {
+        for followed in FollowedMotion::of_all(cases, &Follow::default()).unwrap() {
             assert!(matches!(followed.outcome.end, End::AtRest | End::Overturned), "{name}");
         }
         count += 1;
@@ -190,11 +191,12 @@ fn examples_are_followed() {
     assert!(count >= 4);
 }
 
-fn shaken(text: &str, values: &[f64], dt: f64) -> Vec<(BlockCase, FollowedMotion)> {
+fn shaken(text: &str, values: &[f64], dt: f64) -> Vec<FollowedMotion> {
     let times = (0..values.len()).map(|i| i as f64 * dt).collect();
     let record = Record { times, values: values.to_vec(), unit: RecordUnit::Unnamed };
     let given = GivenBase { horizontal: Some(record), vertical: None };
-    CaseFile::parse("case.toml", text).unwrap().on_base(&given).follow(&Follow::default()).unwrap()
+    FollowedMotion::of_file(&CaseFile::parse("case.toml", text).unwrap().on_base(&given), &Follow::default())
+        .unwrap()
 }
 
 /// A record that is given takes the place of the file's: a steady acceleration k₀ over T slides a low block by D k₀ T²/(2 μ) to the
@@ -204,7 +206,7 @@ fn a_record_that_is_given_moves_the_base() {
     let text = "[block]\nb1 = 1\nb2 = 1\nd = 0.3\nmu_s = 0.4\ngravity = 1\n";
     let named = "[motion.base]\nhorizontal = { shape = \"file\", file = \"none.csv\" }\n";
     for text in [text.to_owned(), format!("{text}{named}")] {
-        let [(_, followed)] = &shaken(&text, &[0.6; 5], 0.25)[..] else { panic!() };
+        let [followed] = &shaken(&text, &[0.6; 5], 0.25)[..] else { panic!() };
         close(followed.outcome.slide, -0.2 * 0.6 / (2.0 * 0.4), 1e-13);
         assert!(followed.warnings.iter().any(|warning| warning.name == "record-drift"));
     }
@@ -216,8 +218,8 @@ fn a_record_that_is_given_moves_a_body_as_points_do() {
     let body = "[body]\nwidth = 4\nheight = 6\nmass = 50000\nfriction = 0.4\n[added_mass]\nmass = 9000\nelevation = 3\n";
     let values = [0.0, 5.0, -4.0, 6.0, 1.0, 0.0];
     let points = "[motion.base]\nhorizontal = { shape = \"points\", times = [0, 0.5, 1, 1.5, 2, 2.5], values = [0, 5, -4, 6, 1, 0] }\n";
-    let [(_, of_file)] = &follow(&format!("{body}{points}"))[..] else { panic!() };
-    let [(_, given)] = &shaken(body, &values, 0.5)[..] else { panic!() };
+    let [of_file] = &follow(&format!("{body}{points}"))[..] else { panic!() };
+    let [given] = &shaken(body, &values, 0.5)[..] else { panic!() };
     assert!(given.outcome.slide != 0.0);
     assert_eq!(given.outcome, of_file.outcome);
 }
@@ -231,7 +233,7 @@ fn histories_may_have_headers() {
         follow(&format!("{text}{history}"))
     };
     let on_a_line = load("history = { shape = \"rect\", duration = 0.5 }\n");
-    assert!(on_a_line[0].1.outcome.slide < 0.0);
+    assert!(on_a_line[0].outcome.slide < 0.0);
     for headed in [
         "[load.history]\nshape = \"rect\"\nduration = 0.5\n",
         "[ load . \"history\" ]\nduration = 0.5\nshape = \"rect\"\n",
@@ -239,7 +241,7 @@ fn histories_may_have_headers() {
         let more = format!("{headed}[[load]]\nforce = 1e-6\nelevation = 0.5\npermanent = true\n");
         let (one, with_more) = (load(headed), load(&more));
         assert_eq!(one, on_a_line);
-        assert!((with_more[0].1.outcome.slide - one[0].1.outcome.slide).abs() < 1e-8);
+        assert!((with_more[0].outcome.slide - one[0].outcome.slide).abs() < 1e-8);
     }
     let wave = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
     let line = wave.lines().find(|line| line.starts_with("history")).unwrap();
@@ -264,9 +266,11 @@ fn listed(svg: &str, element: &str, attribute: &str) -> Vec<Vec<f64>> {
 fn the_animation_follows_the_motion() {
     let text = include_str!("../../../examples/motion/block-base-pulse.toml");
     let case = motions(text, &no_file).unwrap().remove(0);
-    let followed = case.follow(&Follow { series: true, ..Follow::default() }).unwrap();
-    let figures = case.figures(&followed);
-    let suffixes: Vec<&str> = figures.iter().map(|figure| figure.suffix).collect();
+    let whole = Follow { series: true, ..Follow::default() };
+    let motions = [FollowedMotion::of(case.clone(), &whole).unwrap()];
+    let figures = motions.figures(&MotionView::default()).unwrap();
+    let followed = &motions[0];
+    let suffixes: Vec<&str> = figures.iter().map(|figure| &*figure.suffix).collect();
     assert_eq!(suffixes, ["-motion", "-positions", "-animation"]);
     let svg = figures[2].figure.svg();
     let [translate, rotate] = ["translate", "rotate"]
@@ -296,7 +300,8 @@ fn the_animation_follows_the_motion() {
         );
     }
     // Without steps there is nothing to draw.
-    assert!(case.figures(&case.follow(&Follow::default()).unwrap()).is_empty());
+    let followed = [FollowedMotion::of(case, &Follow::default()).unwrap()];
+    assert!(followed.figures(&MotionView::default()).unwrap().is_empty());
 }
 
 /// At the first instant a shaken body bears the peaks of the shaking, and a wave's load its own value; blanks keep the places of errors.
@@ -332,16 +337,16 @@ fn at_the_first_instant_the_peaks_act() {
 #[test]
 fn a_duration_by_the_waves() {
     let text = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
-    let plain = &follow(text)[0].1;
+    let plain = &follow(text)[0];
     let by_waves =
         text.replace("rise = \"0.7785 s\", duration = \"1.557 s\"", "duration = \"shimosako-takahashi\"");
     assert_ne!(text, by_waves);
     let answers = follow(&by_waves);
-    let (case, followed) = &answers[0];
+    let followed = &answers[0];
     close(followed.outcome.slide, plain.outcome.slide, 1e-3);
     let period: f64 = 11.4 * f64::max(0.4, 0.5 - 8.05 / (8.0 * 10.1));
     let expected = period / (0.3223_f64.powf(0.3) + 1.0).powi(2);
-    close(*case.problem.loads.last().unwrap().history.times().last().unwrap(), expected, 2e-4);
+    close(*followed.case.problem.loads.last().unwrap().history.times().last().unwrap(), expected, 2e-4);
     let recalled = followed.warnings.iter().find(|warning| warning.name == "duration-recalled").unwrap();
     assert!(recalled.words.contains("1.557") && recalled.words.contains("not read"), "{}", recalled.words);
     for (wrong, expected) in [
@@ -356,7 +361,7 @@ fn a_duration_by_the_waves() {
     // A caisson so heavy and rough that it rocks: the uplift stays, which is said.
     let rocks = text.replace("friction = 0.6", "friction = 3").replace("wave = 1.5", "wave = 2.2");
     let answers = follow(&rocks);
-    let followed = &answers[0].1;
+    let followed = &answers[0];
     assert!(followed.outcome.max_theta > 0.0, "{:?}", followed.outcome.events);
     assert!(followed.warnings.iter().any(|warning| warning.name == "uplift-kept"));
 }
@@ -418,8 +423,8 @@ fn equal_loads_keep_their_own_histories() {
         let text = format!("{body}{}{}{}{}{}", loads[0], loads[1], loads[2], only("long"), only("short"));
         let answers = follow(&text);
         let of = |name: &str| {
-            let found = answers.iter().find(|(case, _)| case.situation.as_deref() == Some(name));
-            -found.unwrap().1.outcome.slide
+            let found = answers.iter().find(|followed| followed.case.situation.as_deref() == Some(name));
+            -found.unwrap().outcome.slide
         };
         close(of("long"), slide(1.0), 1e-9);
         close(of("short"), slide(0.02), 1e-9);
@@ -445,7 +450,7 @@ fn every_spelling_of_toml_says_the_same() {
         ),
     ];
     for text in spellings {
-        assert_eq!(follow(&text)[0].1, plain[0].1, "{text}");
+        assert_eq!(follow(&text)[0], plain[0], "{text}");
     }
     // A case that says nothing of time may have such a note as well.
     let still = format!("note = \"\"\"\n[motion]\n\"\"\"\n{body}[[load]]\nforce = 1\nelevation = 1\n");
@@ -488,7 +493,7 @@ fn shaken_water_is_never_left_out() {
     assert!(error.contains("30000 kg of water"), "{error}");
     let (k, t) = (6.0, 0.2);
     let r = 0.4 * 50e3 * 9.81 / 80e3;
-    close(-follow(&text("elevation = 0.4\n"))[0].1.outcome.slide, (k - r) * k * t * t / (2.0 * r), 1e-9);
+    close(-follow(&text("elevation = 0.4\n"))[0].outcome.slide, (k - r) * k * t * t / (2.0 * r), 1e-9);
 }
 
 /// An [earthquake] beside a base that moves is refused, and so is it in every face that answers such a case.
@@ -531,8 +536,8 @@ fn an_impulse_beside_the_base_is_warned_of() {
              initial = {{ theta = 0.02 }}\nt_max = 2\n"
         );
         let answers = follow(&text);
-        assert!(answers[0].1.outcome.impacts > 0);
-        let warned = answers[0].1.warnings.iter().any(|warning| warning.name == "impulse-beside-base");
+        assert!(answers[0].outcome.impacts > 0);
+        let warned = answers[0].warnings.iter().any(|warning| warning.name == "impulse-beside-base");
         assert_eq!(warned, beside, "{ratio}");
     }
 }

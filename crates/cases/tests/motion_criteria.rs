@@ -1,8 +1,8 @@
 //! Criteria on a motion, and designs for it: against closed forms, and against cases written out and read again.
 
 use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
-use standfast_cases::motion::{BlockCase, Follow, FollowedMotion};
-use standfast_cases::{Acting, Assessment, AssessmentView, CaseFile};
+use standfast_cases::motion::{Follow, FollowedMotion};
+use standfast_cases::{Acting, Assessment, AssessmentView, CaseFile, Document};
 
 const CAISSON: &str = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
 
@@ -10,16 +10,16 @@ fn no_file(file: &str) -> Result<String, String> {
     Err(format!("no file {file}"))
 }
 
-fn follow(text: &str) -> Result<Vec<(BlockCase, FollowedMotion)>, String> {
+fn follow(text: &str) -> Result<Vec<FollowedMotion>, String> {
     let file = CaseFile::read("case.toml", text, &no_file).map_err(|error| error.to_string())?;
-    file.follow(&Follow::default()).map_err(|error| error.to_string())
+    FollowedMotion::of_file(&file, &Follow::default()).map_err(|error| error.to_string())
 }
 
 /// Name, value, and whether it is met, of the first situation.
 fn checks(text: &str) -> Vec<(&'static str, String, bool)> {
     let answers = follow(text).unwrap();
-    let (case, followed) = &answers[0];
-    let checks = case.checks(&followed.outcome).into_iter();
+    let followed = &answers[0];
+    let checks = followed.checks().into_iter();
     checks.map(|check| (check.criterion.name(), check.value_words(), check.met)).collect()
 }
 
@@ -112,7 +112,7 @@ fn request(vary: &str, target: &str, extreme: Extreme, ends: Option<[&str; 2]>) 
 
 fn designed(text: &str, request: DesignRequest) -> serde_json::Value {
     let file = CaseFile::parse("case.toml", text).unwrap();
-    serde_json::from_str(&Design::of(&file, request).unwrap().json()).unwrap()
+    serde_json::from_str(&Design::of(&file, request).unwrap().json(&(), &[])).unwrap()
 }
 
 /// The least friction for which Goda's caisson slides by 5 cm at most, by S = (¼ + √2/6)(s − 1)³/s² Rτ²/m, s = (P + μU)/(μW'), halved
@@ -168,7 +168,7 @@ fn what_is_not_monotone_is_found_whole() {
              horizontal = {{ shape = \"sine\", peak = \"0.7 g\", period = \"0.9 s\", duration = \"0.9 s\" }}\n"
         )
     };
-    let stands = |width: f64| !follow(&stone(width)).unwrap()[0].1.outcome.overturned();
+    let stands = |width: f64| !follow(&stone(width)).unwrap()[0].outcome.overturned();
     let request = request("width", "overturned=false", Extreme::Least, Some(["0.2", "1.5"]));
     let found = designed(&stone(0.6), request);
     let met = found["met"].as_array().unwrap();
@@ -237,13 +237,14 @@ fn a_record_of_a_force_is_the_force_in_its_unit() {
     let slid = |case: &str, record: String| -> Result<f64, String> {
         let read = |_: &str| Ok(record.clone());
         let file = CaseFile::read("case.toml", case, &read).map_err(|error| error.to_string())?;
-        let answers = file.follow(&Follow::default()).map_err(|error| error.to_string())?;
-        Ok(answers[0].1.outcome.slide)
+        let answers =
+            FollowedMotion::of_file(&file, &Follow::default()).map_err(|error| error.to_string())?;
+        Ok(answers[0].outcome.slide)
     };
     let expected = {
         let points = "history = { shape = \"points\", times = [0, 0.3, 0.5, 0.9], values = [0, 0.75, 1, 0] }";
         let text = case("80 kN/m", "").replace("history = { shape = \"file\", file = \"push.csv\" }", points);
-        follow(&text).unwrap()[0].1.outcome.slide
+        follow(&text).unwrap()[0].outcome.slide
     };
     assert!(expected < -1e-3);
     let per_metre = [

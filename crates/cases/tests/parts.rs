@@ -3,7 +3,7 @@
 use standfast::Mode;
 use standfast_cases::results::{ResultKind, ResultName, ResultValue};
 use standfast_cases::units::Dimension;
-use standfast_cases::{Assessment, CaseFile};
+use standfast_cases::{Assessment, CaseFile, Document};
 
 fn assess(text: &str) -> Assessment {
     let case = CaseFile::parse("t.toml", text).unwrap().case().unwrap();

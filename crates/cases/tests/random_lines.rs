@@ -2,6 +2,7 @@
 //! crate. The normal law is Simpson's rule on its density.
 
 use standfast_cases::CaseFile;
+use standfast_cases::Document;
 use standfast_cases::random::{ChanceRequest, Effort, Method, Probability};
 
 /// ∫ of the normal density from −∞ to `z`.
@@ -147,7 +148,7 @@ fn a_bias_of_forces_is_on_every_load() {
 #[test]
 fn the_document_has_the_omission_of_each_number() {
     let laws = "friction = { normal = { sd = 0.08 } }\nbias.force = { normal = { mean = 1.0, sd = 0.2 } }";
-    let json = answer(&format!("{PUSHED}[random]\n{laws}\n"), None, None).json();
+    let json = answer(&format!("{PUSHED}[random]\n{laws}\n"), None, None).json(&(), &[]);
     let document: serde_json::Value = serde_json::from_str(&json).unwrap();
     let near = |value: &serde_json::Value, expected: f64| {
         // Both laws are cut at zero, five and six deviations below their means.

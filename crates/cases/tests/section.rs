@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use standfast_cases::layout::digits;
-use standfast_cases::{Assessment, AssessmentView, Case, CaseFile, FigureKind};
+use standfast_cases::{Assessment, AssessmentView, Case, CaseFile, Document};
 use standfast_figures::Figure;
 
 fn case(name: &str, text: &str) -> Case {
@@ -17,7 +17,7 @@ fn example(name: &str) -> String {
 
 fn section(case: &Case) -> Figure {
     let figures = Assessment::of(case).unwrap().figures(&AssessmentView::default()).unwrap();
-    let mut sections = figures.into_iter().filter(|figure| figure.drawn == FigureKind::Section);
+    let mut sections = figures.into_iter().filter(|figure| figure.is_section());
     let section = sections.next().unwrap();
     assert_eq!(section.suffix, "-section");
     section.figure

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use standfast::InputError;
 use standfast_cases::{Assessment, AssessmentView, CaseError, Explained};
 use thiserror::Error;
 
+use crate::answer::PrintedAnswer;
 use crate::case_file::{self, CaseFileError};
-use crate::figures::{self, FigureError, FigureFile, Figures};
+use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::Format;
 
@@ -26,12 +26,6 @@ pub enum AssessError {
     /// The case makes no sense.
     #[error(transparent)]
     Case(#[from] CaseError),
-    /// The diagram cannot be drawn.
-    #[error(transparent)]
-    Mechanics(#[from] InputError),
-    /// A figure cannot be written.
-    #[error(transparent)]
-    Figure(#[from] FigureError),
 }
 
 impl Explained for AssessError {
@@ -39,7 +33,6 @@ impl Explained for AssessError {
         match self {
             AssessError::File(error) => Some(error),
             AssessError::Case(error) => Some(error),
-            AssessError::Figure(error) => Some(error),
             _ => None,
         }
     }
@@ -54,17 +47,6 @@ impl Explained for AssessError {
     }
 }
 
-/// The answer to a case, and why a diagram of it could not be written, if it could not: the answer is not lost with it.
-#[derive(Debug)]
-pub struct AssessmentAnswer {
-    /// The answer to print.
-    pub answer: String,
-    /// Error that prevented a diagram.
-    pub undrawn: Option<AssessError>,
-    /// True if all criteria are met; `None` where the case has none.
-    pub met: Option<bool>,
-}
-
 /// Assesses a case file, and writes its diagrams.
 ///
 /// # Errors
@@ -75,39 +57,13 @@ pub fn assess(
     view: &AssessmentView,
     format: Format,
     check: bool,
-) -> Result<AssessmentAnswer, AssessError> {
+) -> Result<PrintedAnswer, AssessError> {
     let read = FilesRead::default();
     let assessment = Assessment::of_file(&case_file::parse(path, &read)?)?;
     let nothing = assessment.all_checks().is_empty();
     if check && nothing {
         return Err(AssessError::NothingToCheck { path: path.to_owned() });
     }
-    let mut drawn = Vec::new();
-    let undrawn = draw(&assessment, view, (path, &read), figures, &mut drawn).err();
-    let answer = match format {
-        Format::Text => {
-            let mut answer = assessment.text(view);
-            if !drawn.is_empty() || undrawn.is_some() {
-                answer += "\n";
-            }
-            answer + &figures::said(&drawn)
-        }
-        Format::Json => assessment.json(view, &figures::files(drawn)),
-    };
-    Ok(AssessmentAnswer { answer, undrawn, met: assessment.met() })
-}
-
-/// Writes the figures.
-fn draw(
-    assessment: &Assessment,
-    view: &AssessmentView,
-    (case, read): (&Path, &FilesRead),
-    figures: Figures,
-    drawn: &mut Vec<FigureFile>,
-) -> Result<(), AssessError> {
-    if !figures.are_drawn() {
-        return Ok(());
-    }
-    let all = assessment.figures(view)?.into_iter();
-    Ok(figures.write(case, read, all.map(|figure| (figure.words, figure.suffix, figure.figure)), drawn)?)
+    let printed = PrintedAnswer::of(&assessment, view, format, figures, (path, &read));
+    Ok(PrintedAnswer { met: assessment.met(), ..printed })
 }

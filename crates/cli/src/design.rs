@@ -5,10 +5,11 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use standfast_cases::Explained;
+use standfast::InputError;
 use standfast_cases::design::{
-    BoundaryRequest, Design, DesignBoundary, DesignError, DesignRequest, Extreme, Spelling,
+    BoundaryRequest, Design, DesignBoundary, DesignError, DesignRequest, Extreme, Spelling, boundary_csv,
 };
+use standfast_cases::{Document, Explained};
 use thiserror::Error;
 
 use crate::args::DesignArgs;
@@ -64,6 +65,9 @@ pub enum DesignCommandError {
     /// The case file cannot be read, or is no case file.
     #[error(transparent)]
     File(#[from] CaseFileError),
+    /// The boundary cannot be drawn.
+    #[error(transparent)]
+    Mechanics(#[from] InputError),
     /// There is no design.
     #[error(transparent)]
     Design(#[from] DesignError),
@@ -121,8 +125,8 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
     let Some(and) = args.and.clone() else {
         let design = Design::of(&file, request)?;
         return Ok(match args.format {
-            Format::Text => design.text(),
-            Format::Json => design.json(),
+            Format::Text => design.text(&()),
+            Format::Json => design.json(&(), &[]),
         });
     };
     let request =
@@ -130,8 +134,8 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
     let boundary = DesignBoundary::of(&file, request)?;
     let written = files(args, &boundary, &read)?;
     Ok(match args.format {
-        Format::Text => boundary.text() + &written,
-        Format::Json => boundary.json(),
+        Format::Text => boundary.text(&()) + &written,
+        Format::Json => boundary.json(&(), &[]),
     })
 }
 
@@ -145,11 +149,11 @@ fn files(
     for output in &args.output {
         let what = match output {
             BoundaryFile::Csv(path) => {
-                write::write_file(path, boundary.csv().as_bytes(), read)?;
+                write::write_file(path, boundary_csv(&boundary).as_bytes(), read)?;
                 "Table"
             }
             BoundaryFile::Picture(picture) => {
-                let figure = boundary.figure().ok_or(DesignCommandError::NoBoundary)?;
+                let figure = boundary.figures(&())?.pop().ok_or(DesignCommandError::NoBoundary)?.figure;
                 picture.save(&figure, args.scale, read)?;
                 "Picture"
             }

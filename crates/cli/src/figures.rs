@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use standfast_cases::Explained;
-use standfast_figures::Figure;
+use standfast::InputError;
+use standfast_cases::{AnswerFigure, Explained};
 use thiserror::Error;
 
 use crate::case_file;
@@ -13,6 +13,9 @@ use crate::write::{self, WriteError};
 /// Reason why a figure was not written.
 #[derive(Debug, Error)]
 pub enum FigureError {
+    /// It cannot be drawn.
+    #[error(transparent)]
+    Mechanics(#[from] InputError),
     /// It cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
@@ -20,8 +23,10 @@ pub enum FigureError {
 
 impl Explained for FigureError {
     fn help(&self) -> Option<String> {
-        let FigureError::Write(_) = self;
-        Some("-o DIR puts the figures into another directory".into())
+        match self {
+            FigureError::Mechanics(_) => None,
+            FigureError::Write(_) => Some("-o DIR puts the figures into another directory".into()),
+        }
     }
 }
 
@@ -55,11 +60,11 @@ impl<'a> Figures<'a> {
     ///
     /// # Errors
     /// If one cannot be written; those before it are.
-    pub fn write<W: Into<String>>(
+    pub fn write(
         self,
         case: &Path,
         read: &FilesRead,
-        figures: impl IntoIterator<Item = (W, String, Figure)>,
+        figures: Vec<AnswerFigure>,
         drawn: &mut Vec<FigureFile>,
     ) -> Result<(), FigureError> {
         let directory = match self {
@@ -71,10 +76,10 @@ impl<'a> Figures<'a> {
             Figures::None => return Ok(()),
         };
         let stem = case_file::stem(case);
-        for (words, suffix, figure) in figures {
+        for AnswerFigure { suffix, words, figure } in figures {
             let file = directory.join(format!("{stem}{suffix}.svg"));
             write::write_file(&file, figure.svg().as_bytes(), read)?;
-            drawn.push(FigureFile { words: words.into(), file: file.display().to_string() });
+            drawn.push(FigureFile { words, file: file.display().to_string() });
         }
         Ok(())
     }

@@ -15,6 +15,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod answer;
 pub mod args;
 pub mod assess;
 pub mod batch;
@@ -45,6 +46,7 @@ use standfast_sheet::SheetOptions;
 use standfast_tables::TableOptions;
 use thiserror::Error;
 
+use answer::PrintedAnswer;
 use args::{Cli, Command};
 use figures::Figures;
 use files_read::FilesRead;
@@ -84,17 +86,10 @@ pub fn run(cli: Cli) -> Result<Ended> {
             print(&format!("Calculation sheet written to {}\n", args.output))
         }
         Command::Probability(args) => {
-            let probability::ProbabilityAnswer { answer, undrawn } = probability::probability(&args)?;
-            print(&answer)?;
-            match undrawn {
-                Some(error) => Err(error.into()),
-                None => Ok(()),
-            }
+            return ended(probability::probability(&args)?, false);
         }
         Command::Simulate(args) => {
-            let simulated = simulate::simulate(&args)?;
-            print(&simulated.answer)?;
-            return ended(simulated.undrawn.map(Into::into), args.check, simulated.met);
+            return ended(simulate::simulate(&args)?, args.check);
         }
         Command::Spectrum(args) => print(&spectrum::spectrum(&args)?),
         Command::Classify(args) => {
@@ -129,15 +124,14 @@ pub fn run(cli: Cli) -> Result<Ended> {
 fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
     let view = AssessmentView { up_to: args.up_to, all: args.all, ..AssessmentView::default() };
     let figures = Figures::asked(args.output.as_deref(), args.no_figures);
-    let answered = assess::assess(&args.case, figures, &view, args.format, args.check)?;
-    print(&answered.answer)?;
-    ended(answered.undrawn.map(Into::into), args.check, answered.met)
+    ended(assess::assess(&args.case, figures, &view, args.format, args.check)?, args.check)
 }
 
-/// End of a command that printed its answer, which may have figures that could not be written and criteria that are not met.
-fn ended(undrawn: Option<Box<dyn Explained>>, check: bool, met: Option<bool>) -> Result<Ended> {
+/// Prints an answer, which may have figures that could not be written and criteria that are not met.
+fn ended(PrintedAnswer { answer, undrawn, met }: PrintedAnswer, check: bool) -> Result<Ended> {
+    print(&answer)?;
     match undrawn {
-        Some(error) => Err(error),
+        Some(error) => Err(error.into()),
         None if check && met == Some(false) => Ok(Ended::NotMet),
         None => Ok(Ended::Done),
     }

@@ -2,16 +2,18 @@
 
 use std::fmt::Write;
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 
 use standfast_cases::random::{ChanceRequest, Effort, Probability, ProbabilityError, WeighedDraws, template};
-use standfast_cases::{CaseError, CaseFile, Explained};
+use standfast_cases::{CaseError, Explained};
 use standfast_tables::{PlainColumn, PlainValues, TableError, TableFormat, write_columns};
 use thiserror::Error;
 
+use crate::answer::PrintedAnswer;
 use crate::args::{ProbabilityArgs, RotationsArg};
 use crate::case_file::{self, CaseFileError};
+use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::Format;
 use crate::write::{self, ExtensionError, Pending, WriteError};
@@ -55,7 +57,7 @@ pub enum ProbabilityCommandError {
     /// The draws cannot be written.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// A figure, or the file of draws, cannot be written.
+    /// The file of draws cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
 }
@@ -67,38 +69,20 @@ impl Explained for ProbabilityCommandError {
             ProbabilityCommandError::Case(error) => Some(error),
             ProbabilityCommandError::Probability(error) => Some(error),
             ProbabilityCommandError::Table(error) => Some(error),
-            _ => None,
+            ProbabilityCommandError::Write(error) => Some(error),
         }
     }
-
-    fn help(&self) -> Option<String> {
-        match self {
-            ProbabilityCommandError::Write(_) => {
-                Some("-o DIR puts the figures into another directory".into())
-            }
-            _ => None,
-        }
-    }
-}
-
-/// The answer, and why a figure of it could not be written, if it could not: the answer is not lost with it.
-#[derive(Debug)]
-pub struct ProbabilityAnswer {
-    /// The answer to print.
-    pub answer: String,
-    /// Error that prevented a figure.
-    pub undrawn: Option<ProbabilityCommandError>,
 }
 
 /// Answers a case with random numbers, and writes its figures into a directory or else beside it.
 ///
 /// # Errors
 /// If the case file cannot be read or makes no sense, or the draws cannot be written.
-pub fn probability(args: &ProbabilityArgs) -> Result<ProbabilityAnswer, ProbabilityCommandError> {
+pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer, ProbabilityCommandError> {
     let read = FilesRead::default();
     let case = case_file::parse(&args.case, &read)?;
     if args.template {
-        return Ok(ProbabilityAnswer { answer: template(&case)?, undrawn: None });
+        return Ok(PrintedAnswer::plain(template(&case)?));
     }
     let plain = Effort::default();
     let effort = Effort {
@@ -118,45 +102,12 @@ pub fn probability(args: &ProbabilityArgs) -> Result<ProbabilityAnswer, Probabil
     if let Some(file) = &args.draws {
         write_draws(WeighedDraws::of(&case, answer)?, file, &read)?;
     }
-    let mut drawn = Vec::new();
-    let undrawn = if args.no_figures { None } else { draw(answer, &case, (args, &read), &mut drawn).err() };
-    let answer = match args.format {
-        Format::Text => {
-            let mut said = answer.text();
-            if !drawn.is_empty() || undrawn.is_some() {
-                said += "\n";
-            }
-            for (words, file) in &drawn {
-                let _ = writeln!(said, "{words} written to {file}");
-            }
-            if let Some(file) = &args.draws {
-                let _ = write!(said, "\nDraws written to {}\n", file.path.display());
-            }
-            said
-        }
-        Format::Json => answer.json_with(&drawn.into_iter().map(|(_, file)| file).collect::<Vec<_>>()),
-    };
-    Ok(ProbabilityAnswer { answer, undrawn })
-}
-
-/// Writes the figures of an answer; `drawn` gets their words and files.
-fn draw(
-    answer: &Probability,
-    case: &CaseFile,
-    (args, read): (&ProbabilityArgs, &FilesRead),
-    drawn: &mut Vec<(&'static str, String)>,
-) -> Result<(), ProbabilityCommandError> {
-    if let Some(directory) = &args.output {
-        write::make_directory(directory)?;
+    let figures = Figures::asked(args.output.as_deref(), args.no_figures);
+    let mut printed = PrintedAnswer::of(answer, &(), args.format, figures, (&args.case, &read));
+    if let (Format::Text, Some(file)) = (args.format, &args.draws) {
+        let _ = write!(printed.answer, "\nDraws written to {}\n", file.path.display());
     }
-    let directory = args.output.as_deref().unwrap_or_else(|| args.case.parent().unwrap_or(Path::new("")));
-    let stem = case_file::stem(&args.case);
-    for figure in answer.figures(case)? {
-        let file = directory.join(format!("{stem}{}.svg", figure.suffix));
-        write::write_file(&file, figure.figure.svg().as_bytes(), read)?;
-        drawn.push((figure.words, file.display().to_string()));
-    }
-    Ok(())
+    Ok(printed)
 }
 
 /// A row for each draw: the numbers, the weight and the mode, and of several sets of loads which.

@@ -4,16 +4,17 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use standfast_cases::motion::{
-    Follow, MotionOutcome, Position, SERIES, all_json, follow_all, series, series_csv,
+    Follow, FollowedMotion, MotionOutcome, MotionView, Position, SERIES, series, series_csv,
 };
 use standfast_cases::{CaseError, Explained};
 use standfast_tables::{TableFormat, WrittenColumn, written};
 use thiserror::Error;
 
+use crate::answer::PrintedAnswer;
 use crate::args::SimulateArgs;
 use crate::batch::{self, BatchCommandError};
 use crate::case_file::{self, CaseFileError};
-use crate::figures::{self, FigureError, Figures};
+use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::Format;
 use crate::write::{self, WriteError};
@@ -48,9 +49,6 @@ pub enum SimulateError {
     /// The series cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
-    /// A figure cannot be written.
-    #[error(transparent)]
-    Figure(#[from] FigureError),
 }
 
 impl Explained for SimulateError {
@@ -60,7 +58,6 @@ impl Explained for SimulateError {
             SimulateError::Case(error) => Some(error),
             SimulateError::Format(error) => Some(&**error),
             SimulateError::Write(error) => Some(error),
-            SimulateError::Figure(error) => Some(error),
             _ => None,
         }
     }
@@ -81,22 +78,11 @@ impl Explained for SimulateError {
     }
 }
 
-/// The motion of a case, and why a figure of it could not be written, if it could not: the answer is not lost with it.
-#[derive(Debug)]
-pub struct SimulationAnswer {
-    /// The answer to print.
-    pub answer: String,
-    /// Error that prevented a figure.
-    pub undrawn: Option<FigureError>,
-    /// True if all criteria of the motion are met; `None` where the case has none.
-    pub met: Option<bool>,
-}
-
 /// Follows the motion of a case file, and writes its figures into a directory or else beside it.
 ///
 /// # Errors
 /// If a file cannot be read, the series cannot be written, or the case makes no sense.
-pub fn simulate(args: &SimulateArgs) -> Result<SimulationAnswer, SimulateError> {
+pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer, SimulateError> {
     let read = FilesRead::default();
     let file = case_file::parse(&args.case, &read)?;
     let cases = file.motions()?;
@@ -110,43 +96,24 @@ pub fn simulate(args: &SimulateArgs) -> Result<SimulationAnswer, SimulateError> 
     }
     let to_stdout = args.series.as_ref().is_some_and(|series| series.as_os_str() == "-");
     let follow = Follow { sensitivity: args.sensitivity, series: !args.no_figures || args.series.is_some() };
-    let answers = follow_all(cases, &follow)?;
+    let answers = FollowedMotion::of_all(cases, &follow)?;
     // The worst by the criteria is the first.
-    let met = answers.first().and_then(|(case, followed)| case.met(&followed.outcome));
+    let met = answers.first().and_then(FollowedMotion::met);
     // That of the situation that is the worst.
-    let worst = answers.first().map(|(_, followed)| &followed.outcome);
+    let worst = answers.first().map(|followed| &followed.outcome);
     if let (true, Some(dt), Some(worst)) = (to_stdout, args.dt, worst) {
-        return Ok(SimulationAnswer { answer: series_csv(worst, dt), undrawn: None, met });
+        return Ok(PrintedAnswer { met, ..PrintedAnswer::plain(series_csv(worst, dt)) });
     }
     let figures = Figures::asked(args.output.as_deref(), args.no_figures);
-    let mut drawn = Vec::new();
-    let undrawn = match answers.first() {
-        Some((case, followed)) if figures.are_drawn() => {
-            let all = case.figures(followed).into_iter();
-            let all = all.map(|figure| (figure.words, figure.suffix.to_owned(), figure.figure));
-            figures.write(&args.case, &read, all, &mut drawn).err()
-        }
-        _ => None,
-    };
-    let mut answer = match args.format {
-        Format::Text => {
-            let texts: Vec<_> =
-                answers.iter().map(|(case, followed)| case.text(followed, args.all)).collect();
-            let mut answer = texts.join("\n");
-            if !drawn.is_empty() || undrawn.is_some() {
-                answer += "\n";
-            }
-            answer + &figures::said(&drawn)
-        }
-        Format::Json => all_json(&answers, &figures::files(drawn)),
-    };
+    let view = MotionView { all: args.all };
+    let mut printed = PrintedAnswer::of(&answers[..], &view, args.format, figures, (&args.case, &read));
     if let (Some(series), Some(dt), Some(worst)) = (&args.series, args.dt, worst) {
         write::write_file(series, &series_bytes(worst, dt, series)?, &read)?;
         if args.format == Format::Text {
-            let _ = writeln!(answer, "Series written to {}", series.display());
+            let _ = writeln!(printed.answer, "Series written to {}", series.display());
         }
     }
-    Ok(SimulationAnswer { answer, undrawn, met })
+    Ok(PrintedAnswer { met, ..printed })
 }
 
 /// The format that the name of a file asks for.

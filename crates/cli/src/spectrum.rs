@@ -3,13 +3,14 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use standfast_cases::motion::{SpectrumError, SpectrumRequest};
+use standfast_cases::motion::{Spectrum, SpectrumError, SpectrumRequest, spectrum_csv};
 use standfast_cases::{CaseError, Explained};
 use thiserror::Error;
 
+use crate::answer::PrintedAnswer;
 use crate::args::{SpectrumArgs, threads};
 use crate::case_file::{self, CaseFileError};
-use crate::figures::{self, FigureError, Figures};
+use crate::figures::{FigureError, Figures};
 use crate::files_read::FilesRead;
 use crate::format::Format;
 use crate::progress::Motions;
@@ -69,26 +70,24 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String, SpectrumCommandError> {
     };
     let progress = Arc::new(Motions::shown());
     on_interrupt(progress.clone());
-    let found = case.spectrum(&request, &|progressed| progress.tell(progressed));
+    let found = Spectrum::of(&case, &request, &|progressed| progress.tell(progressed));
     progress.clear();
     let spectrum = found?;
     if args.csv.as_ref().is_some_and(|csv| csv.as_os_str() == "-") {
-        return Ok(spectrum.csv());
+        return Ok(spectrum_csv(&spectrum));
     }
-    let mut drawn = Vec::new();
-    let figure = ("Spectrum", format!("-{}", args.kind.word()), spectrum.figure());
-    Figures::asked(args.output.as_deref(), false).write(&args.case, &read, [figure], &mut drawn)?;
+    let figures = Figures::asked(args.output.as_deref(), false);
+    let mut printed = PrintedAnswer::of(&spectrum, &(), args.format, figures, (&args.case, &read));
+    if let Some(error) = printed.undrawn {
+        return Err(error.into());
+    }
     if let Some(csv) = &args.csv {
-        write::write_file(csv, spectrum.csv().as_bytes(), &read)?;
-    }
-    let said = figures::said(&drawn);
-    Ok(match args.format {
-        Format::Json => spectrum.json(&figures::files(drawn)),
-        Format::Text => {
-            let points = args.csv.as_ref().map(|csv| format!("Points written to {}\n", csv.display()));
-            format!("{}\n{said}{}", spectrum.text(), points.unwrap_or_default())
+        write::write_file(csv, spectrum_csv(&spectrum).as_bytes(), &read)?;
+        if args.format == Format::Text {
+            printed.answer += &format!("Points written to {}\n", csv.display());
         }
-    })
+    }
+    Ok(printed.answer)
 }
 
 /// Ends the program on an interrupt, and says how far it came.

@@ -110,6 +110,19 @@ pub enum End {
     TooManyEvents,
 }
 
+impl End {
+    /// The word in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            End::AtRest => "rest",
+            End::Overturned => "overturned",
+            End::Time => "time",
+            End::NoContinuation => "no-continuation",
+            End::TooManyEvents => "too-many-events",
+        }
+    }
+}
+
 /// Outcome of a motion, in the units of the problem.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]

@@ -13,6 +13,7 @@ mod path;
 mod waves;
 
 use maud::Markup;
+use standfast_cases::assess::{shown, situation_title};
 use standfast_cases::{Assessed, Assessment, AssessmentView, Inputs};
 
 pub use classical::TARGET;
@@ -30,9 +31,9 @@ pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &AssessmentView) ->
         steps.part("Waves and pressures (Goda, Takahashi)", None);
         waves::steps(&mut steps, case, wave);
     }
-    let shown = assessment.shown(view);
+    let shown = shown(assessment, view);
     for assessed in &shown {
-        let title = assessment.situation_title(assessed).unwrap_or_else(|| "Loads and response".to_owned());
+        let title = situation_title(assessment, assessed).unwrap_or_else(|| "Loads and response".to_owned());
         steps.part(&title, Some(assessed.index));
         situation(&mut steps, assessment, assessed, inputs, view)?;
     }

@@ -6,7 +6,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use standfast_cases::key::TITLE_BLOCK;
 use standfast_cases::motion::FirstInstant;
 use standfast_cases::units::Extent;
-use standfast_cases::{Assessment, AssessmentView, Case, CaseFigure, CaseFile, FigureKind, Key};
+use standfast_cases::{AnswerFigure, Assessment, AssessmentView, Case, CaseFile, Document, Key};
 use standfast_figures::Figure;
 
 use crate::{
@@ -55,7 +55,7 @@ pub fn render(
 ) -> Result<String, SheetError> {
     let case = &assessment.case;
     let (section, figures): (Vec<_>, Vec<_>) =
-        assessment.figures(view)?.into_iter().partition(|figure| figure.drawn == FigureKind::Section);
+        assessment.figures(view)?.into_iter().partition(|figure| figure.is_section());
     let sensitivities = sensitivity::table(source.case_file)?;
     let probability = probability::section(source.case_file)?;
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
@@ -66,7 +66,8 @@ pub fn render(
         Extent::Whole => "those of the whole object",
     };
     let in_time = assessment.in_time.as_ref().filter(|in_time| !in_time.motions.is_empty());
-    let in_time = in_time.map(|in_time| (in_time, in_time::figures(in_time)));
+    let in_time = in_time.map(|in_time| in_time::figures(in_time).map(|figures| (in_time, figures)));
+    let in_time = in_time.transpose()?;
     // Sections after the motion move on by one, if there is a motion.
     let later = |number: usize| number + usize::from(in_time.is_some());
     let last = later(7) + usize::from(probability.is_some());
@@ -107,7 +108,7 @@ pub fn render(
                             h2 { "5 Motion in time" }
                             (in_time::motions(in_time, case))
                             @for (i, figure) in figures.iter().enumerate() {
-                                (drawing(section.len() + i, false, &figure.figure, figure.words))
+                                (drawing(section.len() + i, false, &figure.figure, &figure.words))
                             }
                         }
                     }
@@ -191,8 +192,8 @@ fn signatures(source: &Source<'_>) -> Markup {
 }
 
 /// A figure of the case.
-fn of_case(index: usize, figure: &CaseFigure) -> Markup {
-    drawing(index, figure.drawn == FigureKind::Section, &figure.figure, &figure.words)
+fn of_case(index: usize, figure: &AnswerFigure) -> Markup {
+    drawing(index, figure.is_section(), &figure.figure, &figure.words)
 }
 
 /// A figure, its glyphs renamed so that those of several do not clash.

@@ -1,10 +1,11 @@
 //! The motion in time of a case: what it is asked of, what becomes of the body, and what the model leaves out.
 
 use maud::{Markup, html};
+use standfast::InputError;
 use standfast_cases::assess::MotionAssessment;
 use standfast_cases::layout::digits;
-use standfast_cases::motion::{BlockCase, FirstInstant, FollowedMotion, LoadPeak, MotionFigure, Rows};
-use standfast_cases::{Case, CaseFile};
+use standfast_cases::motion::{self, BlockCase, FirstInstant, FollowedMotion, LoadPeak, MotionView, Rows};
+use standfast_cases::{AnswerFigure, Case, CaseFile, Document};
 
 /// At most so many situations are shown one by one.
 const SHOWN: usize = 8;
@@ -28,24 +29,25 @@ pub fn motions(in_time: &MotionAssessment, case: &Case) -> Markup {
              them. Slide is to the right, θ counter-clockwise; moments are about the centre of mass. Energies are per mass, the weight \
              left out of the work."
         }
-        @for (block, followed) in all.iter().take(SHOWN) { (motion(block, followed, case)) }
+        @for followed in all.iter().take(SHOWN) { (motion_of(followed, case)) }
         @if all.len() > SHOWN { p.note { "Of " (all.len()) " situations the " (SHOWN) " worst are shown here." } }
     }
 }
 
-fn motion(block: &BlockCase, followed: &FollowedMotion, case: &Case) -> Markup {
+fn motion_of(followed: &FollowedMotion, case: &Case) -> Markup {
+    let block = &followed.case;
     html! {
         @if let Some(situation) = &block.situation { h3 { "Motion under " (situation) } }
-        p.verdict data-motion=(followed.outcome.overturned()) { (block.verdict(followed)) }
+        p.verdict data-motion=(followed.outcome.overturned()) { (motion::verdict(followed)) }
         h4 { "Loads at their peaks" }
         (peaks(block, case))
         h4 { "Results" }
-        (table("in-time-results", &[], &block.number_rows(followed)))
+        (table("in-time-results", &[], &motion::number_rows(followed)))
         h4 { "Events" }
-        (table("in-time-events", &["When", "Why", "State that goes on"], &block.event_rows(followed)))
+        (table("in-time-events", &["When", "Why", "State that goes on"], &motion::event_rows(followed)))
         h4 { "Energy per mass, J/kg" }
-        (table("in-time-energy", &[], &block.energy_rows(followed)))
-        p { (block.uniqueness(followed)) }
+        (table("in-time-energy", &[], &motion::energy_rows(followed)))
+        p { (motion::uniqueness(followed)) }
         @for warning in &followed.warnings { p { "Note (" code { (warning.name) } "): " (warning.words) "." } }
     }
 }
@@ -98,10 +100,12 @@ fn table(name: &str, head: &[&str], rows: &Rows) -> Markup {
 }
 
 /// Histories and positions of the worst situation; what moves has no place on paper.
-pub fn figures(in_time: &MotionAssessment) -> Vec<MotionFigure> {
-    let worst = in_time.motions.first();
-    let figures = worst.map_or_else(Vec::new, |(block, followed)| block.figures(followed));
-    figures.into_iter().filter(|figure| figure.suffix != "-animation").collect()
+///
+/// # Errors
+/// If a figure's numbers are out of range.
+pub fn figures(in_time: &MotionAssessment) -> Result<Vec<AnswerFigure>, InputError> {
+    let figures = in_time.motions.figures(&MotionView::default())?;
+    Ok(figures.into_iter().filter(|figure| figure.suffix != "-animation").collect())
 }
 
 /// Limits of the motion in time.

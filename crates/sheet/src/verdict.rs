@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use standfast::{Departure, Verdict};
-use standfast_cases::assess::{AnyCheck, criteria_met, verdict};
+use standfast_cases::assess::{AnyCheck, criteria_met, shown, verdict};
 use standfast_cases::layout::digits;
 use standfast_cases::{Assessed, Assessment, AssessmentView};
 
@@ -19,7 +19,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
     html! {
         section.summary {
             h2 { "Summary" }
-            @for assessed in assessment.shown(&AssessmentView::default()) {
+            @for assessed in shown(assessment, &AssessmentView::default()) {
                 p.verdict data-mode=(assessed.verdict().map_or("none", Verdict::symbol)) {
                     @if several { (name(assessment, assessed)) ": " }
                     @match assessed.verdict() {
@@ -154,7 +154,7 @@ fn departure(departure: &Departure) -> Markup {
 /// The verdict in full.
 pub fn full(assessment: &Assessment, view: &AssessmentView) -> Markup {
     html! {
-        @for assessed in assessment.shown(view) {
+        @for assessed in shown(assessment, view) {
             @if is_named(assessment) { h3 { (name(assessment, assessed)) } }
             @for sentence in verdict::full_load(assessed) { p { (sentence) } }
             @for sentence in verdict::path(assessed) { p { (sentence) } }

@@ -2,7 +2,7 @@
 
 use scraper::{Html, Selector};
 use standfast_cases::CaseFile;
-use standfast_cases::motion::Follow;
+use standfast_cases::motion::{Follow, FollowedMotion};
 use standfast_sheet::{Sheet, SheetOptions};
 
 const CAISSON: &str = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
@@ -26,8 +26,8 @@ fn the_sheet_has_what_becomes_of_the_body() {
     let html = Sheet::of_file(&file, &SheetOptions::default()).unwrap().html().to_owned();
     assert_eq!(Sheet::of_file(&file, &SheetOptions::default()).unwrap().html(), html);
     let page = Html::parse_document(&html);
-    let answers = file.follow(&Follow::default()).unwrap();
-    let outcome = &answers[0].1.outcome;
+    let answers = FollowedMotion::of_file(&file, &Follow::default()).unwrap();
+    let outcome = &answers[0].outcome;
     let near = |found: f64, expected: f64| {
         assert!((found - expected).abs() <= 1e-6 * expected.abs() + 1e-12, "{found} {expected}");
     };

@@ -10,7 +10,7 @@ use common::{Step, cases, document, select, si, steps};
 use scraper::ElementRef;
 use serde_json::Value;
 use standfast_cases::results::{ResultKind, ResultName};
-use standfast_cases::{Assessment, AssessmentView, CaseFile};
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Document};
 
 /// Numbers of the sea that the sheet shows under the names of the JSON.
 const SEA: [&str; 18] = [

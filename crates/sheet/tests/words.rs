@@ -7,8 +7,9 @@ use std::collections::BTreeMap;
 use common::{cases, document, html, select, si};
 use scraper::{ElementRef, Html};
 use standfast::{Departure, Mode};
+use standfast_cases::assess::shown;
 use standfast_cases::case::Limit;
-use standfast_cases::{Assessment, AssessmentView, CaseFile, FigureKind, Key};
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Key};
 use standfast_sheet::{Sheet, SheetOptions};
 
 const RACK: &str = "title = \"Server rack\"\n[body]\nwidth = 0.6\nheight = 2\nmass = 900\nfriction = 0.4\n\
@@ -100,7 +101,7 @@ fn departure_and_friction_are_steps_with_formulas() {
         let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
         let assessment = Assessment::of(&case).unwrap();
         let html = document(&name, &text);
-        for assessed in assessment.shown(&AssessmentView::default()) {
+        for assessed in shown(&assessment, &AssessmentView::default()) {
             let of = |symbol: &str| {
                 let selector =
                     format!("[data-load=\"{}\"] .step[data-symbol=\"{symbol}\"] .numbers", assessed.index);
@@ -129,7 +130,7 @@ fn what_the_base_bears_has_formulas() {
         let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
         let assessment = Assessment::of(&case).unwrap();
         let html = document(&name, &text);
-        for assessed in assessment.shown(&AssessmentView::default()) {
+        for assessed in shown(&assessment, &AssessmentView::default()) {
             let Some(ground) = assessed.ground.as_ref().filter(|ground| ground.reaction.is_some()) else {
                 continue;
             };
@@ -222,7 +223,7 @@ fn every_sheet_has_its_section_and_its_sources() {
         assert_eq!(sources.matches("not read").count() + 1, select(&page, ".references li").len(), "{name}");
         let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
         let figures = Assessment::of(&case).unwrap().figures(&AssessmentView::default()).unwrap();
-        assert_eq!(figures.iter().filter(|figure| figure.drawn == FigureKind::Section).count(), 1);
+        assert_eq!(figures.iter().filter(|figure| figure.is_section()).count(), 1);
     }
 }
 

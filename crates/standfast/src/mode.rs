@@ -21,6 +21,14 @@ pub enum Corner {
 }
 
 impl Corner {
+    /// Its letter: O, or O'.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Corner::O => "O",
+            Corner::OPrime => "O'",
+        }
+    }
+
     /// The other corner.
     pub fn opposite(self) -> Corner {
         match self {

@@ -142,7 +142,7 @@ def probability(
         None if years is None else float(years), over, rotations == "simulate", how.threads,
     )  # fmt: skip
     found = _standfast.probability(case_text(case), asked)
-    return Probability(found.text(), found.json(), found.figures)
+    return Probability(found.text(), found.json(), lambda: [(words, svg) for words, _, svg in found.figures()])
 
 
 def draws(

@@ -237,8 +237,8 @@ class ChanceAnswer:
     def json(self) -> str:
         """As one JSON document."""
 
-    def figures(self) -> list[tuple[str, str]]:
-        """Words and SVG of each figure."""
+    def figures(self) -> list[tuple[str, str, str]]:
+        """Words, suffix and SVG of each figure."""
 
 def probability(file: tuple[str, str], asked: _Asked) -> ChanceAnswer: ...
 def plain_effort() -> tuple[int, float, float, int]: ...

@@ -7,6 +7,7 @@ use standfast::initiation::Chart;
 use standfast::wave::Goda;
 use standfast::{Diagram, Mode};
 use standfast_cases::CaseFile;
+use standfast_cases::Document;
 use standfast_cases::random::{ChanceRequest, Effort, Probability, ValueRange};
 use standfast_figures::{
     Chance, ChanceLine, ChanceLines, ChanceMark, DesignPoint, DiagramContent, Figure, LineLook, SpectrumAxis,
@@ -44,7 +45,7 @@ pub fn examples(root: &Path) -> io::Result<Vec<Example>> {
         };
         let file = CaseFile::read(name, &text, &record).map_err(io::Error::other)?;
         let answer = Probability::along(&file, request, over.as_ref()).map_err(io::Error::other)?;
-        let figures = answer.figures(&file).map_err(io::Error::other)?.into_iter();
+        let figures = answer.figures(&()).map_err(io::Error::other)?.into_iter();
         let stem = name.rsplit('/').next().unwrap_or(name);
         let files =
             figures.map(|f| (format!("gallery/chance-{stem}{}.svg", f.suffix), f.figure.svg().to_owned()));

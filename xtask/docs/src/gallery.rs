@@ -6,8 +6,8 @@ use std::{fs, io};
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushMap;
 use standfast_cases::design::{BoundaryRequest, DesignBoundary, DesignRequest, Extreme, Spelling};
-use standfast_cases::motion::{Follow, SpectrumKind, SpectrumRequest};
-use standfast_cases::{Assessment, AssessmentView, CaseFigure, CaseFile};
+use standfast_cases::motion::{Follow, FollowedMotion, MotionView, Spectrum, SpectrumKind, SpectrumRequest};
+use standfast_cases::{AnswerFigure, Assessment, AssessmentView, CaseFile, Document};
 use standfast_figures::{DiagramContent, Figure, FigureId, KMuPlane, diagram_with, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
 
@@ -116,7 +116,7 @@ fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         let case = CaseFile::parse(&name, &text).and_then(|file| file.case()).map_err(io::Error::other)?;
         let assessment = Assessment::of(&case).map_err(io::Error::other)?;
         let figures = assessment.figures(&AssessmentView::default()).map_err(io::Error::other)?;
-        let files = figures.into_iter().map(|CaseFigure { suffix, figure, .. }| {
+        let files = figures.into_iter().map(|AnswerFigure { suffix, figure, .. }| {
             (format!("gallery/case-{name}{suffix}.svg"), figure.svg().to_owned())
         });
         let files = files.collect();
@@ -134,10 +134,10 @@ fn motions(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         let text = fs::read_to_string(folder.join(format!("{name}.toml")))?;
         let file = CaseFile::read(name, &text, &read).map_err(io::Error::other)?;
         let follow = Follow { series: true, ..Follow::default() };
-        let answers = file.follow(&follow).map_err(io::Error::other)?;
-        let Some((case, followed)) = answers.first() else { continue };
+        let answers = FollowedMotion::of_file(&file, &follow).map_err(io::Error::other)?;
+        let Some(worst) = answers.first() else { continue };
         let mut files: Vec<File> = Vec::new();
-        for figure in case.figures(followed) {
+        for figure in answers.figures(&MotionView::default()).map_err(io::Error::other)? {
             files.push((
                 format!("gallery/motion-{name}{}.svg", figure.suffix),
                 figure.figure.svg().to_owned(),
@@ -145,10 +145,11 @@ fn motions(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         }
         if name == "block-base-pulse" {
             for kind in [SpectrumKind::Rocking, SpectrumKind::Overturning] {
-                let spectrum =
-                    case.spectrum(&SpectrumRequest::new(kind), &|_| ()).map_err(io::Error::other)?;
-                let path = format!("gallery/motion-{name}-{}.svg", kind.word());
-                files.push((path, spectrum.figure().svg().to_owned()));
+                let spectrum = Spectrum::of(&worst.case, &SpectrumRequest::new(kind), &|_| ());
+                for figure in spectrum.map_err(io::Error::other)?.figures(&()).map_err(io::Error::other)? {
+                    let path = format!("gallery/motion-{name}{}.svg", figure.suffix);
+                    files.push((path, figure.figure.svg().to_owned()));
+                }
             }
         }
         all.push((name.to_owned(), files));
@@ -170,8 +171,9 @@ fn boundary(root: &Path, example: &str) -> io::Result<String> {
         spelling: &Spelling::PROGRAM,
     };
     let request = BoundaryRequest { design, and: "friction".to_owned(), from: None, to: None };
-    let figure = DesignBoundary::of(&file, request).map_err(io::Error::other)?.figure();
-    Ok(figure.map(|figure| figure.svg().to_owned()).unwrap_or_default())
+    let boundary = DesignBoundary::of(&file, request).map_err(io::Error::other)?;
+    let figure = boundary.figures(&()).map_err(io::Error::other)?.pop();
+    Ok(figure.map(|drawn| drawn.figure.svg().to_owned()).unwrap_or_default())
 }
 
 /// The calculation sheet of an example.

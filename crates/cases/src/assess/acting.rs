@@ -51,19 +51,17 @@ fn results(assessed: &Assessed) -> Vec<String> {
     ]
 }
 
-impl Assessment {
-    /// The title of a situation: its load or combination, with its number where there are several, and its name; `None` where the
-    /// case leaves no choice.
-    pub fn situation_title(&self, assessed: &Assessed) -> Option<String> {
-        let (what, index, name) = match assessed.acting {
-            Acting::All => return None,
-            Acting::Alone(index) => ("Load", index, &self.case.forces[index].name),
-            Acting::Combination(index) => ("Combination", index, &self.case.combinations[index].name),
-        };
-        let number = if self.all.len() > 1 { format!(" {}", index + 1) } else { String::new() };
-        let name = name.as_ref().map_or(String::new(), |name| format!(": {name}"));
-        Some(format!("{what}{number}{name}"))
-    }
+/// The title of a situation: its load or combination, with its number where there are several, and its name; `None` where the
+/// case leaves no choice.
+pub fn situation_title(assessment: &Assessment, assessed: &Assessed) -> Option<String> {
+    let (what, index, name) = match assessed.acting {
+        Acting::All => return None,
+        Acting::Alone(index) => ("Load", index, &assessment.case.forces[index].name),
+        Acting::Combination(index) => ("Combination", index, &assessment.case.combinations[index].name),
+    };
+    let number = if assessment.all.len() > 1 { format!(" {}", index + 1) } else { String::new() };
+    let name = name.as_ref().map_or(String::new(), |name| format!(": {name}"));
+    Some(format!("{what}{number}{name}"))
 }
 
 /// The title of a situation, with the force that acts alone, or the factors of the combination.
@@ -76,7 +74,7 @@ pub(super) fn heading(assessment: &Assessment, assessed: &Assessed) -> String {
             paragraph(&format!("factors: {}", factors(&case.combinations[index])), 2)
         }
     };
-    let title = assessment.situation_title(assessed).unwrap_or_default();
+    let title = situation_title(assessment, assessed).unwrap_or_default();
     paragraph(&title, 0) + &details + "\n"
 }
 

@@ -1,18 +1,10 @@
 //! The actions as a designer adds them up, safety factors and bearing pressures.
 
 use standfast::loads::Reduced;
-use standfast::{Bearing, ClassicalActions, Corner, GrossOverturning, Outcome, Stability};
+use standfast::{Bearing, ClassicalActions, GrossOverturning, Outcome, Stability};
 
 use super::Assessed;
 use crate::layout::{columns, digits, paragraph, row};
-
-/// A corner of the base by its letter.
-pub fn corner(corner: Corner) -> &'static str {
-    match corner {
-        Corner::O => "O",
-        Corner::OPrime => "O'",
-    }
-}
 
 /// Reason why there is no bearing pressure, in words; `None` where there is one.
 pub fn no_bearing(bearing: Bearing) -> Option<&'static str> {
@@ -36,7 +28,7 @@ pub(super) fn actions(assessed: &Assessed) -> String {
         row![
             "W'",
             kilonewtons(buoyant_weight),
-            format!("at t = {} from the heel {}", number(weight_arm, " m"), corner(heel))
+            format!("at t = {} from the heel {}", number(weight_arm, " m"), heel.letter())
         ],
         row!["U", kilonewtons(uplift), format!("M_U = {} about the heel", kilonewton_metres(uplift_moment))],
         row!["P", kilonewtons(force), format!("M_p = {} about the base", kilonewton_metres(force_moment))],

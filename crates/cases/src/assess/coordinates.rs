@@ -1,7 +1,5 @@
 //! The report's diagram: the view that an answer has of it where body and loads allow, and the inequalities that decide.
 
-use standfast::relation::Relation;
-
 use super::Assessed;
 use crate::describe;
 use crate::layout::{columns, digits, paragraph, row};
@@ -16,21 +14,6 @@ const RIGID_PLANE: &str = "The report's diagram of these γ and k' is that of ri
 
 /// Note on a load without coordinates, on ground that can fail.
 const NO_POINT_ON_GROUND: &str = "The load is no point of the report's diagram; it is answered by the general contact problem on this base.";
-
-impl Assessed {
-    /// The inequalities that decide the mode under the full load: the report's where the load has a point in its diagram,
-    /// otherwise the conditions of the contact problem. None where no mode is consistent.
-    pub fn because(&self) -> Vec<Relation> {
-        let full = &self.outcome.full;
-        if self.is_on_ground() {
-            return self.because_of_ground();
-        }
-        match &full.effective {
-            Some(reduced) if !self.situation.is_as_written() => reduced.point.explain().deciding().to_vec(),
-            _ => self.situation.explain(full),
-        }
-    }
-}
 
 pub(super) fn text(assessed: &Assessed) -> String {
     let effective = &assessed.outcome.full.effective;

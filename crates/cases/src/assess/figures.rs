@@ -5,39 +5,13 @@ use standfast::ground::load_plane::GroundLoadPlane;
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
 use standfast_figures::{
-    DesignPoint, DiagramContent, Figure, KMuPlane, LoadPlane, RotationCurve, diagram_with, load_plane,
-    rotation_curve,
+    DesignPoint, DiagramContent, KMuPlane, LoadPlane, RotationCurve, diagram_with, load_plane, rotation_curve,
 };
 
 use super::{Assessed, Assessment, AssessmentView, section};
 use crate::case::Limit;
+use crate::document::AnswerFigure;
 use crate::layout::digits;
-
-/// A figure of a case.
-#[derive(Debug, Clone)]
-pub struct CaseFigure {
-    /// Suffix that tells it from the others of the case, to be appended to a file's name; may be empty.
-    pub suffix: String,
-    /// Its content, in words.
-    pub words: String,
-    /// Its kind.
-    pub drawn: FigureKind,
-    /// The figure.
-    pub figure: Figure,
-}
-
-/// Kind of figure of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FigureKind {
-    /// The k–μ diagram, with the design points of the loads that share it.
-    Diagram,
-    /// The path of the rising loads in the plane of load factor and friction.
-    LoadPath,
-    /// The moment of an elastic base over its rotation.
-    Rotation,
-    /// The body to scale, with what stands beside it and presses on it.
-    Section,
-}
 
 /// A k–μ diagram and the loads in it.
 struct Plane {
@@ -75,9 +49,9 @@ impl Base {
 }
 
 /// The figures of the situations shown, and the section of the case.
-pub(super) fn all(assessment: &Assessment, view: &AssessmentView) -> Result<Vec<CaseFigure>, InputError> {
+pub(super) fn all(assessment: &Assessment, view: &AssessmentView) -> Result<Vec<AnswerFigure>, InputError> {
     // In the order of the case, as the files are named.
-    let mut shown = assessment.shown(view);
+    let mut shown = super::shown(assessment, view);
     shown.sort_by_key(|assessed| assessed.index);
     let planes = planes(assessment, &shown)?;
     let several = assessment.all.len() > 1;
@@ -93,10 +67,9 @@ pub(super) fn all(assessment: &Assessment, view: &AssessmentView) -> Result<Vec<
         }
         figures.extend(rotation(assessment, assessed, &suffix)?);
     }
-    figures.push(CaseFigure {
+    figures.push(AnswerFigure {
         suffix: "-section".to_owned(),
         words: "Section".to_owned(),
-        drawn: FigureKind::Section,
         figure: section::figure(assessment)?,
     });
     Ok(figures)
@@ -126,7 +99,7 @@ fn planes(assessment: &Assessment, shown: &[&Assessed]) -> Result<Vec<Plane>, In
 
 impl Plane {
     /// The diagram; none of a base that cannot carry the weight.
-    fn draw(&self, assessment: &Assessment, suffix: &str) -> Result<Option<CaseFigure>, InputError> {
+    fn draw(&self, assessment: &Assessment, suffix: &str) -> Result<Option<AnswerFigure>, InputError> {
         let gamma = assessment.case.body.slenderness();
         let content = DiagramContent { points: &self.points, ..DiagramContent::default() };
         let plane = match self.base {
@@ -150,7 +123,7 @@ impl Plane {
             Some(Base::Crushing(_)) => words + ", of a base that crushes",
             Some(Base::Failing(_)) => words + ", of ground that fails",
         };
-        Ok(Some(CaseFigure { suffix: suffix.to_owned(), words, drawn: FigureKind::Diagram, figure }))
+        Ok(Some(AnswerFigure { suffix: suffix.to_owned(), words, figure }))
     }
 }
 
@@ -173,7 +146,7 @@ fn rotation(
     assessment: &Assessment,
     assessed: &Assessed,
     suffix: &str,
-) -> Result<Option<CaseFigure>, InputError> {
+) -> Result<Option<AnswerFigure>, InputError> {
     let Some(elastic) = assessed.ground.as_ref().and_then(|ground| ground.elastic.as_ref()) else {
         return Ok(None);
     };
@@ -183,10 +156,9 @@ fn rotation(
         moment: elastic.moment,
         title: &title(assessment, assessed),
     })?;
-    Ok(figure.map(|figure| CaseFigure {
+    Ok(figure.map(|figure| AnswerFigure {
         suffix: format!("{suffix}-rotation"),
         words: named("Moment and rotation", assessment, assessed, suffix),
-        drawn: FigureKind::Rotation,
         figure,
     }))
 }
@@ -196,7 +168,7 @@ fn path(
     assessed: &Assessed,
     suffix: &str,
     up_to: f64,
-) -> Result<CaseFigure, InputError> {
+) -> Result<AnswerFigure, InputError> {
     let situation = &assessed.situation;
     let (regions, friction) = (situation.plane(up_to)?, situation.static_friction());
     let title = title(assessment, assessed);
@@ -215,5 +187,5 @@ fn path(
     });
     let words = named("Load path", assessment, assessed, suffix);
     let suffix = format!("{suffix}-path");
-    Ok(CaseFigure { suffix, words, drawn: FigureKind::LoadPath, figure })
+    Ok(AnswerFigure { suffix, words, figure })
 }

@@ -1,248 +1,214 @@
-//! The base of a situation: how much it bears, and what is elastic of it.
+//! The ground for reading.
 
-use standfast::ground::bearing::{self, BearingPlane, Ground, LoadFactors, Reaction};
-use standfast::ground::elastic::{ElasticBase, LargestMoment};
-use standfast::ground::impact::{ElasticBody, ImpactResponse};
-use standfast::ground::strength::{self, CrushMotion};
-use standfast::{History, InputError, Outcome, Situation, Wrench};
+use standfast::ground::elastic::ContactState;
+use standfast::ground::impact::EventFound;
+use standfast_answers::assess::ground::{BaseResponse, Elastic};
 
-mod because;
-mod text;
+use super::Assessed;
+use crate::case::{Case, Limit};
+use crate::layout::{columns, digits, paragraph, row};
+use crate::results::event;
+use crate::units::Dimension;
 
-use crate::case::{Case, Foundation, Limit};
-pub(super) use text::render as text;
-pub use text::{left_out, state};
+/// That no partial factor is applied to what the ground bears.
+const NO_FACTOR: &str =
+    "No partial factor is applied to the ground: neither to its strength or friction angle, nor to R.";
 
-/// Response of the base in a situation.
-#[derive(Debug, Clone, PartialEq)]
-pub struct BaseResponse {
-    /// Limit of what the base can bear.
-    pub limit: Option<Limit>,
-    /// Reaction of a body at rest under the full load, per metre run; `None` if nothing presses.
-    pub reaction: Option<Reaction>,
-    /// ω = P/(2B q_u) of a base that crushes.
-    pub omega: Option<f64>,
-    /// Motion, and pressed part of the base, as the mode under the full load begins on a base that crushes.
-    pub crush: Option<CrushMotion>,
-    /// R, N per metre run or of the whole object: what the ground bears at the reaction's eccentricity and inclination.
-    pub resistance: Option<f64>,
-    /// R/P.
-    pub factor: Option<f64>,
-    /// R − P, N per metre run or of the whole object.
-    pub margin: Option<f64>,
-    /// Load factors at which R/P falls to 1 as the variable loads rise.
-    pub load_factors: Option<LoadFactors>,
-    /// |X|/P at which R/P is 1 if both X and the moment grow as they stand to each other under the full load.
-    pub k_bf: Option<f64>,
-    /// Elastic part of the response.
-    pub elastic: Option<Elastic>,
-}
+const CRUSHING: &str = "The base bears a pressure up to q_u and no tension; it is rigid until then. This is the first instant: once its edge is crushed, the body \
+    stands on another base.";
 
-/// Elastic part of the response of a base.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Elastic {
-    /// Under P of the full load, per metre run.
-    pub base: ElasticBase,
-    /// The moment of all loads about the middle of the base, N·m per metre run.
-    pub moment: f64,
-    /// By how much it turns the body, rad; `None` where no rotation bears it.
-    pub rotation: Option<f64>,
-    /// The most it bears if the load is raised slowly.
-    pub largest: LargestMoment,
-    /// |X|/P at which that is reached, as [`k_bf`](BaseResponse::k_bf).
-    pub k_overturn: Option<f64>,
-    /// Natural periods of sway and rocking, the longer first, and of heave, s; `None` where the centre of mass is off the middle of
-    /// the base or there is no tangential stiffness.
-    pub periods: Option<[f64; 3]>,
-    /// The response to loads in time; `None` where none is given.
-    pub impact: Option<ImpactResponse>,
-    /// Point in the k–μ plane to which that moves the one of the full load: k and k'; `None` where other loads push or turn the body too.
-    pub moved: Option<[f64; 2]>,
-}
+const SOIL: &str = "The formulas are those of level, homogeneous, drained ground under a long strip. Left out: the shoulder of a berm, slopes, layers, pore \
+    pressure and its growth under cycles of load, seepage from uplift, punching. The friction angle of a mound is uncertain: read the load factor with \
+    those at 2° less and more. Where the body would turn, the ground under its edge fails first.";
 
-impl BaseResponse {
-    /// The answer to a situation on the base of a case, and what that bears.
-    pub(super) fn of(
-        case: &Case,
-        foundation: &Foundation,
-        situation: &Situation,
-    ) -> Result<(Outcome, BaseResponse), InputError> {
-        let length = situation.body().plan().side(situation.body().width());
-        let reaction = Reaction::of(situation, 1.0)?;
-        let mut answer = BaseResponse {
-            limit: foundation.limit,
-            reaction,
-            omega: None,
-            crush: None,
-            resistance: None,
-            factor: None,
-            margin: None,
-            load_factors: None,
-            k_bf: None,
-            elastic: None,
-        };
-        let outcome = match foundation.limit {
-            Some(Limit::Strength(strength)) => answer.crushing(situation, strength, length)?,
-            Some(Limit::Ground(ground)) => answer.failing(situation, ground, length)?,
-            None => situation.outcome()?,
-        };
-        if let (Some(stiffness), Some(reaction)) = (foundation.stiffness, reaction) {
-            let elastic = Elastic::of(case, foundation, stiffness, situation, &reaction)?;
-            answer.elastic = Some(elastic);
-        }
-        Ok((outcome, answer))
+const ENVELOPE: &str = "The resistance of the whole base is the user's; Butterfield and Gottardi's envelope says what of it is left under a force that is inclined \
+    and eccentric. Left out: pore pressure and its growth under cycles of load, and all that the resistance given does not contain.";
+
+const ELASTIC: &str = "k_n and k_t are no constants of a soil: they depend on the size of the base and of the load. What begins under the full load is that of a base without \
+    springs.";
+
+const IN_TIME: &str = "In time the base is linear and without damping up to its first event; loads of which no history is given are there all the time. One period alone \
+    would not be on the safe side, and its factor is not given.";
+
+const OFF_MIDDLE: &str = "The centre of mass is off the middle of the base: sway, rocking and heave are one motion, and no periods are given.";
+
+/// Notes on the effects of the ground that the answer leaves out, in sentences.
+pub fn left_out(case: &Case) -> Vec<&'static str> {
+    let Some(foundation) = &case.ground else { return Vec::new() };
+    let mut notes = Vec::new();
+    if foundation.limit.is_some() {
+        notes.push(NO_FACTOR);
     }
+    match foundation.limit {
+        Some(Limit::Strength(_)) => notes.push(CRUSHING),
+        Some(Limit::Ground(ground)) if ground.friction_angle_deg().is_some() => notes.push(SOIL),
+        Some(Limit::Ground(_)) => notes.push(ENVELOPE),
+        None => {}
+    }
+    if foundation.stiffness.is_some() {
+        notes.push(ELASTIC);
+    }
+    let centred = case.body.heel_distance() == case.body.toe_distance();
+    if foundation.tangential_stiffness.is_some() && !centred {
+        notes.push(OFF_MIDDLE);
+    }
+    let timed = case.forces.iter().any(|force| force.history.is_some());
+    if timed || case.wave.as_ref().is_some_and(|wave| wave.history.is_some()) {
+        notes.push(IN_TIME);
+    }
+    notes
+}
 
-    /// On ground that can fail.
-    fn failing(&mut self, situation: &Situation, ground: Ground, length: f64) -> Result<Outcome, InputError> {
-        let found = bearing::outcome(situation, ground)?;
-        self.load_factors = Some(found.load_factors);
-        let Some(reaction) = self.reaction else { return Ok(found.outcome) };
-        self.bears(&reaction, ground.resistance(&reaction), ground.factor(&reaction), length);
-        if let Some(ray) = ray(&reaction) {
-            // Of G₁ = γ(1 + k') any γ and k' will do.
-            let (gamma, k_prime) = match ray {
-                0.0 => (1.0, -1.0),
-                ray if ray < 0.0 => (-ray, -2.0),
-                ray => (ray, 0.0),
+/// Contact state of an elastic base, in words.
+pub fn state(state: ContactState) -> &'static str {
+    match state {
+        ContactState::Full => "all of the base is pressed, elastically",
+        ContactState::Uplift => "part of the base lifts",
+        ContactState::Yield => "all of the base is pressed, and its edge yields",
+        ContactState::UpliftAndYield => "part of the base lifts, and its edge yields",
+    }
+}
+
+pub(in super::super) fn render(case: &Case, assessed: &Assessed) -> String {
+    let (Some(foundation), Some(ground)) = (&case.ground, &assessed.ground) else { return String::new() };
+    let mut rows = Vec::new();
+    match foundation.limit {
+        Some(Limit::Strength(strength)) => {
+            rows.push(row!["strength", "q_u", Dimension::Pressure.written(strength)]);
+            if let Some(omega) = ground.omega {
+                rows.push(row!["share that P crushes", "ω = P/(2B q_u)", digits(omega)]);
+            }
+        }
+        Some(Limit::Ground(soil)) => {
+            let told = match (soil.friction_angle_deg(), soil.factors()) {
+                (Some(angle), Some(factors)) => {
+                    format!(
+                        "φ = {}°: N_q = {}, N_γ = {}",
+                        digits(angle),
+                        digits(factors.n_q),
+                        digits(factors.n_gamma)
+                    )
+                }
+                _ => "the envelope of Butterfield and Gottardi".to_owned(),
             };
-            let (half_width, p) = (reaction.half_width(), reaction.p());
-            self.k_bf = Some(BearingPlane::new(ground, gamma, k_prime, half_width, p)?.k_bf());
+            rows.push(row!["ground", "", told]);
+            let whole = soil.centric_resistance(case.body.base_width() / 2.0);
+            let length = case.body.plan().side(case.body.width());
+            rows.push(row!["bears upright", "V_0", assessed.extent.kilonewtons(whole * length)]);
         }
-        Ok(found.outcome)
+        None => {}
     }
-
-    /// On a base that crushes at `strength`.
-    fn crushing(&mut self, situation: &Situation, strength: f64, length: f64) -> Result<Outcome, InputError> {
-        let found = strength::outcome(situation, strength)?;
-        self.omega = Some(found.omega).filter(|_| self.reaction.is_some());
-        self.load_factors = Some(LoadFactors { given: found.load_factor, less: None, more: None });
-        self.crush = found.motion;
-        if let Some(reaction) = self.reaction {
-            let resistance = reaction.effective_width() * strength;
-            self.bears(&reaction, resistance, resistance / reaction.p(), length);
-            self.k_bf = ray(&reaction).map(|ray| (1.0 - found.omega).max(0.0) / ray.abs());
-        }
-        Ok(found.outcome)
+    rows.extend(reaction(assessed, ground));
+    if let Some(elastic) = &ground.elastic {
+        rows.extend(of_springs(elastic));
     }
-
-    /// Notes a resistance to a reaction, both per metre run, and their ratio.
-    fn bears(&mut self, reaction: &Reaction, resistance: f64, factor: f64, length: f64) {
-        self.resistance = Some(resistance * length);
-        self.factor = Some(factor);
-        self.margin = Some((resistance - reaction.p()) * length);
+    let mut text = format!("\nGround\n{}", columns(&rows, 2, &[]));
+    if ground.reaction.is_none() {
+        text += &paragraph("Nothing presses on the base: there is no resistance and no factor.", 2);
     }
-
-    /// Distance of the reaction from the edge of a base that crushes, of a body that turns or is about to, m.
-    pub fn pivot(&self) -> Option<f64> {
-        let (omega, reaction) = (self.omega?, self.reaction?);
-        match self.crush.as_ref().filter(|crush| crush.neutral.is_some()) {
-            Some(crush) => Some(crush.pressed.width() / 2.0),
-            // N = P as a turn begins.
-            None => Some(omega * reaction.half_width()),
-        }
+    if let Some(elastic) = ground.elastic.as_ref().filter(|elastic| elastic.rotation.is_none()) {
+        let words = format!(
+            "No rotation bears the moment of the full load: the most is {} about the middle of the base.",
+            assessed
+                .extent
+                .kilonewton_metres(elastic.largest.moment * case.body.plan().side(case.body.width()))
+        );
+        text += &paragraph(&words, 2);
     }
-
-    /// Distance of the neutral point, about which a body turns, from the edge of a base that crushes, m; `None` of one that does not turn.
-    pub fn neutral(&self) -> Option<f64> {
-        self.crush.as_ref().filter(|crush| crush.neutral.is_some()).map(|crush| crush.pressed.width())
+    for note in left_out(case) {
+        text += &paragraph(note, 2);
     }
+    text
 }
 
-/// ε/η: the eccentricity of a reaction in half widths by its inclination, G₁ of the report's block; negative where it lies against the push.
-/// `None` of one that is upright.
-fn ray(reaction: &Reaction) -> Option<f64> {
-    let side = (reaction.x() * reaction.e()).signum();
-    (reaction.x() != 0.0).then(|| side * reaction.eccentricity_share() / reaction.inclination())
-}
-
-impl Elastic {
-    fn of(
-        case: &Case,
-        foundation: &Foundation,
-        stiffness: f64,
-        situation: &Situation,
-        reaction: &Reaction,
-    ) -> Result<Elastic, InputError> {
-        let body = situation.body();
-        let base = ElasticBase::new(reaction.half_width(), reaction.p(), stiffness)?;
-        let base = match foundation.strength() {
-            Some(strength) => base.with_strength(strength)?,
-            None => base,
+/// Rows of the reaction and of the resistance to it.
+fn reaction(assessed: &Assessed, ground: &BaseResponse) -> Vec<Vec<String>> {
+    let metres = |length: f64| format!("{} m", digits(length));
+    let mut rows = Vec::new();
+    if let Some(pivot) = ground.pivot().filter(|_| ground.omega.is_some_and(|omega| omega < 1.0)) {
+        let acts = if ground.neutral().is_some() { "acts" } else { "acts as a turn begins" };
+        rows.push(row!["pivot", "from the edge", format!("{}, where the reaction {acts}", metres(pivot))]);
+    }
+    if let Some(neutral) = ground.neutral() {
+        rows.push(row![
+            "neutral point",
+            "from the edge",
+            format!("{}, about which it turns", metres(neutral))
+        ]);
+    }
+    if let Some(reaction) = &ground.reaction {
+        rows.push(row!["effective width", "B' = 2(B − |e|)", metres(reaction.effective_width())]);
+        let pressure = reaction.effective_pressure();
+        let pressure =
+            if pressure.is_finite() { Dimension::Pressure.written(pressure) } else { "none".to_owned() };
+        rows.push(row!["pressure on it", "P/B'", pressure]);
+    }
+    if let Some(resistance) = ground.resistance {
+        rows.push(row!["resistance", "R", assessed.extent.kilonewtons(resistance)]);
+    }
+    if let Some(factor) = ground.factor {
+        rows.push(row!["ground factor", "R/P", digits(factor)]);
+    }
+    if let Some(factors) = ground.load_factors.filter(|_| assessed.rises()) {
+        let word = |factor: f64| match factor {
+            0.0 => "at once".to_owned(),
+            factor if factor.is_finite() => digits(factor),
+            _ => "never".to_owned(),
         };
-        let moment = reaction.p() * reaction.e();
-        let largest = base.largest_moment(body.centroid_height())?;
-        let share = largest.moment / (reaction.p() * reaction.half_width());
-        let centred = (body.heel_distance() - body.toe_distance()).abs() <= 1e-9 * body.base_width();
-        let springs = foundation.tangential_stiffness.filter(|_| centred);
-        let swaying = springs.map(|k_t| {
-            let length = body.plan().side(body.width());
-            let (mass, inertia) = (body.mass() / length, body.moment_of_inertia() / length);
-            let body = ElasticBody::new(
-                reaction.half_width(),
-                body.centroid_height(),
-                mass,
-                inertia,
-                stiffness,
-                k_t,
-            )?;
-            let body = body.with_added_mass(situation.added_mass() / length)?;
-            Ok::<_, InputError>((body, length))
+        let others = factors.less.zip(factors.more);
+        let others = others.map_or(String::new(), |(less, more)| {
+            format!("; {} at φ − 2°, {} at φ + 2°", word(less), word(more))
         });
-        let swaying = swaying.transpose()?;
-        let periods =
-            swaying.as_ref().map(|(body, _)| body.frequencies().map(|ω| std::f64::consts::TAU / ω));
-        let impact = match &swaying {
-            Some((body, length)) => response(case, foundation, situation, body, *length)?,
-            None => None,
+        rows.push(row!["ground fails at", "λ of R/P = 1", word(factors.given) + &others]);
+    }
+    if let Some(k_bf) = ground.k_bf.filter(|k| k.is_finite()) {
+        rows.push(row!["", "k_BF", digits(k_bf)]);
+    }
+    rows
+}
+
+/// Rows of the elastic response.
+fn of_springs(elastic: &Elastic) -> Vec<Vec<String>> {
+    let mut rows = Vec::new();
+    if let Some(rotation) = elastic.rotation {
+        let pressed = elastic.base.state(rotation).map_or("", state);
+        rows.push(row!["rotation", "θ", format!("{}; {pressed}", Dimension::Angle.written(rotation))]);
+    }
+    if let Some(k) = elastic.k_overturn.filter(|k| k.is_finite()) {
+        let turned = Dimension::Angle.written(elastic.largest.rotation);
+        rows.push(row!["overturns at", "k_overturn", format!("{}, turned by {turned}", digits(k))]);
+    }
+    if let Some([one, two, heave]) = elastic.periods {
+        let periods = format!("{} s and {} s; heave {} s", digits(one), digits(two), digits(heave));
+        rows.push(row!["natural periods", "", periods]);
+    }
+    let Some(impact) = &elastic.impact else { return rows };
+    if let Some(shear) = impact.d_shear {
+        rows.push(row!["in time", "D_shear", digits(shear)]);
+    }
+    if let Some(moment) = impact.d_moment {
+        rows.push(row!["", "D_moment", digits(moment)]);
+    }
+    if let Some([k, k_prime]) = elastic.moved {
+        rows.push(row!["the point moves to", "k, k'", format!("{}, {}", digits(k), digits(k_prime))]);
+    }
+    let words = |found: &EventFound| {
+        let factor = match found.load_factor {
+            factor if factor.is_finite() => format!("at {} times the loads in time", digits(factor)),
+            _ => "at no multiple of the loads in time".to_owned(),
         };
-        Ok(Elastic {
-            base,
-            moment,
-            rotation: base.rotation(moment.abs()),
-            largest,
-            k_overturn: ray(reaction).map(|ray| share / ray.abs()),
-            periods,
-            moved: impact.as_ref().and_then(|impact| moved(situation, reaction, impact)),
-            impact,
-        })
-    }
-}
-
-/// Point to which the loads in time move that of the full load, if nothing else pushes or turns the body.
-fn moved(situation: &Situation, reaction: &Reaction, impact: &ImpactResponse) -> Option<[f64; 2]> {
-    let others = situation.loads().iter().filter(|load| load.history.is_none());
-    let alone = others.map(|load| situation.wrench_of(load)).all(|wrench| wrench.x == 0.0 && wrench.m == 0.0);
-    // 1 + k' = M_O/(X d), both about the middle of the base.
-    let (x, arm) = (reaction.x(), situation.body().centroid_height());
-    let k_prime = reaction.e() * reaction.p() / (x * arm) - 1.0;
-    let found = impact.moved(x.abs() / reaction.p(), k_prime).filter(|_| alone);
-    found.filter(|moved| moved.iter().all(|number| number.is_finite()))
-}
-
-/// The response to the loads in time; those of which none is said are there all the time.
-fn response(
-    case: &Case,
-    foundation: &Foundation,
-    situation: &Situation,
-    body: &ElasticBody,
-    length: f64,
-) -> Result<Option<ImpactResponse>, InputError> {
-    // Where a motion is followed, histories are its own.
-    if case.motion.is_some() {
-        return Ok(None);
-    }
-    let mut standing = Wrench::ZERO;
-    let mut timed: Vec<(Wrench, History)> = Vec::new();
-    for load in situation.loads() {
-        let wrench = situation.wrench_of(load) * (1.0 / length);
-        match &load.history {
-            Some(history) => timed.push((wrench, history.clone())),
-            None => standing = standing + wrench,
+        match found.time {
+            Some(time) => format!("after {} s; {factor} at the least", digits(time)),
+            None => format!("not; {factor}"),
         }
+    };
+    for (i, found) in impact.events.iter().enumerate() {
+        let name = match event(found.event) {
+            "slip" => "the base slips",
+            "lift" => "an edge lifts",
+            _ => "an edge yields",
+        };
+        rows.push(row![if i == 0 { "events" } else { "" }, name, words(found)]);
     }
-    if timed.is_empty() || standing.p <= 0.0 {
-        return Ok(None);
-    }
-    body.response(&standing, &timed, case.friction, foundation.strength()).map(Some)
+    rows
 }

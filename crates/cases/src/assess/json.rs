@@ -14,14 +14,12 @@ use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck};
 use crate::case::{self, Acting, Case, PointForce, Waves};
-use crate::criteria::Bound;
-use crate::motion::{MotionCriterion, MotionValue};
+use crate::json::{SCHEMA, number_or_word, optional_number_or_word, written};
+use crate::motion::{self, MotionValue};
 use crate::point::{PointDocument, RelationDocument};
-use crate::results::{self, ResultName, ResultValue, number_or_word};
+use crate::results::{self, ResultName, ResultValue};
 use crate::units::Extent;
-
-/// The version of the document.
-pub(crate) const SCHEMA: u32 = 1;
+use standfast_model::Bound;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -275,17 +273,7 @@ enum CheckedValue {
 enum Required {
     Number(f64),
     Modes(Modes),
-    Motion(MotionCriterion),
-}
-
-pub(crate) fn optional_number_or_word<S: Serializer>(
-    number: &Option<f64>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    match number {
-        Some(number) => number_or_word(number, serializer),
-        None => serializer.serialize_none(),
-    }
+    Motion(motion::json::Required),
 }
 
 #[derive(Serialize)]
@@ -311,7 +299,7 @@ struct PathStage {
 pub(super) fn render(assessment: &Assessment, view: &AssessmentView, files: &[String]) -> String {
     let case = &assessment.case;
     let governing = assessment.governing();
-    crate::json(&Document {
+    written(&Document {
         schema: SCHEMA,
         title: case.title.as_deref(),
         note: case.note.as_deref(),
@@ -517,7 +505,7 @@ impl Criterion {
             }
             // The base moves as its records say, with no one acceleration.
             AnyCheck::Motion(check, _) => (
-                Required::Motion(check.criterion),
+                Required::Motion(motion::json::Required::of(check.criterion)),
                 CheckedValue::Motion(check.value),
                 check.utilisation,
                 None,

@@ -1,9 +1,9 @@
 //! The body and its loads one by one, for reading.
 
-use standfast::loads::{Action, Load, LoadSource};
+use standfast::loads::Load;
 use standfast::{Plan, Wrench};
 
-use super::Assessed;
+use super::{Assessed, Component};
 use crate::case::{Case, Weight};
 use crate::layout::{columns, digits, paragraph, row};
 use crate::units::Extent;
@@ -34,78 +34,6 @@ pub fn left_out(case: &Case) -> Vec<&'static str> {
         }
     }
     notes
-}
-
-/// Name of a load; words on its source, if it has none.
-pub(crate) fn load_words(load: &Load) -> String {
-    if let Some(name) = &load.name {
-        return name.clone();
-    }
-    let words = match load.source {
-        LoadSource::Weight => "weight m g",
-        LoadSource::BuoyantWeight => "buoyant weight",
-        LoadSource::Buoyancy => "buoyancy",
-        LoadSource::StillWater => "still water on the sides",
-        LoadSource::WaterOnLeft if lifts(load) => "water under the overhang at the left",
-        LoadSource::WaterOnRight if lifts(load) => "water under the overhang at the right",
-        LoadSource::WaterOnLeft => "water standing on the left side",
-        LoadSource::WaterOnRight => "water standing on the right side",
-        LoadSource::Uplift => "uplift",
-        LoadSource::HorizontalInertia => "earthquake, horizontal",
-        LoadSource::ShakenWater => "water on the shaken wall",
-        LoadSource::VerticalInertia => "earthquake, vertical",
-        LoadSource::WavePressure => "wave pressure",
-        LoadSource::WaveUplift => "wave uplift",
-        LoadSource::Force => "force",
-        LoadSource::Pressure => "pressure",
-        _ => "load",
-    };
-    words.to_owned()
-}
-
-/// True if a force points upwards.
-fn lifts(load: &Load) -> bool {
-    matches!(load.action, Action::Force { up, .. } if up > 0.0)
-}
-
-/// A load of a situation: what it is called, whether it is permanent, and what it amounts to at the centre of mass. Water on
-/// both sides is one load.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Component {
-    /// Its name.
-    pub name: String,
-    /// The load; the first of those that are one.
-    pub load: Load,
-    /// At the centre of mass, N and N·m per metre run.
-    pub wrench: Wrench,
-}
-
-impl Assessed {
-    /// The loads one by one.
-    pub fn components(&self) -> Vec<Component> {
-        let mut components: Vec<Component> = Vec::new();
-        for load in self.situation.loads() {
-            let wrench = self.situation.wrench_of(load);
-            match components.last_mut() {
-                Some(last) if load.source == LoadSource::StillWater && last.load.source == load.source => {
-                    last.wrench = last.wrench + wrench;
-                }
-                _ => components.push(Component { name: load_words(load), load: load.clone(), wrench }),
-            }
-        }
-        components
-    }
-}
-
-impl Case {
-    /// Part that water takes in the weight, in words.
-    pub fn weight_words(&self) -> &'static str {
-        match (self.weight, &self.water) {
-            (Weight::Buoyant { .. }, _) => "buoyant weight, as given",
-            (Weight::Total, Some(_)) => "total weight with explicit pressures",
-            (Weight::Total, None) => "total weight, no still water",
-        }
-    }
 }
 
 pub(super) fn body(case: &Case) -> String {

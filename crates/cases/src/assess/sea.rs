@@ -5,7 +5,7 @@ use standfast::wave::Heights;
 use super::text::warnings;
 use crate::case::{Case, Waves};
 use crate::layout::{columns, digits, row};
-use crate::warning::Warning;
+use standfast_model::Warning;
 
 pub(super) fn render(case: &Case, wave: &Waves) -> String {
     let mut text = "\nSea and waves\n".to_owned();

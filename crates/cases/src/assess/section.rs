@@ -6,9 +6,9 @@ use standfast_figures::{
     Arrow, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
 };
 
-use super::ground::BaseResponse;
-use super::loads::load_words;
-use super::{Assessed, Assessment};
+use standfast_model::load_words;
+
+use super::{Assessed, Assessment, BaseResponse};
 use crate::case::{Acting, Case, Waves};
 use crate::layout::digits;
 use crate::units::Extent;

@@ -9,8 +9,7 @@ use super::{
 use crate::case::Case;
 use crate::describe::{self, Scale};
 use crate::layout::{columns, digits, paragraph, row};
-use crate::motion::met_words;
-use crate::warning::Warning;
+use standfast_model::Warning;
 
 pub(super) fn render(assessment: &Assessment, view: &AssessmentView) -> String {
     let case = &assessment.case;
@@ -26,7 +25,7 @@ pub(super) fn render(assessment: &Assessment, view: &AssessmentView) -> String {
         text += "\nSummary\n";
         text += &acting::summary(assessment);
     }
-    let shown = assessment.shown(view);
+    let shown = super::shown(assessment, view);
     if shown.len() < assessment.all.len() {
         text += "\n";
         let words = format!(
@@ -82,6 +81,18 @@ pub fn criteria_met(assessment: &Assessment) -> String {
     met_words(assessment.all_checks().iter().map(|check| (check.name(), check.is_met())))
 }
 
+/// Sentence on how many criteria are met, or which are not.
+pub(crate) fn met_words<'a>(checks: impl Iterator<Item = (&'a str, bool)>) -> String {
+    let checks: Vec<_> = checks.collect();
+    let failed: Vec<_> = checks.iter().filter(|(_, met)| !met).map(|(name, _)| *name).collect();
+    match (checks.len(), failed.as_slice()) {
+        (1, []) => "The criterion is met.".to_owned(),
+        (2, []) => "Both criteria are met.".to_owned(),
+        (count, []) => format!("All {count} criteria are met."),
+        (_, failed) => format!("Not met: {}.", failed.join(", ")),
+    }
+}
+
 /// Title and note.
 pub(crate) fn heading(case: &Case) -> String {
     let mut text = String::new();
@@ -114,7 +125,7 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView) -> String {
     text += &checks::actions(assessed);
     text += "\nSafety factors and bearing pressure\n";
     text += &checks::factors(assessed);
-    text += &ground::text(case, assessed);
+    text += &ground::render(case, assessed);
 
     text += "\nVerdict\n";
     for sentence in verdict::full_load(assessed) {

@@ -2,17 +2,9 @@
 
 use standfast::{Boundary, Departure, Mode, Response, Verdict};
 
-use super::{Assessed, AssessmentView, BaseResponse};
+use super::{Assessed, AssessmentView, BaseResponse, predicate};
 use crate::layout::{columns, digits, row};
 use crate::units::Extent;
-
-/// A mode, ground that fails, or the lack of both, as a predicate with its symbol.
-pub fn predicate(verdict: Option<Verdict>) -> String {
-    match verdict {
-        Some(verdict) => format!("{} ({verdict})", verdict.words()),
-        None => "has no consistent mode".to_owned(),
-    }
-}
 
 /// Note on ground that fails.
 const NO_MOTION: &str = "The ground cannot bear the reaction; how the body then moves is not computed.";

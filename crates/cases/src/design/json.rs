@@ -4,10 +4,11 @@
 use serde::Serialize;
 use serde::ser::SerializeMap;
 
-use super::sensitivity::{Sensitivity, SensitivityChange};
-use super::set::{End, Stretch};
-use super::{Design, farthest, load_factor, overturns, steepest};
-use crate::assess::{Assessed, Assessment, SCHEMA};
+use super::{
+    Design, End, Sensitivity, SensitivityChange, Stretch, farthest, load_factor, overturns, steepest,
+};
+use crate::assess::{Assessed, Assessment};
+use crate::json::SCHEMA;
 use crate::results::{ResultName, ResultValue};
 use crate::units::Dimension;
 
@@ -137,7 +138,7 @@ struct Row<'a> {
 pub(super) fn render(design: &Design) -> String {
     let Design { request, quantity, present, stretches, sensitivities, .. } = design;
     let found = design.found();
-    crate::json(&Document {
+    crate::json::written(&Document {
         schema: SCHEMA,
         title: present.case.title.as_deref(),
         note: present.case.note.as_deref(),

@@ -2,24 +2,21 @@
 
 use standfast::Verdict;
 
-use super::quantity::{DIGITS, with_unit};
-use super::set::{End, OuterState, Stretch};
 use super::{
-    Design, Extreme, SensitivityChange, Target, farthest, least, load_factor, overturning, overturns,
-    sliding, steepest,
+    DIGITS, Design, End, Extreme, OuterState, SensitivityChange, Stretch, Target, farthest, least,
+    load_factor, overturning, overturns, sliding, steepest, with_unit,
 };
 use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, heading};
 use crate::key::Key;
 use crate::layout::{columns, digits, paragraph, row, significant};
-use crate::motion::MotionCriterion;
 
 pub(super) fn render(design: &Design) -> String {
     let Design { request, quantity, present, .. } = design;
     let mut text = heading(&present.case);
     text += "Design\n";
     let range = quantity.range_words();
-    let (extreme, name, wanted) = (request.extreme, quantity.variable.name(), words(request.target));
+    let (extreme, name, wanted) = (request.extreme, quantity.variable.name(), request.target.words());
     text += &paragraph(&format!("The {extreme} {name} {range} for which {wanted}."), 2);
     text += "\n";
     text += &before_and_after(design);
@@ -36,28 +33,6 @@ pub(super) fn render(design: &Design) -> String {
     text += "\nSensitivity: change if one input grows by 1 %, with what has to go with it\n";
     text += &sensitivities(design);
     text
-}
-
-/// Condition of a target, as it follows "for which".
-pub(super) fn words(target: Target) -> String {
-    match target {
-        Target::Rest => "the body rests under the full load".to_owned(),
-        Target::Factor(factor) => format!("both safety factors are {} at least", digits(factor)),
-        Target::NoRock => "the body turns about no corner, at once or while the load rises".to_owned(),
-        Target::NoSlide => "the body slips at no corner, at once or while the load rises".to_owned(),
-        Target::Criterion(criterion) if criterion.is_chance() => format!(
-            "the upper end of the interval of {}, the probability that the body does not stay at rest, is {}",
-            criterion.name(),
-            criterion.required()
-        ),
-        Target::Criterion(criterion) => format!("{} is {}", criterion.name(), criterion.required()),
-        Target::Motion(MotionCriterion::NotOverturned) => "the body does not overturn".to_owned(),
-        Target::Motion(criterion) => format!("{} is {}", criterion.name(), criterion.required(true)),
-        Target::Utilisation(1.0) => "all criteria of the case are met".to_owned(),
-        Target::Utilisation(share) => {
-            format!("of all criteria of the case {} at most is used", digits(share))
-        }
-    }
 }
 
 fn before_and_after(design: &Design) -> String {

@@ -2,13 +2,14 @@
 
 use standfast::Mode;
 use standfast_figures::{
-    Figure, MotionLoad, MotionOutline, MotionPicture, MotionPose, motion_animation, motion_histories,
+    MotionLoad, MotionOutline, MotionPicture, MotionPose, motion_animation, motion_histories,
     motion_positions,
 };
 use standfast_motion::{MotionOutcome, Position, Why};
 
+use super::FollowedMotion;
 use super::text::verdict;
-use super::{BlockCase, FollowedMotion};
+use crate::document::AnswerFigure;
 
 /// As many samples of slide and rotation as the page has places for, and some more.
 const SAMPLES: usize = 2400;
@@ -18,48 +19,34 @@ const POSITIONS: usize = 8;
 const PER_SECOND: f64 = 40.0;
 const PICTURES: f64 = 800.0;
 
-/// A figure of a motion.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MotionFigure {
-    /// Suffix that tells it from the others of the case, to be appended to a file's name.
-    pub suffix: &'static str,
-    /// Its content, in words.
-    pub words: &'static str,
-    /// The figure.
-    pub figure: Figure,
-}
-
-impl BlockCase {
-    /// Histories, positions and the motion as a picture that moves, if the whole motion was kept (see [`Follow`](super::Follow)).
-    pub fn figures(&self, followed: &FollowedMotion) -> Vec<MotionFigure> {
-        let outcome = &followed.outcome;
-        if outcome.steps.is_empty() {
-            return Vec::new();
-        }
-        let samples = Samples::of(self, outcome);
-        let loads: Vec<_> = samples.loads.iter().map(|(name, points)| MotionLoad { name, points }).collect();
-        let block = &self.problem.block;
-        let [time_unit, length_unit] = if self.si { ["s", "m"] } else { ["", ""] };
-        let picture = MotionPicture {
-            title: &samples.title,
-            caption: &samples.caption,
-            outline: MotionOutline { b1: block.b1, b2: block.b2, d: block.d, height: self.height },
-            end: samples.end,
-            time_unit,
-            length_unit,
-            states: &samples.states,
-            loads: &loads,
-            slide: &samples.slide,
-            theta: &samples.theta,
-            balance: [(block.b1 / block.d).atan(), -(block.b2 / block.d).atan()],
-        };
-        let figure = |suffix, words, figure| MotionFigure { suffix, words, figure };
-        vec![
-            figure("-motion", "Histories", motion_histories(&picture)),
-            figure("-positions", "Positions", motion_positions(&picture, &samples.moments(outcome))),
-            figure("-animation", "Animation", motion_animation(&picture, &samples.frames(outcome))),
-        ]
+/// Histories, positions and the motion as a picture that moves, if the whole motion was kept .
+pub(super) fn all(followed: &FollowedMotion) -> Vec<AnswerFigure> {
+    let (case, outcome) = (&followed.case, &followed.outcome);
+    if outcome.steps.is_empty() {
+        return Vec::new();
     }
+    let samples = Samples::of(followed);
+    let loads: Vec<_> = samples.loads.iter().map(|(name, points)| MotionLoad { name, points }).collect();
+    let block = &case.problem.block;
+    let [time_unit, length_unit] = if case.si { ["s", "m"] } else { ["", ""] };
+    let picture = MotionPicture {
+        title: &samples.title,
+        caption: &samples.caption,
+        outline: MotionOutline { b1: block.b1, b2: block.b2, d: block.d, height: case.height },
+        end: samples.end,
+        time_unit,
+        length_unit,
+        states: &samples.states,
+        loads: &loads,
+        slide: &samples.slide,
+        theta: &samples.theta,
+        balance: [(block.b1 / block.d).atan(), -(block.b2 / block.d).atan()],
+    };
+    vec![
+        AnswerFigure::new("-motion", "Histories", motion_histories(&picture)),
+        AnswerFigure::new("-positions", "Positions", motion_positions(&picture, &samples.moments(outcome))),
+        AnswerFigure::new("-animation", "Animation", motion_animation(&picture, &samples.frames(outcome))),
+    ]
 }
 
 /// The numbers of the figures.
@@ -74,7 +61,8 @@ struct Samples {
 }
 
 impl Samples {
-    fn of(case: &BlockCase, outcome: &MotionOutcome) -> Samples {
+    fn of(followed: &FollowedMotion) -> Samples {
+        let (case, outcome) = (&followed.case, &followed.outcome);
         let last = outcome.events.last().map_or(0.0, |event| event.t);
         let end = if outcome.overturned() { last } else { outcome.t_final };
         let end = if end > 0.0 && end.is_finite() { end } else { 1.0 };
@@ -103,7 +91,7 @@ impl Samples {
         let title = if title.is_empty() { "A block in motion".to_owned() } else { title.join(", ") };
         Samples {
             title,
-            caption: verdict(outcome, case.seconds()),
+            caption: verdict(followed),
             end,
             states,
             loads,

@@ -5,81 +5,51 @@ use std::fmt::Write;
 use standfast::Mode;
 use standfast_motion::{End, Event, MotionOutcome, Why};
 
-use super::criteria::met_words;
-use super::json::of_balance;
-use super::{BlockCase, FollowedMotion};
+use super::FollowedMotion;
+use crate::assess::met_words;
 use crate::layout::{columns, paragraph, row, significant};
 
 /// So many events are shown one by one.
 const SHOWN: usize = 24;
 
-impl BlockCase {
-    /// The answer in words, then in numbers, in the units of the case; `all` shows every event.
-    pub fn text(&self, followed: &FollowedMotion, all: bool) -> String {
-        let outcome = &followed.outcome;
-        let mut text = String::new();
-        if let Some(title) = &self.title {
-            let _ = writeln!(text, "{title}\n");
-        }
-        if let Some(situation) = &self.situation {
-            let _ = writeln!(text, "Under {situation}:\n");
-        }
-        let _ = writeln!(text, "{}\n", verdict(outcome, self.seconds()));
-        text += &columns(&numbers(self, followed), 2, &[1]);
-        let _ = write!(text, "\nEvents\n{}", events(outcome, all, self.seconds()));
-        let _ = write!(
-            text,
-            "\nEnergy per mass{}\n{}",
-            if self.si { ", J/kg" } else { "" },
-            columns(&energy(outcome), 2, &[1])
-        );
-        let _ = writeln!(text, "\n{}", uniqueness(outcome));
-        if let Some(sensitivity) = followed.sensitivity {
-            let _ = writeln!(text, "{}", predictable(sensitivity));
-        }
-        for warning in &followed.warnings {
-            let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
-        }
-        if !self.criteria.is_empty() {
-            let _ = write!(text, "\nCriteria\n{}", criteria(self, outcome));
-        }
-        text
-    }
-}
-
 /// Rows of words, numbers and units.
 pub type Rows = Vec<Vec<String>>;
 
-impl BlockCase {
-    /// Outcome for the body, in a sentence.
-    pub fn verdict(&self, followed: &FollowedMotion) -> String {
-        verdict(&followed.outcome, self.seconds())
+/// The answer in words, then in numbers, in the units of the case; `all` shows every event.
+pub(super) fn render(followed: &FollowedMotion, all: bool) -> String {
+    let case = &followed.case;
+    let mut text = String::new();
+    if let Some(title) = &case.title {
+        let _ = writeln!(text, "{title}\n");
     }
+    if let Some(situation) = &case.situation {
+        let _ = writeln!(text, "Under {situation}:\n");
+    }
+    let _ = writeln!(text, "{}\n", verdict(followed));
+    text += &columns(&number_rows(followed), 2, &[1]);
+    let _ = write!(text, "\nEvents\n{}", events(followed, all));
+    let _ = write!(
+        text,
+        "\nEnergy per mass{}\n{}",
+        if case.si { ", J/kg" } else { "" },
+        columns(&energy_rows(followed), 2, &[1])
+    );
+    let _ = writeln!(text, "\n{}", uniqueness(followed));
+    if let Some(sensitivity) = followed.sensitivity {
+        let _ = writeln!(text, "{}", predictable(sensitivity));
+    }
+    for warning in &followed.warnings {
+        let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
+    }
+    if !case.criteria.is_empty() {
+        let _ = write!(text, "\nCriteria\n{}", criteria(followed));
+    }
+    text
+}
 
-    /// The numbers of the answer: what each is, the number with its unit, and when or how much of what it is.
-    pub fn number_rows(&self, followed: &FollowedMotion) -> Rows {
-        numbers(self, followed)
-    }
-
-    /// The events: when, why, and the state that goes on; of more than 24 the first and the last.
-    pub fn event_rows(&self, followed: &FollowedMotion) -> Rows {
-        event_rows(&followed.outcome, false, self.seconds(), "")
-    }
-
-    /// The balance of energy, J/kg of a body.
-    pub fn energy_rows(&self, followed: &FollowedMotion) -> Rows {
-        energy(&followed.outcome)
-    }
-
-    /// Sentence on the uniqueness of the answer.
-    pub fn uniqueness(&self, followed: &FollowedMotion) -> String {
-        uniqueness(&followed.outcome)
-    }
-
-    /// The unit of times, with a space before it, if they have one.
-    pub(super) fn seconds(&self) -> &'static str {
-        if self.si { " s" } else { "" }
-    }
+/// The unit of times, with a space before it, if they have one.
+fn seconds(followed: &FollowedMotion) -> &'static str {
+    if followed.case.si { " s" } else { "" }
 }
 
 fn number(x: f64) -> String {
@@ -87,7 +57,8 @@ fn number(x: f64) -> String {
 }
 
 /// Outcome for the body, in a sentence.
-pub(super) fn verdict(outcome: &MotionOutcome, s: &str) -> String {
+pub fn verdict(followed: &FollowedMotion) -> String {
+    let (outcome, s) = (&followed.outcome, seconds(followed));
     let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t)) + s;
     let moves = outcome.events.iter().find(|event| event.state != Mode::Rest);
     let Some(first) = moves else { return "The body stays at rest.".to_owned() };
@@ -125,8 +96,8 @@ pub(super) fn verdict(outcome: &MotionOutcome, s: &str) -> String {
 }
 
 /// Criteria on the motion as text, the governing one first.
-fn criteria(case: &BlockCase, outcome: &MotionOutcome) -> String {
-    let checks = case.checks(outcome);
+fn criteria(followed: &FollowedMotion) -> String {
+    let checks = followed.checks();
     let mut rows = vec![row!["criterion", "required", "value", "utilisation", ""]];
     rows.extend(checks.iter().map(|check| {
         row![
@@ -146,9 +117,10 @@ fn when(number: f64, words: impl Fn() -> String) -> String {
     if number == 0.0 { String::new() } else { words() }
 }
 
-fn numbers(case: &BlockCase, followed: &FollowedMotion) -> Vec<Vec<String>> {
-    let outcome = &followed.outcome;
-    let s = case.seconds();
+/// The numbers of the answer: what each is, the number with its unit, and when or how much of what it is.
+pub fn number_rows(followed: &FollowedMotion) -> Rows {
+    let (case, outcome) = (&followed.case, &followed.outcome);
+    let s = seconds(followed);
     let [m, rad] = if case.si { [" m", " rad"] } else { ["", ""] };
     let row = |words: &str, value: f64, unit: &str, more: String| {
         vec![words.to_owned(), number(value) + unit, more]
@@ -166,7 +138,7 @@ fn numbers(case: &BlockCase, followed: &FollowedMotion) -> Vec<Vec<String>> {
             outcome.max_theta,
             rad,
             when(outcome.max_theta, || {
-                let share = significant(of_balance(case, outcome), 4);
+                let share = significant(followed.of_balance(), 4);
                 format!("at t = {}{s}, {share} of that of balance", number(outcome.t_max_theta))
             }),
         ),
@@ -175,12 +147,18 @@ fn numbers(case: &BlockCase, followed: &FollowedMotion) -> Vec<Vec<String>> {
     ]
 }
 
-fn events(outcome: &MotionOutcome, all: bool, s: &str) -> String {
-    columns(&event_rows(outcome, all, s, "; --all shows them"), 2, &[])
+fn events(followed: &FollowedMotion, all: bool) -> String {
+    columns(&events_shown(followed, all, "; --all shows them"), 2, &[])
+}
+
+/// The events: when, why, and the state that goes on; of more than 24 the first and the last.
+pub fn event_rows(followed: &FollowedMotion) -> Rows {
+    events_shown(followed, false, "")
 }
 
 /// The events, of many the first and the last; `how` says how to see the others.
-fn event_rows(outcome: &MotionOutcome, all: bool, s: &str, how: &str) -> Rows {
+fn events_shown(followed: &FollowedMotion, all: bool, how: &str) -> Rows {
+    let s = seconds(followed);
     let row = |event: &Event| {
         let others = event.consistent.without(Some(event.state));
         let also = if others.is_empty() { String::new() } else { format!(" (or {others})") };
@@ -190,7 +168,7 @@ fn event_rows(outcome: &MotionOutcome, all: bool, s: &str, how: &str) -> Rows {
             format!("{}{also}", event.state.symbol()),
         ]
     };
-    let events = &outcome.events;
+    let events = &followed.outcome.events;
     if all || events.len() <= SHOWN {
         return events.iter().map(row).collect();
     }
@@ -202,7 +180,9 @@ fn event_rows(outcome: &MotionOutcome, all: bool, s: &str, how: &str) -> Rows {
     rows
 }
 
-fn energy(outcome: &MotionOutcome) -> Vec<Vec<String>> {
+/// The balance of energy, J/kg of a body.
+pub fn energy_rows(followed: &FollowedMotion) -> Rows {
+    let outcome = &followed.outcome;
     let row = |words: &str, value: f64| vec![words.to_owned(), number(value)];
     vec![
         row("work of the loads", outcome.work),
@@ -223,8 +203,9 @@ fn lacks(outcome: &MotionOutcome) -> String {
     if lacks.abs() <= 1e-12 * largest { "nothing".to_owned() } else { format!("{lacks:.1e}") }
 }
 
-fn uniqueness(outcome: &MotionOutcome) -> String {
-    if outcome.unique {
+/// Sentence on the uniqueness of the answer.
+pub fn uniqueness(followed: &FollowedMotion) -> String {
+    if followed.outcome.unique {
         return "At every event one state only satisfies all conditions.".to_owned();
     }
     "At an event several states satisfy all conditions: the answer is not unique. The one that goes on is the first of rest, slide, \

@@ -6,11 +6,11 @@ use serde::Serialize;
 use standfast_probability::form::FormPoint;
 use standfast_probability::sample::Estimate;
 
-use super::answer::{Chances, Happening, Probability, RandomNumber};
-use super::fragility::{Fit, Fragility, FragilityPoint};
-use super::overturn::{Overturning, PeakChances};
-use super::storm::{Exceedance, Quantile, Sliding};
-use crate::assess::SCHEMA;
+use super::{
+    Chances, Exceedance, Fit, Fragility, FragilityPoint, Happening, Overturning, PeakChances, Probability,
+    Quantile, RandomNumber, Sliding,
+};
+use crate::json::SCHEMA;
 use crate::key::Key;
 
 /// Every key is there in every answer, as docs/probability.schema.json has them: `null`, or an empty list, where there is no such
@@ -282,100 +282,93 @@ struct LifeDocument {
     modes: Vec<ModeDocument>,
 }
 
-impl Probability {
-    /// The answer as a JSON document, at full precision: of the least safe set of loads, and behind it of the others.
-    pub fn json(&self) -> String {
-        self.json_with(&[])
-    }
+/// Document with the files of figures that were written.
+pub(super) fn json(answer: &Probability, figures: &[String]) -> String {
+    let [worst, others @ ..] = &answer.situations[..] else { unreachable!("a case has loads") };
+    crate::json::written(&Document {
+        schema: SCHEMA,
+        case: &answer.case,
+        seed: answer.request.effort.seed,
+        random: answer
+            .random
+            .iter()
+            .map(|RandomNumber { name, cut, .. }| RandomDocument { name, cut: *cut })
+            .collect(),
+        integrated: &answer.line.0,
+        worst: document(answer, worst),
+        others: others.iter().map(|chances| document(answer, chances)).collect(),
+        joined: answer.joined.map(|joined| JoinedDocument {
+            count: joined.count,
+            method: joined.method.name(),
+            not_rest: interval(joined.not_rest),
+        }),
+        criterion: answer.criterion.map(|criterion| CriterionDocument {
+            name: Key::GreatestNotRest.name(),
+            required: criterion.required,
+            value: criterion.counted(),
+            met: criterion.is_met(),
+        }),
+        sliding: answer.sliding.as_ref().map(SlidingDocument::of),
+        overturning: answer.overturning.as_ref().map(OverturningDocument::of),
+        fragility: answer.fragility.as_ref().map(FragilityDocument::of),
+        figures,
+    })
+}
 
-    /// Document with the files of figures that were written.
-    pub fn json_with(&self, figures: &[String]) -> String {
-        let [worst, others @ ..] = &self.situations[..] else { unreachable!("a case has loads") };
-        crate::json(&Document {
-            schema: SCHEMA,
-            case: &self.case,
-            seed: self.request.effort.seed,
-            random: self
-                .random
-                .iter()
-                .map(|RandomNumber { name, cut, .. }| RandomDocument { name, cut: *cut })
-                .collect(),
-            integrated: &self.line.0,
-            worst: self.document(worst),
-            others: others.iter().map(|chances| self.document(chances)).collect(),
-            joined: self.joined.map(|joined| JoinedDocument {
-                count: joined.count,
-                method: joined.method.name(),
-                not_rest: interval(joined.not_rest),
-            }),
-            criterion: self.criterion.map(|criterion| CriterionDocument {
-                name: Key::GreatestNotRest.name(),
-                required: criterion.required,
-                value: criterion.counted(),
-                met: criterion.is_met(),
-            }),
-            sliding: self.sliding.as_ref().map(SlidingDocument::of),
-            overturning: self.overturning.as_ref().map(OverturningDocument::of),
-            fragility: self.fragility.as_ref().map(FragilityDocument::of),
-            figures,
-        })
-    }
-
-    fn document<'a>(&'a self, chances: &'a Chances) -> ChancesDocument<'a> {
-        let point = chances.design_point.as_ref();
-        let names = || self.random.iter().map(|number| number.name.as_str());
-        let importance = names().enumerate().map(|(place, name)| {
-            let alpha = point.map(|point| point.alpha[place]);
-            ImportanceDocument {
-                name,
-                alpha,
-                alpha2: alpha.map(|alpha| alpha * alpha),
-                omission: point.map(|point| point.omission(place)).filter(|omission| omission.is_finite()),
-                probability_if_known: chances.known.get(place).map(|estimate| estimate.value),
-                if_known_low: chances.known.get(place).map(|estimate| estimate.low),
-                if_known_high: chances.known.get(place).map(|estimate| estimate.high),
-            }
-        });
-        let named = |of: &[f64]| -> BTreeMap<&'a str, f64> { names().zip(of.iter().copied()).collect() };
-        let of_mode = |(happening, point): &(Happening, FormPoint)| DesignPointDocument {
-            mode: happening.name(),
-            beta: point.beta,
-            first_order: point.first_order(),
-            point: named(&point.values),
-            alpha: named(&point.alpha),
-            at_change_of_formula: point.at_change,
-            agreeing: point.agreeing,
-            starts: point.starts,
-        };
-        ChancesDocument {
-            situation: chances.situation.as_deref(),
-            method: chances.method.name(),
-            points: chances.points,
-            precise: chances.precise,
-            modes: modes(&chances.modes),
-            not_rest: interval(chances.not_rest),
-            not_unique: interval(chances.not_unique),
-            lifted: interval(chances.lifted),
-            first_departure: DepartureDocument {
-                modes: modes(&chances.first_departure.modes),
-                never: interval(chances.first_departure.never),
-                at_once: interval(chances.first_departure.at_once),
-                precise: chances.first_departure.precise,
-            },
-            beta: point.map(|point| point.beta),
-            beta_generalized: chances.generalized(),
-            design_point: point.map(|point| named(&point.values)),
-            at_change_of_formula: point.map(|point| point.at_change),
-            importance: importance.collect(),
-            design_points: chances.design_points.as_ref().map(|points| points.iter().map(of_mode).collect()),
-            life: chances.life.as_ref().map(|life| LifeDocument {
-                years: life.years,
-                method: life.method.name(),
-                precise: life.precise,
-                not_rest: interval(life.not_rest),
-                modes: modes(&life.modes),
-            }),
+fn document<'a>(answer: &'a Probability, chances: &'a Chances) -> ChancesDocument<'a> {
+    let point = chances.design_point.as_ref();
+    let names = || answer.random.iter().map(|number| number.name.as_str());
+    let importance = names().enumerate().map(|(place, name)| {
+        let alpha = point.map(|point| point.alpha[place]);
+        ImportanceDocument {
+            name,
+            alpha,
+            alpha2: alpha.map(|alpha| alpha * alpha),
+            omission: point.map(|point| point.omission(place)).filter(|omission| omission.is_finite()),
+            probability_if_known: chances.known.get(place).map(|estimate| estimate.value),
+            if_known_low: chances.known.get(place).map(|estimate| estimate.low),
+            if_known_high: chances.known.get(place).map(|estimate| estimate.high),
         }
+    });
+    let named = |of: &[f64]| -> BTreeMap<&'a str, f64> { names().zip(of.iter().copied()).collect() };
+    let of_mode = |(happening, point): &(Happening, FormPoint)| DesignPointDocument {
+        mode: happening.name(),
+        beta: point.beta,
+        first_order: point.first_order(),
+        point: named(&point.values),
+        alpha: named(&point.alpha),
+        at_change_of_formula: point.at_change,
+        agreeing: point.agreeing,
+        starts: point.starts,
+    };
+    ChancesDocument {
+        situation: chances.situation.as_deref(),
+        method: chances.method.name(),
+        points: chances.points,
+        precise: chances.precise,
+        modes: modes(&chances.modes),
+        not_rest: interval(chances.not_rest),
+        not_unique: interval(chances.not_unique),
+        lifted: interval(chances.lifted),
+        first_departure: DepartureDocument {
+            modes: modes(&chances.first_departure.modes),
+            never: interval(chances.first_departure.never),
+            at_once: interval(chances.first_departure.at_once),
+            precise: chances.first_departure.precise,
+        },
+        beta: point.map(|point| point.beta),
+        beta_generalized: chances.generalized(),
+        design_point: point.map(|point| named(&point.values)),
+        at_change_of_formula: point.map(|point| point.at_change),
+        importance: importance.collect(),
+        design_points: chances.design_points.as_ref().map(|points| points.iter().map(of_mode).collect()),
+        life: chances.life.as_ref().map(|life| LifeDocument {
+            years: life.years,
+            method: life.method.name(),
+            precise: life.precise,
+            not_rest: interval(life.not_rest),
+            modes: modes(&life.modes),
+        }),
     }
 }
 

@@ -8,179 +8,134 @@ use standfast_figures::{
 use standfast_probability::lognormal::Lognormal;
 use standfast_probability::sample::Estimate;
 
-use super::answer::{Chances, Happening, Method, Probability};
-use super::error::ProbabilityError;
-use super::fragility::{Fit, Fragility};
-use super::overturn::Overturning;
-use super::storm::Sliding;
-use super::subject::ChanceSubject;
-use crate::case_file::CaseFile;
-use crate::key::Key;
+use super::text::floor;
+use super::{Chances, Fit, Fragility, Happening, Method, Overturning, Probability, Sliding};
+use crate::document::AnswerFigure;
 use crate::layout::{apart, digits};
 
 mod areas;
 mod cloud;
-use cloud::Draws;
+use cloud::Cloud;
 
 /// The share of the whole that is seen on an axis of equal steps.
 const LEAST_SEEN: f64 = 0.005;
 /// Number of points that a curve is drawn through.
 const SMOOTH: usize = 96;
 
-/// A figure of an answer.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ProbabilityFigure {
-    /// Suffix of a file's name that tells it from the others of the case.
-    pub suffix: &'static str,
-    /// Description in words.
-    pub words: &'static str,
-    /// The figure.
-    pub figure: Figure,
+/// The figures of an answer, of the least safe set of loads: those for which there are numbers.
+pub(super) fn all(answer: &Probability) -> Vec<AnswerFigure> {
+    let worst = answer.situations.first();
+    // The title in the file, or else the file's name.
+    let title = answer.title.clone().unwrap_or_else(|| answer.case.clone());
+    let cloud = worst.zip(answer.problem.as_deref()).and_then(|(worst, problem)| {
+        Cloud::of(problem, answer.request.effort.seed)?.figure(problem, worst, &title)
+    });
+    let bars = worst.map(|worst| bars(answer, worst, &title));
+    let matters = worst.and_then(|worst| matters_drawn(answer, worst, &title));
+    let course = worst.and_then(|worst| convergence(worst, &title));
+    let along = answer.fragility.as_ref().map(|fragility| along(fragility, floor(answer), &title));
+    let over = answer.overturning.as_ref().map(|overturning| overturns(overturning, &title));
+    let slides = answer.sliding.as_ref().and_then(|sliding| exceedance(sliding, &title));
+    [
+        cloud.map(|drawn| AnswerFigure::new("-draws", "Draws", drawn)),
+        bars.map(|drawn| AnswerFigure::new("-modes", "Probabilities", drawn)),
+        matters.map(|drawn| AnswerFigure::new("-matters", "What matters", drawn)),
+        course.map(|drawn| AnswerFigure::new("-convergence", "Convergence", drawn)),
+        along.map(|drawn| AnswerFigure::new("-fragility", "Fragility", drawn)),
+        over.map(|drawn| AnswerFigure::new("-overturning", "Overturning", drawn)),
+        slides.map(|drawn| AnswerFigure::new("-sliding", "Slides", drawn)),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
-impl Probability {
-    /// The figures of the answer to this file, of the least safe set of loads: those for which there are numbers.
-    ///
-    /// # Errors
-    /// As [`of`](Probability::of), if it is another file.
-    pub fn figures(&self, file: &CaseFile) -> Result<Vec<ProbabilityFigure>, ProbabilityError> {
-        let worst = self.situations.first();
-        let title = self.title(file);
-        let figure = |suffix, words, figure| ProbabilityFigure { suffix, words, figure };
-        let cloud = match worst {
-            Some(worst) => self.cloud(file, worst, &title)?,
-            None => None,
-        };
-        let bars = worst.map(|worst| self.bars(worst, &title));
-        let matters = worst.and_then(|worst| self.matters_drawn(worst, &title));
-        let course = worst.and_then(|worst| convergence(worst, &title));
-        let along = self.fragility.as_ref().map(|fragility| along(fragility, self.floor(), &title));
-        let over = self.overturning.as_ref().map(|overturning| overturns(overturning, &title));
-        let slides = self.sliding.as_ref().and_then(|sliding| exceedance(sliding, &title));
-        Ok([
-            cloud.map(|drawn| figure("-draws", "Draws", drawn)),
-            bars.map(|drawn| figure("-modes", "Probabilities", drawn)),
-            matters.map(|drawn| figure("-matters", "What matters", drawn)),
-            course.map(|drawn| figure("-convergence", "Convergence", drawn)),
-            along.map(|drawn| figure("-fragility", "Fragility", drawn)),
-            over.map(|drawn| figure("-overturning", "Overturning", drawn)),
-            slides.map(|drawn| figure("-sliding", "Slides", drawn)),
-        ]
-        .into_iter()
-        .flatten()
-        .collect())
-    }
-
-    /// The title in the file, or else the file's name.
-    fn title(&self, file: &CaseFile) -> String {
-        file.inputs().text(Key::Title).unwrap_or(&self.case).to_owned()
-    }
-
-    fn cloud(
-        &self,
-        file: &CaseFile,
-        worst: &Chances,
-        title: &str,
-    ) -> Result<Option<Figure>, ProbabilityError> {
-        let asked = ChanceSubject::of(file, None)?;
-        if matches!(asked, ChanceSubject::Storm(_)) {
-            return Ok(None);
-        }
-        let problems = asked.problems(None)?;
-        let Some(problem) = problems.iter().find(|problem| problem.situation() == worst.situation) else {
-            return Ok(None);
-        };
-        Ok(Draws::of(problem, self.request.effort.seed).and_then(|draws| draws.figure(problem, worst, title)))
-    }
-
-    fn bars(&self, worst: &Chances, title: &str) -> Figure {
-        let floor = self.floor();
-        let chosen = |modes: &[(Happening, Estimate)]| -> Vec<(Happening, Estimate)> {
-            let mut shown: Vec<_> = modes.iter().copied().filter(|(_, e)| e.value >= floor).collect();
-            shown.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
-            shown
-        };
-        let event = chosen(&worst.modes);
-        let in_words =
-            |modes: &[(Happening, Estimate)], not_rest: Estimate| -> Vec<(Option<Mode>, String, Chance)> {
-                let bar = |(happening, e): &(Happening, Estimate)| match happening.mode() {
-                    Some(mode) => (Some(mode), mode.words().to_owned(), chance(*e)),
-                    None => (None, happening.name(), chance(*e)),
-                };
-                modes.iter().map(bar).chain([(None, "does not rest".to_owned(), chance(not_rest))]).collect()
+fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
+    let floor = floor(answer);
+    let chosen = |modes: &[(Happening, Estimate)]| -> Vec<(Happening, Estimate)> {
+        let mut shown: Vec<_> = modes.iter().copied().filter(|(_, e)| e.value >= floor).collect();
+        shown.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
+        shown
+    };
+    let event = chosen(&worst.modes);
+    let in_words =
+        |modes: &[(Happening, Estimate)], not_rest: Estimate| -> Vec<(Option<Mode>, String, Chance)> {
+            let bar = |(happening, e): &(Happening, Estimate)| match happening.mode() {
+                Some(mode) => (Some(mode), mode.words().to_owned(), chance(*e)),
+                None => (None, happening.name(), chance(*e)),
             };
-        let mut groups = vec![(
-            match &worst.situation {
-                Some(situation) => format!("Under {situation}"),
-                None => "Under the loads of one event".to_owned(),
-            },
-            in_words(&event, worst.not_rest),
-        )];
-        if let Some(life) = &worst.life {
-            let moved: Vec<_> =
-                life.modes.iter().copied().filter(|(mode, _)| mode.mode() != Some(Mode::Rest)).collect();
-            let heading = format!("At least once in {} years", digits(life.years));
-            groups.push((heading, in_words(&chosen(&moved), life.not_rest)));
-        }
-        let bars: Vec<Vec<ChanceBar<'_>>> = groups
-            .iter()
-            .map(|(_, bars)| {
-                bars.iter()
-                    .map(|(mode, words, chance)| ChanceBar { mode: *mode, words, chance: *chance })
-                    .collect()
-            })
-            .collect();
-        let groups: Vec<ChanceGroup<'_>> =
-            groups.iter().zip(&bars).map(|((heading, _), bars)| ChanceGroup { heading, bars }).collect();
-        let mut caption = match worst.method {
-            Method::Integrate => "Integrated.".to_owned(),
-            method => format!("By {method}; intervals of 95 %."),
+            modes.iter().map(bar).chain([(None, "does not rest".to_owned(), chance(not_rest))]).collect()
         };
-        let below: Vec<_> = worst.modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
-        if !below.is_empty() {
-            let names: Vec<String> = below
-                .iter()
-                .map(|(happening, _)| happening.name().replace('\'', "′").replace('-', "−"))
-                .collect();
-            let bound = below.iter().map(|(_, e)| e.high).fold(0.0, f64::max);
-            caption += &format!(" {}: each below {}.", names.join(", "), digits(bound));
-        }
-        if let Some(point) = &worst.design_point {
-            caption +=
-                &format!(" β = {}; Φ(−β) = {} is not P.", digits(point.beta), digits(point.first_order()));
-        }
-        let title = format!("How likely each mode is: {title}");
-        chance_bars(&ChanceBars { title: &title, caption: &caption, groups: &groups })
+    let mut groups = vec![(
+        match &worst.situation {
+            Some(situation) => format!("Under {situation}"),
+            None => "Under the loads of one event".to_owned(),
+        },
+        in_words(&event, worst.not_rest),
+    )];
+    if let Some(life) = &worst.life {
+        let moved: Vec<_> =
+            life.modes.iter().copied().filter(|(mode, _)| mode.mode() != Some(Mode::Rest)).collect();
+        let heading = format!("At least once in {} years", digits(life.years));
+        groups.push((heading, in_words(&chosen(&moved), life.not_rest)));
     }
-
-    fn matters_drawn(&self, worst: &Chances, title: &str) -> Option<Figure> {
-        let point = worst.design_point.as_ref().filter(|_| worst.known.len() == self.random.len())?;
-        let mut order: Vec<usize> = (0..worst.known.len()).collect();
-        order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
-        let numbers: Vec<Importance<'_>> = order
-            .iter()
-            .map(|&i| Importance {
-                name: &self.random[i].name,
-                alpha2: point.alpha[i].powi(2),
-                known: worst.known[i].value,
-            })
-            .collect();
-        let kink = if point.at_change {
-            " The design point lies where a formula or the mode changes: α² ranks, and no gradient has its direction."
-        } else {
-            ""
-        };
-        let caption = format!(
-            "Left: α² of the design point, β = {}. Right: from P that the body does not rest, {}, to what it would be if the number were known to have its median.{kink}",
-            digits(point.beta),
-            digits(worst.not_rest.value)
-        );
-        let title = format!("Which number matters: {title}");
-        let probability = worst.not_rest.value;
-        (!numbers.is_empty()).then(|| {
-            chance_tornado(&Tornado { title: &title, caption: &caption, probability, numbers: &numbers })
+    let bars: Vec<Vec<ChanceBar<'_>>> = groups
+        .iter()
+        .map(|(_, bars)| {
+            bars.iter()
+                .map(|(mode, words, chance)| ChanceBar { mode: *mode, words, chance: *chance })
+                .collect()
         })
+        .collect();
+    let groups: Vec<ChanceGroup<'_>> =
+        groups.iter().zip(&bars).map(|((heading, _), bars)| ChanceGroup { heading, bars }).collect();
+    let mut caption = match worst.method {
+        Method::Integrate => "Integrated.".to_owned(),
+        method => format!("By {method}; intervals of 95 %."),
+    };
+    let below: Vec<_> = worst.modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
+    if !below.is_empty() {
+        let names: Vec<String> = below
+            .iter()
+            .map(|(happening, _)| happening.name().replace('\'', "′").replace('-', "−"))
+            .collect();
+        let bound = below.iter().map(|(_, e)| e.high).fold(0.0, f64::max);
+        caption += &format!(" {}: each below {}.", names.join(", "), digits(bound));
     }
+    if let Some(point) = &worst.design_point {
+        caption += &format!(" β = {}; Φ(−β) = {} is not P.", digits(point.beta), digits(point.first_order()));
+    }
+    let title = format!("How likely each mode is: {title}");
+    chance_bars(&ChanceBars { title: &title, caption: &caption, groups: &groups })
+}
+
+fn matters_drawn(answer: &Probability, worst: &Chances, title: &str) -> Option<Figure> {
+    let point = worst.design_point.as_ref().filter(|_| worst.known.len() == answer.random.len())?;
+    let mut order: Vec<usize> = (0..worst.known.len()).collect();
+    order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+    let numbers: Vec<Importance<'_>> = order
+        .iter()
+        .map(|&i| Importance {
+            name: &answer.random[i].name,
+            alpha2: point.alpha[i].powi(2),
+            known: worst.known[i].value,
+        })
+        .collect();
+    let kink = if point.at_change {
+        " The design point lies where a formula or the mode changes: α² ranks, and no gradient has its direction."
+    } else {
+        ""
+    };
+    let caption = format!(
+        "Left: α² of the design point, β = {}. Right: from P that the body does not rest, {}, to what it would be if the number were known to have its median.{kink}",
+        digits(point.beta),
+        digits(worst.not_rest.value)
+    );
+    let title = format!("Which number matters: {title}");
+    let probability = worst.not_rest.value;
+    (!numbers.is_empty()).then(|| {
+        chance_tornado(&Tornado { title: &title, caption: &caption, probability, numbers: &numbers })
+    })
 }
 
 fn chance(Estimate { value, low, high }: Estimate) -> Chance {

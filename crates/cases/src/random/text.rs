@@ -4,324 +4,310 @@ use std::fmt::Write;
 
 use standfast_probability::sample::{Effort, Estimate};
 
-use super::answer::{Chances, FirstDeparture, Happening, Method, Probability, RandomNumber};
-use super::fragility::{Fit, Fragility};
-use super::joint::JointChance;
-use super::overturn::{Overturning, PeakChances};
-use super::storm::{Exceedance, FollowedWaves, Pulse, Quantile, Sliding};
+use super::{
+    Chances, Exceedance, FirstDeparture, Fit, FollowedWaves, Fragility, Happening, JointChance, Method,
+    Overturning, PeakChances, Probability, Pulse, Quantile, RandomNumber, Sliding,
+};
 use crate::layout::{apart, columns, digits, paragraph, row};
 
-impl Probability {
-    /// The answer as text.
-    pub fn text(&self) -> String {
-        let note = self.note.as_ref().map(|note| format!("\n{}", paragraph(&format!("Note: {note}."), 0)));
-        self.chances_and_slides() + &note.unwrap_or_default()
-    }
+/// The answer as text.
+pub(super) fn text(answer: &Probability) -> String {
+    let note = answer.note.as_ref().map(|note| format!("\n{}", paragraph(&format!("Note: {note}."), 0)));
+    chances_and_slides(answer) + &note.unwrap_or_default()
+}
 
-    /// The answer without its note.
-    fn chances_and_slides(&self) -> String {
-        let mut text = String::new();
-        if let Some(worst) = self.situations.first() {
-            text += &self.chances(worst);
-        }
-        for chances in self.situations.iter().skip(1) {
-            let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
-            text += &event_table(chances, self.floor());
-        }
-        if let Some(JointChance { count, not_rest, method }) = &self.joined {
-            let within = match method {
-                Method::Integrate => String::new(),
-                _ => format!(", {} … {}", probability(not_rest.low), probability(not_rest.high)),
-            };
-            let words = format!(
-                "Under any of these {count}, all with the same numbers drawn, it does not rest: {}{within}.",
-                probability(not_rest.value)
-            );
-            text += &format!("\n{}", paragraph(&words, 0));
-        }
-        if let Some(criterion) = &self.criterion {
-            let (met, value) = (if criterion.is_met() { "met" } else { "not met" }, criterion.counted());
-            let [value, required] = &apart(&[value, criterion.required])[..] else { unreachable!("of two") };
-            let words = format!(
-                "Criterion p_not_rest ≤ {required}: {met}; the upper end of the interval is {value}."
-            );
-            text += &format!("\n{}", paragraph(&words, 0));
-        }
-        if let Some(sliding) = &self.sliding {
-            if !text.is_empty() {
-                text.push('\n');
-            }
-            text += &self.slides(sliding);
-        }
-        if let Some(overturning) = &self.overturning {
-            text += &self.overturns(overturning);
-        }
-        if let Some(fragility) = &self.fragility {
-            text += &along(fragility, self.floor());
-        }
-        text
+/// The answer without its note.
+fn chances_and_slides(answer: &Probability) -> String {
+    let mut text = String::new();
+    if let Some(worst) = answer.situations.first() {
+        text += &chances(answer, worst);
     }
-
-    /// Sentences on the slides of the body in storms.
-    fn slides(&self, sliding: &Sliding) -> String {
-        let Sliding { years, storm, mean, quantiles, exceedance, rotating, .. } = sliding;
-        let of_years = if *years == 1.0 { "1 year".to_owned() } else { format!("{} years", digits(*years)) };
-        let mut text = paragraph(
-            &format!(
-                "Sliding in {of_years} (a storm of {} waves each; mean integrated, {} lives drawn, seed {})",
-                storm.waves,
-                grouped(sliding.lives),
-                self.request.effort.seed
-            ),
-            0,
-        );
-        let metres = |slide: f64| format!("{} m", digits(slide));
-        let within =
-            |e: Estimate, words: &dyn Fn(f64) -> String| format!("{} … {}", words(e.low), words(e.high));
-        let mut rows = vec![row!["mean", metres(mean.value), within(*mean, &metres)]];
-        rows.push(row!["slides at all", probability(sliding.ever.value), within(sliding.ever, &probability)]);
-        for Exceedance { slide, probability: p } in exceedance {
-            rows.push(row![
-                format!("more than {slide:.2} m"),
-                probability(p.value),
-                within(*p, &probability)
-            ]);
-        }
-        for Quantile { share, slide } in quantiles {
-            let words = format!("{} % of all lives stay below", digits(100.0 * share));
-            rows.push(row![words, metres(slide.value), within(*slide, &metres)]);
-        }
-        text += &columns(&rows, 2, &[1]);
-        if mean.value > 0.0 {
-            let words = format!(
-                "{} % of the mean comes of the worst 5 % of all lives; {} waves of a life slide the body on average.",
-                digits((1000.0 * sliding.of_worst).round() / 10.0),
-                digits(sliding.waves.value)
-            );
-            text += &paragraph(&words, 2);
-        }
-        if let Some(FollowedWaves { slide, overturned }) = &sliding.followed {
-            let words = format!(
-                "Waves that begin a rotation, {} of all waves, are followed in time: they add {} ({}) to the mean above, and shares and chances \
-                 of slides count them; {} of all lives end by overturning ({}), which counts as a slide beyond every limit.",
-                below_or(rotating.wave),
-                metres(slide.value),
-                within(*slide, &metres),
-                below_or(*overturned),
-                within(*overturned, &probability)
-            );
-            text += &paragraph(&words, 2);
-        } else if rotating.wave.value > 0.0 {
-            let words = format!(
-                "Waves that begin a rotation are left out, because the slide of a pulse does not hold for them: {} of all waves; {} of all lives have one.",
-                probability(rotating.wave.value),
-                probability(rotating.life.value)
-            );
-            text += &paragraph(&words, 2);
-        }
-        if storm.pulse == Pulse::Shimosako || storm.has_formula() {
-            text +=
-                &paragraph("Shimosako and Takahashi's formulas are recalled; the original was not read.", 2);
-        }
-        if !sliding.precise {
-            text += &paragraph(
-                "The mean is not as precise as it is asked to be: --samples takes more points.",
-                2,
-            );
-        }
-        text
+    for chances in answer.situations.iter().skip(1) {
+        let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
+        text += &event_table(chances, floor(answer));
     }
-
-    /// Overturning over the peak of a shaking.
-    fn overturns(&self, overturning: &Overturning) -> String {
-        let Overturning { records, bodies, not_a_body, points, fit, gravity } = overturning;
-        let of_records = match &records[..] {
-            [one] => format!("the record {one}"),
-            many => format!("{} records", many.len()),
+    if let Some(JointChance { count, not_rest, method }) = &answer.joined {
+        let within = match method {
+            Method::Integrate => String::new(),
+            _ => format!(", {} … {}", probability(not_rest.low), probability(not_rest.high)),
         };
-        let of_records = of_records.replace("the record that of the case", "the shaking of the case");
-        let pairs = if records.len() > 1 { ", every pair" } else { "" };
         let words = format!(
-            "In time, under {of_records} × {} bodies{pairs}, scaled to each peak (seed {})",
-            grouped(*bodies),
-            self.request.effort.seed
+            "Under any of these {count}, all with the same numbers drawn, it does not rest: {}{within}.",
+            probability(not_rest.value)
         );
-        let mut rows = vec![row!["peak (g)", "moves", "rocks", "overturns", ""]];
-        for PeakChances { peak, moved, rocked, overturned } in points {
-            rows.push(row![
-                digits(peak / gravity),
-                probability(moved.value),
-                probability(rocked.value),
-                below_or(*overturned),
-                format!("{} … {}", probability(overturned.low), probability(overturned.high))
-            ]);
-        }
-        let mut text = format!("\n{}", paragraph(&words, 0));
-        text += &columns(&rows, 2, &[0, 1, 2, 3]);
-        let of_whom = match records.len() {
-            1 => "The interval is that of further bodies under this shaking: another one would have its own."
-                .to_owned(),
-            many => format!(
-                "The interval is that of a further record like these {many}, which all bodies share, and of a further body."
-            ),
-        };
-        text += &paragraph(&of_whom, 2);
-        if *not_a_body > 0 {
-            text += &paragraph(&format!("{not_a_body} draws are no body, and are counted as standing."), 2);
-        }
-        if let Some(Fit { median, dispersion, misfit }) = fit {
-            let words = format!(
-                "A lognormal curve through what overturns: median {} g, dispersion {}; it misses by {} at most.",
-                digits(median / gravity),
-                digits(*dispersion),
-                digits(*misfit)
-            );
-            text += &paragraph(&words, 2);
-        }
-        text
+        text += &format!("\n{}", paragraph(&words, 0));
     }
-
-    pub(super) fn floor(&self) -> f64 {
-        self.request.effort.floor
+    if let Some(criterion) = &answer.criterion {
+        let (met, value) = (if criterion.is_met() { "met" } else { "not met" }, criterion.counted());
+        let [value, required] = &apart(&[value, criterion.required])[..] else { unreachable!("of two") };
+        let words =
+            format!("Criterion p_not_rest ≤ {required}: {met}; the upper end of the interval is {value}.");
+        text += &format!("\n{}", paragraph(&words, 0));
     }
-
-    fn chances(&self, chances: &Chances) -> String {
-        let numbers = self.random.len();
-        let (line, exact) = &self.line;
-        let how = match (chances.method, exact) {
-            (Method::MonteCarlo, _) => "everything drawn".to_owned(),
-            (_, true) => format!("{line} in closed form"),
-            (_, false) => format!("{line} scanned"),
-        };
-        let counted = match chances.method {
-            Method::Integrate => "integrated".to_owned(),
-            method => {
-                format!("{method}, {} points, seed {}", grouped(chances.points), self.request.effort.seed)
-            }
-        };
-        let numbers =
-            if numbers == 1 { "1 random number".to_owned() } else { format!("{numbers} random numbers") };
-        let mut text = paragraph(&format!("Probability ({how}, {numbers}, {counted})"), 0);
-        if let Some(situation) = &chances.situation {
-            let least = if self.situations.len() > 1 { ", the least safe" } else { "" };
-            let _ = writeln!(text, "  under {situation}{least}");
+    if let Some(sliding) = &answer.sliding {
+        if !text.is_empty() {
+            text.push('\n');
         }
-        text += &event_table(chances, self.floor());
-        text += &self.departures(chances);
-        text += &self.index(chances);
-        if !chances.precise {
-            text += &self.imprecise();
-        }
-        // Less is in the JSON alone.
-        for RandomNumber { name, cut, .. } in self.random.iter().filter(|number| number.cut >= 1e-12) {
-            text += &paragraph(
-                &format!("{} of the law of {name} is cut away: no body has such values.", digits(*cut)),
-                2,
-            );
-        }
-        text += &self.matters(chances);
-        text += &self.nearest(chances);
-        if let Some(life) = &chances.life {
-            let _ = writeln!(text, "\nAt least once in {} years", digits(life.years));
-            // Rest is what a life begins with.
-            let moved: Vec<_> =
-                life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::REST).collect();
-            text += &modes_table(life.method, &moved, life.not_rest, self.floor());
-            if !life.precise {
-                text += &self.imprecise();
-            }
-        }
-        text
+        text += &slides(answer, sliding);
     }
+    if let Some(overturning) = &answer.overturning {
+        text += &overturns(answer, overturning);
+    }
+    if let Some(fragility) = &answer.fragility {
+        text += &along(fragility, floor(answer));
+    }
+    text
+}
 
-    fn imprecise(&self) -> String {
-        let Effort { precision, floor, .. } = self.request.effort;
+/// Sentences on the slides of the body in storms.
+fn slides(answer: &Probability, sliding: &Sliding) -> String {
+    let Sliding { years, storm, mean, quantiles, exceedance, rotating, .. } = sliding;
+    let of_years = if *years == 1.0 { "1 year".to_owned() } else { format!("{} years", digits(*years)) };
+    let mut text = paragraph(
+        &format!(
+            "Sliding in {of_years} (a storm of {} waves each; mean integrated, {} lives drawn, seed {})",
+            storm.waves,
+            grouped(sliding.lives),
+            answer.request.effort.seed
+        ),
+        0,
+    );
+    let metres = |slide: f64| format!("{} m", digits(slide));
+    let within = |e: Estimate, words: &dyn Fn(f64) -> String| format!("{} … {}", words(e.low), words(e.high));
+    let mut rows = vec![row!["mean", metres(mean.value), within(*mean, &metres)]];
+    rows.push(row!["slides at all", probability(sliding.ever.value), within(sliding.ever, &probability)]);
+    for Exceedance { slide, probability: p } in exceedance {
+        rows.push(row![format!("more than {slide:.2} m"), probability(p.value), within(*p, &probability)]);
+    }
+    for Quantile { share, slide } in quantiles {
+        let words = format!("{} % of all lives stay below", digits(100.0 * share));
+        rows.push(row![words, metres(slide.value), within(*slide, &metres)]);
+    }
+    text += &columns(&rows, 2, &[1]);
+    if mean.value > 0.0 {
         let words = format!(
-            "Not as precise as asked, {} % of every probability above {}: --samples takes more points.",
-            digits(100.0 * precision),
-            digits(floor)
+            "{} % of the mean comes of the worst 5 % of all lives; {} waves of a life slide the body on average.",
+            digits((1000.0 * sliding.of_worst).round() / 10.0),
+            digits(sliding.waves.value)
         );
-        paragraph(&words, 2)
+        text += &paragraph(&words, 2);
     }
-
-    /// Into which mode it first leaves rest.
-    fn departures(&self, chances: &Chances) -> String {
-        let FirstDeparture { modes, never, at_once, .. } = &chances.first_departure;
-        let mut parts: Vec<(String, f64)> =
-            modes.iter().map(|(happening, e)| (happening.name(), e.value)).collect();
-        parts.push(("at once".to_owned(), at_once.value));
-        parts.push(("never".to_owned(), never.value));
-        parts.retain(|(_, p)| *p >= self.floor());
-        parts.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let parts: Vec<String> =
-            parts.iter().map(|(name, p)| format!("{name} {}", probability(*p))).collect();
-        paragraph(&format!("First departure as the loads rise from nothing: {}.", parts.join(", ")), 2)
+    if let Some(FollowedWaves { slide, overturned }) = &sliding.followed {
+        let words = format!(
+            "Waves that begin a rotation, {} of all waves, are followed in time: they add {} ({}) to the mean above, and shares and chances \
+             of slides count them; {} of all lives end by overturning ({}), which counts as a slide beyond every limit.",
+            below_or(rotating.wave),
+            metres(slide.value),
+            within(*slide, &metres),
+            below_or(*overturned),
+            within(*overturned, &probability)
+        );
+        text += &paragraph(&words, 2);
+    } else if rotating.wave.value > 0.0 {
+        let words = format!(
+            "Waves that begin a rotation are left out, because the slide of a pulse does not hold for them: {} of all waves; {} of all lives have one.",
+            probability(rotating.wave.value),
+            probability(rotating.life.value)
+        );
+        text += &paragraph(&words, 2);
     }
+    if storm.pulse == Pulse::Shimosako || storm.has_formula() {
+        text += &paragraph("Shimosako and Takahashi's formulas are recalled; the original was not read.", 2);
+    }
+    if !sliding.precise {
+        text +=
+            &paragraph("The mean is not as precise as it is asked to be: --samples takes more points.", 2);
+    }
+    text
+}
 
-    /// The reliability index beside the probability.
-    fn index(&self, chances: &Chances) -> String {
-        let Some(point) = &chances.design_point else {
-            if chances.not_rest.value > 0.0 {
-                return String::new();
-            }
-            return paragraph("Nowhere within twelve deviations of the medians does it move.", 2);
-        };
-        let mut said = format!("β {}", digits(point.beta));
-        if point.at_change {
-            said += " at a change of formula or of mode";
+/// Overturning over the peak of a shaking.
+fn overturns(answer: &Probability, overturning: &Overturning) -> String {
+    let Overturning { records, bodies, not_a_body, points, fit, gravity } = overturning;
+    let of_records = match &records[..] {
+        [one] => format!("the record {one}"),
+        many => format!("{} records", many.len()),
+    };
+    let of_records = of_records.replace("the record that of the case", "the shaking of the case");
+    let pairs = if records.len() > 1 { ", every pair" } else { "" };
+    let words = format!(
+        "In time, under {of_records} × {} bodies{pairs}, scaled to each peak (seed {})",
+        grouped(*bodies),
+        answer.request.effort.seed
+    );
+    let mut rows = vec![row!["peak (g)", "moves", "rocks", "overturns", ""]];
+    for PeakChances { peak, moved, rocked, overturned } in points {
+        rows.push(row![
+            digits(peak / gravity),
+            probability(moved.value),
+            probability(rocked.value),
+            below_or(*overturned),
+            format!("{} … {}", probability(overturned.low), probability(overturned.high))
+        ]);
+    }
+    let mut text = format!("\n{}", paragraph(&words, 0));
+    text += &columns(&rows, 2, &[0, 1, 2, 3]);
+    let of_whom = match records.len() {
+        1 => "The interval is that of further bodies under this shaking: another one would have its own."
+            .to_owned(),
+        many => format!(
+            "The interval is that of a further record like these {many}, which all bodies share, and of a further body."
+        ),
+    };
+    text += &paragraph(&of_whom, 2);
+    if *not_a_body > 0 {
+        text += &paragraph(&format!("{not_a_body} draws are no body, and are counted as standing."), 2);
+    }
+    if let Some(Fit { median, dispersion, misfit }) = fit {
+        let words = format!(
+            "A lognormal curve through what overturns: median {} g, dispersion {}; it misses by {} at most.",
+            digits(median / gravity),
+            digits(*dispersion),
+            digits(*misfit)
+        );
+        text += &paragraph(&words, 2);
+    }
+    text
+}
+
+pub(super) fn floor(answer: &Probability) -> f64 {
+    answer.request.effort.floor
+}
+
+fn chances(answer: &Probability, chances: &Chances) -> String {
+    let numbers = answer.random.len();
+    let (line, exact) = &answer.line;
+    let how = match (chances.method, exact) {
+        (Method::MonteCarlo, _) => "everything drawn".to_owned(),
+        (_, true) => format!("{line} in closed form"),
+        (_, false) => format!("{line} scanned"),
+    };
+    let counted = match chances.method {
+        Method::Integrate => "integrated".to_owned(),
+        method => {
+            format!("{method}, {} points, seed {}", grouped(chances.points), answer.request.effort.seed)
         }
-        let _ = write!(said, "; Φ(−β) = {} is not P", digits(point.first_order()));
-        if let Some(beta) = chances.generalized() {
-            let _ = write!(said, "; β_g {}", digits(beta));
-        }
-        paragraph(&format!("{said}."), 2)
+    };
+    let numbers =
+        if numbers == 1 { "1 random number".to_owned() } else { format!("{numbers} random numbers") };
+    let mut text = paragraph(&format!("Probability ({how}, {numbers}, {counted})"), 0);
+    if let Some(situation) = &chances.situation {
+        let least = if answer.situations.len() > 1 { ", the least safe" } else { "" };
+        let _ = writeln!(text, "  under {situation}{least}");
     }
+    text += &event_table(chances, floor(answer));
+    text += &departures(answer, chances);
+    text += &index(chances);
+    if !chances.precise {
+        text += &imprecise(answer);
+    }
+    // Less is in the JSON alone.
+    for RandomNumber { name, cut, .. } in answer.random.iter().filter(|number| number.cut >= 1e-12) {
+        text += &paragraph(
+            &format!("{} of the law of {name} is cut away: no body has such values.", digits(*cut)),
+            2,
+        );
+    }
+    text += &matters(answer, chances);
+    text += &nearest(answer, chances);
+    if let Some(life) = &chances.life {
+        let _ = writeln!(text, "\nAt least once in {} years", digits(life.years));
+        // Rest is what a life begins with.
+        let moved: Vec<_> = life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::REST).collect();
+        text += &modes_table(life.method, &moved, life.not_rest, floor(answer));
+        if !life.precise {
+            text += &imprecise(answer);
+        }
+    }
+    text
+}
 
-    /// Table of the numbers, by how much each matters.
-    fn matters(&self, chances: &Chances) -> String {
-        let Some(point) = chances.design_point.as_ref().filter(|_| self.random.len() > 1) else {
+fn imprecise(answer: &Probability) -> String {
+    let Effort { precision, floor, .. } = answer.request.effort;
+    let words = format!(
+        "Not as precise as asked, {} % of every probability above {}: --samples takes more points.",
+        digits(100.0 * precision),
+        digits(floor)
+    );
+    paragraph(&words, 2)
+}
+
+/// Into which mode it first leaves rest.
+fn departures(answer: &Probability, chances: &Chances) -> String {
+    let FirstDeparture { modes, never, at_once, .. } = &chances.first_departure;
+    let mut parts: Vec<(String, f64)> =
+        modes.iter().map(|(happening, e)| (happening.name(), e.value)).collect();
+    parts.push(("at once".to_owned(), at_once.value));
+    parts.push(("never".to_owned(), never.value));
+    parts.retain(|(_, p)| *p >= floor(answer));
+    parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let parts: Vec<String> = parts.iter().map(|(name, p)| format!("{name} {}", probability(*p))).collect();
+    paragraph(&format!("First departure as the loads rise from nothing: {}.", parts.join(", ")), 2)
+}
+
+/// The reliability index beside the probability.
+fn index(chances: &Chances) -> String {
+    let Some(point) = &chances.design_point else {
+        if chances.not_rest.value > 0.0 {
             return String::new();
-        };
-        let mut order: Vec<usize> = (0..self.random.len()).collect();
-        order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
-        let mut rows = vec![row!["Which number matters", "α²", "P if it were known", "at the design point"]];
-        for place in order {
-            let known = chances.known.get(place).map_or(String::new(), |e| below_or(*e));
-            rows.push(row![
-                format!("  {}", self.random[place].name),
-                format!("{:.2}", point.alpha[place].powi(2)),
-                known,
-                self.random[place].written(point.values[place])
-            ]);
         }
-        format!("\n{}", columns(&rows, 0, &[1, 2, 3]))
+        return paragraph("Nowhere within twelve deviations of the medians does it move.", 2);
+    };
+    let mut said = format!("β {}", digits(point.beta));
+    if point.at_change {
+        said += " at a change of formula or of mode";
     }
+    let _ = write!(said, "; Φ(−β) = {} is not P", digits(point.first_order()));
+    if let Some(beta) = chances.generalized() {
+        let _ = write!(said, "; β_g {}", digits(beta));
+    }
+    paragraph(&format!("{said}."), 2)
+}
 
-    /// Table of the points at which each mode is nearest to the medians, if that is asked for.
-    fn nearest(&self, chances: &Chances) -> String {
-        let Some(points) = &chances.design_points else { return String::new() };
-        let names = self.random.iter().map(|number| number.name.clone());
-        let head = ["Nearest point (FORM)", "β", "Φ(−β)", "P"].map(str::to_owned);
-        let mut rows: Vec<Vec<String>> = vec![head.into_iter().chain(names).collect()];
-        for (happening, point) in points {
-            let of_mode = chances.modes.iter().find(|(mode, _)| mode == happening);
-            let mark = if point.at_change { "*" } else { "" };
-            let figures = [
-                format!("  {}{mark}", happening.name()),
-                digits(point.beta),
-                digits(point.first_order()),
-                of_mode.map_or_else(String::new, |(_, e)| below_or(*e)),
-            ];
-            let values = self.random.iter().zip(&point.values).map(|(number, value)| number.written(*value));
-            rows.push(figures.into_iter().chain(values).collect());
-        }
-        let right: Vec<usize> = (1..rows[0].len()).collect();
-        let mut text = format!("\n{}", columns(&rows, 0, &right));
-        if points.iter().any(|(_, point)| point.at_change) {
-            text += &paragraph("* at a change of formula or of mode.", 2);
-        }
-        text + &paragraph("FORM ranks; Φ(−β) is the probability of a half space, not of the mode.", 2)
+/// Table of the numbers, by how much each matters.
+fn matters(answer: &Probability, chances: &Chances) -> String {
+    let Some(point) = chances.design_point.as_ref().filter(|_| answer.random.len() > 1) else {
+        return String::new();
+    };
+    let mut order: Vec<usize> = (0..answer.random.len()).collect();
+    order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+    let mut rows = vec![row!["Which number matters", "α²", "P if it were known", "at the design point"]];
+    for place in order {
+        let known = chances.known.get(place).map_or(String::new(), |e| below_or(*e));
+        rows.push(row![
+            format!("  {}", answer.random[place].name),
+            format!("{:.2}", point.alpha[place].powi(2)),
+            known,
+            answer.random[place].written(point.values[place])
+        ]);
     }
+    format!("\n{}", columns(&rows, 0, &[1, 2, 3]))
+}
+
+/// Table of the points at which each mode is nearest to the medians, if that is asked for.
+fn nearest(answer: &Probability, chances: &Chances) -> String {
+    let Some(points) = &chances.design_points else { return String::new() };
+    let names = answer.random.iter().map(|number| number.name.clone());
+    let head = ["Nearest point (FORM)", "β", "Φ(−β)", "P"].map(str::to_owned);
+    let mut rows: Vec<Vec<String>> = vec![head.into_iter().chain(names).collect()];
+    for (happening, point) in points {
+        let of_mode = chances.modes.iter().find(|(mode, _)| mode == happening);
+        let mark = if point.at_change { "*" } else { "" };
+        let figures = [
+            format!("  {}{mark}", happening.name()),
+            digits(point.beta),
+            digits(point.first_order()),
+            of_mode.map_or_else(String::new, |(_, e)| below_or(*e)),
+        ];
+        let values = answer.random.iter().zip(&point.values).map(|(number, value)| number.written(*value));
+        rows.push(figures.into_iter().chain(values).collect());
+    }
+    let right: Vec<usize> = (1..rows[0].len()).collect();
+    let mut text = format!("\n{}", columns(&rows, 0, &right));
+    if points.iter().any(|(_, point)| point.at_change) {
+        text += &paragraph("* at a change of formula or of mode.", 2);
+    }
+    text + &paragraph("FORM ranks; Φ(−β) is the probability of a half space, not of the mode.", 2)
 }
 
 /// The modes under the loads of one event.

@@ -1,7 +1,7 @@
 //! Whatever a case file contains, it is answered or refused: no panic, and every refusal can be shown.
 
 use proptest::prelude::*;
-use standfast_cases::{Acting, Assessment, AssessmentView, CaseFile, point};
+use standfast_cases::{Acting, Assessment, AssessmentView, CaseFile, Document, point};
 
 use crate::mutated::{mutated, number};
 

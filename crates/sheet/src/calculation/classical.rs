@@ -40,7 +40,7 @@ fn actions(steps: &mut SheetSteps, actions: &ClassicalActions, components: &[Com
     use LoadKind::{Horizontal, Uplift, Weight};
     let ClassicalActions { heel, buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment } =
         *actions;
-    let corner = checks::corner(heel).replace('\'', "′");
+    let corner = heel.letter().replace('\'', "′");
     // The heel's distance from C, and the sign of a moment at C that turns the body about it.
     let (arm, sign, against) = if heel == Corner::O { ("b_1", "+", "−") } else { ("b_2", "−", "+") };
     let all = [Weight, Uplift, Horizontal];

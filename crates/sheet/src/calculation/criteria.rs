@@ -1,6 +1,6 @@
 //! Criteria on the results, step by step.
 
-use standfast_cases::criteria::Bound;
+use standfast_cases::Bound;
 use standfast_cases::{Assessed, Case, CaseCheck, Key};
 
 use super::mode::capital;

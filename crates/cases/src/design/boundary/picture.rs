@@ -4,9 +4,7 @@ use standfast_figures::{FeasibleSet, Figure, SetAxis, SetColumn, SetEnd, SetStre
 
 use super::DesignBoundary;
 use super::render::at_present;
-use crate::design::quantity::Quantity;
-use crate::design::set::End;
-use crate::design::text::words;
+use crate::design::{End, Quantity};
 use crate::key::KeyInfo;
 use crate::units::Dimension;
 
@@ -26,7 +24,7 @@ pub(super) fn draw(boundary: &DesignBoundary) -> Option<Figure> {
     });
     let caption = format!(
         "Shaded: {}. Diamond: {}. Of {}, all {} was searched.",
-        words(request.target),
+        request.target.words(),
         at_present(boundary),
         up.variable.name(),
         up.range_words(),

@@ -3,12 +3,11 @@
 use serde::Serialize;
 use standfast::number::exact;
 
-use super::{Column, DesignBoundary};
-use crate::assess::{SCHEMA, heading};
+use super::DesignBoundary;
+use crate::assess::heading;
 use crate::design::json::MetRange;
-use crate::design::set::End;
-use crate::design::text::words;
-use crate::design::{Extreme, Quantity};
+use crate::design::{Column, End, Extreme, Quantity};
+use crate::json::SCHEMA;
 use crate::layout::{columns, paragraph, plain, row};
 use crate::units::Dimension;
 
@@ -22,7 +21,7 @@ pub(super) fn text(boundary: &DesignBoundary) -> String {
         &format!(
             "The {} {name} {range}, for {other} {other_range}, for which {}.",
             request.extreme,
-            words(request.target)
+            request.target.words()
         ),
         2,
     );
@@ -97,7 +96,7 @@ fn ordered(column: &Column, extreme: Extreme) -> Vec<(&End, &End)> {
 /// A row for each stretch: the value of the one quantity, the wanted end of the other, the other end if it is more than an end of
 /// the range, and what binds at each. A value without any
 /// has a row of its own, with what binds where the target is nearest to be met.
-pub(super) fn csv(boundary: &DesignBoundary) -> String {
+pub fn csv(boundary: &DesignBoundary) -> String {
     let DesignBoundary { request, up, across, .. } = boundary;
     let [name, other] = [up, across].map(|quantity| quantity.variable.key_name());
     let mut text = format!("{other},{name},binding,until,until_binding\n");
@@ -156,7 +155,7 @@ pub(super) fn json(boundary: &DesignBoundary) -> String {
         present: quantity.present,
         bracket: quantity.range,
     });
-    crate::json(&Document {
+    crate::json::written(&Document {
         schema: SCHEMA,
         title: present.case.title.as_deref(),
         note: present.case.note.as_deref(),

@@ -2,6 +2,7 @@
 
 use standfast::initiation::classify;
 use standfast::{Diagram, Mode, Verdict};
+use standfast_answers::random::{ChanceProblem, Chances, DrawInPlane, Happening};
 use standfast_figures::{
     ChanceCloud, CloudPanel, DiagramContent, Figure, SpectrumAxis, chance_cloud, diagram_with,
 };
@@ -10,30 +11,19 @@ use standfast_probability::sample;
 use super::areas::{COARSE, FINE, areas};
 use super::{escaped, in_markup, rounded};
 use crate::layout::digits;
-use crate::random::answer::{Chances, Happening};
-use crate::random::problem::ChanceProblem;
 
 /// Share of a heavy tail that is left outside of a picture, at each end.
 const TAIL: f64 = 0.005;
 /// Number of draws in a cloud.
 const DRAWS: u64 = 1000;
 /// Draws of the random numbers, and where they lie.
-pub(super) struct Draws {
+pub(super) struct Cloud {
     values: Vec<Vec<f64>>,
     modes: Vec<Option<Mode>>,
     /// True if the ground fails under any of them.
     fails: bool,
     /// Places in effective coordinates of the draws, where they have one.
-    places: Vec<Option<Place>>,
-}
-
-/// A place in effective coordinates.
-#[derive(Debug, Clone, Copy)]
-struct Place {
-    /// γ, k, k', μ.
-    at: [f64; 4],
-    /// True if the force acts to the right, where modes are those of a mirror.
-    right: bool,
+    places: Vec<Option<DrawInPlane>>,
 }
 
 const K: usize = 1;
@@ -42,26 +32,26 @@ const MU: usize = 3;
 const GAMMA: usize = 0;
 const NAMES: [&str; 4] = ["slenderness $γ$", "force $k$", "elevation $k′$", "friction $μ$"];
 
-impl Draws {
+impl Cloud {
     /// None of a problem of one random number, which has no cloud.
-    pub(super) fn of(problem: &ChanceProblem, seed: u64) -> Option<Draws> {
+    pub(super) fn of(problem: &ChanceProblem, seed: u64) -> Option<Cloud> {
         if problem.random().len() < 2 {
             return None;
         }
-        let mut draws = Draws { values: Vec::new(), modes: Vec::new(), fails: false, places: Vec::new() };
+        let mut draws = Cloud { values: Vec::new(), modes: Vec::new(), fails: false, places: Vec::new() };
         sample::draws(problem.laws(), seed, DRAWS, |values| {
             draws.values.push(values.to_vec());
             let happens = problem.drawn(values).happens;
             draws.modes.push(happens.mode());
             draws.fails |= happens == Happening::Decided(Verdict::BearingFailure);
-            draws.places.push(problem.place(values));
+            draws.places.push(problem.in_plane(values));
         });
         Some(draws)
     }
 
     pub(super) fn figure(&self, problem: &ChanceProblem, worst: &Chances, title: &str) -> Option<Figure> {
         let title = format!("Draws: {title}");
-        let placed: Vec<Place> = self.places.iter().copied().flatten().collect();
+        let placed: Vec<DrawInPlane> = self.places.iter().copied().flatten().collect();
         // The report's plane is that of a rigid base.
         if problem.gives_way() || placed.len() * 100 < self.places.len() * 99 {
             return self.of_numbers(problem, worst, &title);
@@ -200,14 +190,4 @@ fn panel<'a>((across, xs): (&'a str, &[f64]), (up, ys): (&'a str, &[f64])) -> Cl
     };
     let points = xs.iter().copied().zip(ys.iter().copied()).collect();
     CloudPanel { across: axis(across, xs), up: axis(up, ys), areas: Vec::new(), points }
-}
-
-impl ChanceProblem {
-    /// Place of a draw in effective coordinates, if the report's plane is of the body.
-    fn place(&self, values: &[f64]) -> Option<Place> {
-        let mechanics = self.mechanics(values)?;
-        let [k, k_prime] = mechanics.effective()?;
-        let block = &mechanics.block;
-        Some(Place { at: [block.d, k, k_prime, block.mu_s], right: mechanics.wrench().x > 0.0 })
-    }
 }

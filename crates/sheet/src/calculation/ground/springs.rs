@@ -1,7 +1,8 @@
 //! An elastic base: the moment, the rotation that bears it, and the largest one.
 
 use standfast::ground::elastic::ContactState;
-use standfast_cases::assess::ground::{Elastic, state};
+use standfast_cases::assess::Elastic;
+use standfast_cases::assess::ground::state;
 
 use super::Sheet;
 use crate::measured::{MOMENT, MRAD, NONE, STIFFNESS};

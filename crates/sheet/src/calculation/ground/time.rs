@@ -3,7 +3,7 @@
 use standfast::Wrench;
 use standfast::ground::impact::{ImpactEvent, ImpactResponse};
 use standfast::history::{History, HistoryChange};
-use standfast_cases::assess::ground::Elastic;
+use standfast_cases::assess::Elastic;
 
 use super::super::loads::{grouped, parts, sum};
 use super::Sheet;

@@ -1,0 +1,139 @@
+//! Checks of the criteria of a case against its [results](crate::results).
+//!
+//! The utilisation of a criterion is required/value where the value has
+//! to be at least, value/required where it has to be at most: up to 1 it is met.
+
+use standfast::{Departure, Verdict};
+use standfast_inputs::digits::{apart, digits};
+use standfast_model::{Bound, Criterion, Key, listed_modes};
+
+use crate::assess::Assessed;
+use crate::results::{ResultName, ResultValue};
+
+/// Check of a criterion in a situation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Check {
+    /// The criterion.
+    pub criterion: Criterion,
+    /// The value of the result, [infinite](ResultValue::Number) or [none](ResultValue::Nothing) where it is that.
+    pub value: ResultValue,
+    /// Utilisation of the bound; infinite where there is no value that could meet it, `None` for modes.
+    pub utilisation: Option<f64>,
+    /// True if it is met.
+    pub met: bool,
+}
+
+/// The results that criteria on numbers ask for.
+const RESULTS: [(Key, ResultName); 9] = [
+    (Key::LeastSliding, ResultName::SfSliding),
+    (Key::LeastOverturning, ResultName::SfOverturning),
+    (Key::GreatestBearing, ResultName::BearingMax),
+    (Key::LeastContact, ResultName::ContactShare),
+    (Key::GreatestEccentricity, ResultName::Eccentricity),
+    (Key::LeastGround, ResultName::GroundFactor),
+    (Key::GreatestEffective, ResultName::EffectivePressure),
+    (Key::GreatestRotation, ResultName::Rotation),
+    (Key::LeastLoadFactor, ResultName::LoadFactor),
+];
+
+impl Check {
+    /// Check of a criterion in a situation.
+    pub fn of(criterion: Criterion, assessed: &Assessed) -> Check {
+        let result = RESULTS.iter().find(|(key, _)| *key == criterion.key).map(|(_, result)| *result);
+        let value = match result {
+            // Where a body that never leaves rest, or does not rest at all, would be is no number of the list.
+            Some(ResultName::LoadFactor) => ResultValue::Number(assessed.departure().load_factor()),
+            Some(result) => result.of(assessed),
+            None if criterion.is_chance() => {
+                assessed.not_rest.map_or(ResultValue::Nothing, |not_rest| ResultValue::Number(not_rest.high))
+            }
+            None => ResultValue::Modes(assessed.outcome.full.modes),
+        };
+        let (utilisation, met) = match (criterion.bound, value) {
+            (Bound::AtLeast(least), ResultValue::Number(value)) => {
+                // Neither a quotient by zero nor a rounded one decides.
+                (Some(if value > 0.0 { least / value } else { f64::INFINITY }), value >= least)
+            }
+            (Bound::AtMost(most), ResultValue::Number(value)) => (Some(value / most), value <= most),
+            (Bound::NoneOf(not), ResultValue::Modes(modes)) => {
+                // Where several modes are consistent, none of them may be one of these.
+                (None, !modes.is_empty() && modes.iter().all(|mode| !not.contains(mode)))
+            }
+            _ => (Some(f64::INFINITY), false),
+        };
+        Check { criterion, value, utilisation, met }
+    }
+
+    /// True if rounding could put the value on the other side of the bound.
+    pub(crate) fn is_near_bound(&self) -> bool {
+        match (self.criterion.bound, self.value) {
+            (Bound::AtLeast(bound) | Bound::AtMost(bound), ResultValue::Number(value)) => {
+                (value - bound).abs() <= 1e-12 * bound.abs()
+            }
+            _ => false,
+        }
+    }
+
+    /// The value as it is read, with as many digits as tell it from the bound.
+    pub fn value_words(&self, assessed: &Assessed) -> String {
+        let criterion = &self.criterion;
+        let against = match criterion.bound {
+            Bound::AtLeast(bound) | Bound::AtMost(bound) => criterion.shown(bound),
+            Bound::NoneOf(_) => 0.0,
+        };
+        match (self.value, assessed.departure()) {
+            (ResultValue::Number(_), Departure::Never) if criterion.key == Key::LeastLoadFactor => {
+                "never leaves rest".to_owned()
+            }
+            (ResultValue::Number(_), Departure::AtOnce { .. }) if criterion.key == Key::LeastLoadFactor => {
+                "leaves rest at once".to_owned()
+            }
+            (ResultValue::Number(value), _) => {
+                let value = criterion.shown(value);
+                let text = if value == against { digits(value) } else { apart(&[value, against])[0].clone() };
+                if value.is_finite() { criterion.with_unit(&text) } else { text }
+            }
+            (ResultValue::Modes(modes), _) if modes.is_empty() => {
+                assessed.verdict().map_or("none", Verdict::symbol).to_owned()
+            }
+            (ResultValue::Modes(modes), _) => listed_modes(modes),
+            _ => "none".to_owned(),
+        }
+    }
+
+    /// The utilisation as it is read.
+    pub fn utilisation_words(&self) -> String {
+        match self.utilisation {
+            // A number that rounds to 1 is not to be read as met when it is not.
+            Some(utilisation) if utilisation.is_finite() && utilisation != 1.0 => {
+                apart(&[utilisation, 1.0])[0].clone()
+            }
+            Some(f64::INFINITY) => "infinite".to_owned(),
+            Some(utilisation) => digits(utilisation),
+            None => "–".to_owned(),
+        }
+    }
+
+    /// Reason why it is not met: `SF_sliding is 1.165, not ≥ 1.2`.
+    pub fn failure(&self, assessed: &Assessed) -> String {
+        let (name, value) = (self.criterion.name(), self.value_words(assessed));
+        match self.criterion.bound {
+            Bound::NoneOf(not) => format!("of {name} {} the body may take up {value}", listed_modes(not)),
+            _ => format!("{name} is {value}, not {}", self.criterion.required()),
+        }
+    }
+
+    /// "met" or "not met".
+    pub fn met_words(&self) -> &'static str {
+        if self.met { "met" } else { "not met" }
+    }
+
+    /// Urgency of the check: modes that are not allowed first, then by utilisation.
+    pub fn urgency(&self) -> f64 {
+        match (self.utilisation, self.met) {
+            (Some(utilisation), _) => utilisation,
+            (None, true) => 0.0,
+            (None, false) => f64::INFINITY,
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! Two quantities at once: for round values of the one, which values of the other meet a target, and what binds at their ends?
+//!
+//! Each column is searched by itself, as for one quantity, and what is printed of it is proven as there. Where neighbouring columns
+//! differ in how many stretches they have, or in what binds at their ends, further columns are searched between them.
+
+use super::quantity::{Ends, Quantity};
+use super::set::{Search, Stretch};
+use super::subject::Subject;
+use super::{DesignError, DesignRequest, Spelling, Target, Varied, in_time_note};
+use crate::assess::Assessment;
+use crate::couple::Variable;
+use crate::rounded::{Decimal, Towards};
+use standfast_model::CaseFile;
+
+/// Number of parts that the range of a column is cut into.
+const PARTS: u32 = 200;
+
+/// Number of parts where each value takes a probability.
+const CHANCE_PARTS: u32 = 12;
+
+/// No more columns than these, however often neighbours differ.
+const MOST: usize = 400;
+
+/// To how many digits a place is found where neighbours differ.
+const DIGITS: usize = 4;
+
+/// Request for a design with two quantities.
+#[derive(Debug, Clone)]
+pub struct BoundaryRequest {
+    /// The quantity whose least or greatest values are wanted, and the target.
+    pub design: DesignRequest,
+    /// The other quantity.
+    pub and: String,
+    /// Lower end of its range, as the case file would have it; half the present value if not given.
+    pub from: Option<String>,
+    /// Upper end of its range; twice the present value if not given.
+    pub to: Option<String>,
+}
+
+/// The boundary of the values of two quantities that meet a target.
+pub struct DesignBoundary {
+    subject: Subject,
+    /// What was asked.
+    pub request: DesignRequest,
+    /// The quantity whose ends are wanted.
+    pub up: Quantity,
+    /// The other one.
+    pub across: Quantity,
+    /// The answer at the present values.
+    pub present: Assessment,
+    /// Columns by rising values of the other quantity.
+    pub columns: Vec<Column>,
+    /// A few round values among them, which stand for all in a text.
+    pub round: Vec<f64>,
+}
+
+/// The values that meet the target at a value of the other quantity.
+pub struct Column {
+    /// The value of the other quantity.
+    pub at: f64,
+    /// The values that meet the target, from the least on.
+    pub stretches: Vec<Stretch>,
+    /// Failure that binds, in a word, where the target is nearest to be met, if it is nowhere.
+    pub none: Option<&'static str>,
+}
+
+impl Column {
+    /// Failures that bind at each end, in a word.
+    pub fn binding(&self) -> Vec<[Option<&'static str>; 2]> {
+        let by = |stretch: &Stretch| [stretch.least.beyond.by(), stretch.greatest.beyond.by()];
+        self.stretches.iter().map(by).collect()
+    }
+}
+
+impl DesignBoundary {
+    /// Finds the boundary for the case of a file.
+    ///
+    /// # Errors
+    /// If the case makes no sense or lacks a quantity, both are the same, or no values meet the target.
+    pub fn of(file: &CaseFile, request: BoundaryRequest) -> Result<DesignBoundary, DesignError> {
+        let BoundaryRequest { design, and, from, to } = request;
+        let subject = Subject::of(file)?;
+        let follows = subject.follows(design.target)?;
+        design.answerable(&subject)?;
+        let up = design.quantity(&subject)?;
+        let spelling = design.spelling;
+        let options = [spelling.and_from, spelling.and_to];
+        let ends = Ends { options, written: [from.as_deref(), to.as_deref()], spread: 2.0 };
+        let across = Quantity::of(&and, &subject.numbers, &subject.case, &ends)?;
+        if up.variable.id() == across.variable.id() {
+            return Err(DesignError::Twice { name: up.variable.id().to_string(), spelling });
+        }
+        let present = Varied { subject: &subject, follows, held: None }.present(design.target)?;
+        let grid = Grid { subject: &subject, follows, up: &up, across: &across, target: design.target };
+        let (round, values) = columns(&across);
+        if design.target.asks_for_rise()
+            && !values.iter().any(|value| grid.at(*value, |search| search.rises()))
+        {
+            return Err(DesignError::NothingRises { target: design.target });
+        }
+        let mut columns: Vec<_> = values.into_iter().map(|value| grid.column(value)).collect();
+        grid.refine(&mut columns);
+        if columns.iter().all(|column| column.stretches.is_empty()) {
+            return Err(grid.unmet(spelling));
+        }
+        Ok(DesignBoundary { subject, request: design, up, across, present, columns, round })
+    }
+
+    /// Notes on the numbers that go with each of both quantities.
+    pub fn notes(&self) -> Vec<String> {
+        let of = |variable: &Variable| variable.notes(self.subject.file.inputs(), &self.present.case);
+        let mut notes = of(&self.up.variable);
+        notes.extend(
+            of(&self.across.variable).into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>(),
+        );
+        notes.extend(self.subject.note().as_deref().map(in_time_note));
+        notes
+    }
+}
+
+/// A few round values of a quantity, and all that are searched: more round ones, both ends of its range, the present one.
+fn columns(across: &Quantity) -> (Vec<f64>, Vec<f64>) {
+    let [from, to] = across.range;
+    let (rough, fine) = Decimal::steps(from, to);
+    let mut values: Vec<f64> = fine.into_iter().map(Decimal::value).chain([from, to]).collect();
+    let mut round: Vec<f64> = rough.into_iter().map(Decimal::value).chain([from, to]).collect();
+    if (from..=to).contains(&across.present) {
+        values.push(across.present);
+        round.push(across.present);
+    }
+    for values in [&mut values, &mut round] {
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+    }
+    (round, values)
+}
+
+/// Grid on which both quantities are searched.
+struct Grid<'a> {
+    subject: &'a Subject,
+    follows: bool,
+    up: &'a Quantity,
+    across: &'a Quantity,
+    target: Target,
+}
+
+impl Grid<'_> {
+    /// Asks the search at a value of the quantity across.
+    fn at<T>(&self, value: f64, ask: impl FnOnce(&Search<'_>) -> T) -> T {
+        let held = Some((&self.across.variable, value));
+        let varied = Varied { subject: self.subject, follows: self.follows, held };
+        ask(&Search { varied: &varied, quantity: self.up, target: self.target, parts: self.parts() })
+    }
+
+    fn parts(&self) -> u32 {
+        if self.target.asks_for_chance(&self.subject.case) { CHANCE_PARTS } else { PARTS }
+    }
+
+    fn column(&self, at: f64) -> Column {
+        self.at(at, |search| {
+            let stretches = search.stretches();
+            let none = if stretches.is_empty() { search.nearest() } else { None };
+            Column { at, stretches, none }
+        })
+    }
+
+    /// Searches between neighbours of which other stretches are met, or at whose ends something else binds, until they are
+    /// neighbours to a few digits.
+    fn refine(&self, columns: &mut Vec<Column>) {
+        let mut place = 1;
+        while place < columns.len() && columns.len() < MOST {
+            let [left, right] = [&columns[place - 1], &columns[place]];
+            let middle = Decimal::of((left.at + right.at) / 2.0, DIGITS, Towards::Less).value();
+            if left.binding() == right.binding() || middle <= left.at || right.at <= middle {
+                place += 1;
+            } else {
+                // The pair with the new column is looked at next.
+                columns.insert(place, self.column(middle));
+            }
+        }
+    }
+
+    /// Reason why no values meet the target.
+    fn unmet(&self, spelling: &'static Spelling) -> DesignError {
+        let [from, to] = self.across.range;
+        let value = self.across.present.clamp(from, to);
+        let why = self.at(value, |search| search.unmet(spelling)).to_string();
+        let name = self.across.variable.name().to_owned();
+        let (range, at) = (self.across.range_words(), self.across.shown(value));
+        DesignError::UnmetThroughout { name, range, at, why, spelling }
+    }
+}

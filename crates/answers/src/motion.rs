@@ -1,0 +1,150 @@
+//! The motion in time of a case: `[block]`, `[motion]`, the histories of loads and base, and the answer as text and JSON.
+//!
+//! A `[block]` is a body of which only ratios matter: lengths in any one unit, the mass as 1, accelerations as they come.
+//!
+//! ```
+//! use standfast_answers::CaseFile;
+//! use standfast_answers::motion::Follow;
+//!
+//! let text = "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.4\ngravity = 1\n\
+//!     [motion.base]\nhorizontal = { shape = \"half-sine\", peak = 0.6, duration = 2 }\n";
+//! let motions = CaseFile::parse("block.toml", text)?.follow(&Follow::default())?;
+//! assert!(motions[0].1.outcome.at_rest());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod criteria;
+mod rows;
+mod series;
+mod spectrum;
+
+pub(crate) use criteria::worst_checks;
+pub use criteria::{MotionCheck, MotionValue};
+pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
+pub use series::{SERIES, series, series_csv};
+pub use spectrum::{
+    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, SpectrumSteps,
+    in_order,
+};
+
+use standfast_model::{BlockCase, CaseFile, MotionWarning};
+use standfast_motion::{Keep, MotionError, MotionOutcome, sensitivity, simulate};
+
+use crate::error::CaseError;
+
+/// Request for more than the motion itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Follow {
+    /// True if it is run once more with inputs changed a little.
+    pub sensitivity: bool,
+    /// True if the whole motion is kept, for its [series](series_csv) and its figures.
+    pub series: bool,
+}
+
+/// The motion of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FollowedMotion {
+    /// The case that it is of.
+    pub case: BlockCase,
+    /// Outcome for the body.
+    pub outcome: MotionOutcome,
+    /// The larger change of slide, in B, and of max |θ| for a relative change of friction and of d, if it was asked for.
+    pub sensitivity: Option<f64>,
+    /// Warnings of possible slips, and of values outside the range of the model.
+    pub warnings: Vec<MotionWarning>,
+}
+
+impl FollowedMotion {
+    /// Follows the motion of a case to its end.
+    ///
+    /// # Errors
+    /// If the problem is refused.
+    pub fn of(case: BlockCase, follow: &Follow) -> Result<FollowedMotion, MotionError> {
+        let outcome = simulate(&case.problem, Keep { steps: follow.series })?;
+        let sensitivity = if follow.sensitivity { Some(sensitivity(&case.problem)?) } else { None };
+        let mut warnings = case.warnings.clone();
+        warnings.extend(found(&case, &outcome));
+        Ok(FollowedMotion { case, outcome, sensitivity, warnings })
+    }
+
+    /// Follows the motion in every situation of a file; the worst first: by what is used of the criteria, overturned, past balance, by the
+    /// largest slide.
+    ///
+    /// # Errors
+    /// If a load that varies has no history, or the problem is refused.
+    pub fn of_file(file: &CaseFile, follow: &Follow) -> Result<Vec<FollowedMotion>, CaseError> {
+        FollowedMotion::of_all(file.motions()?, follow).map_err(|error| file.motion_refused(error))
+    }
+
+    /// Follows the motion in every situation of a case, the worst first.
+    ///
+    /// # Errors
+    /// If a problem is refused.
+    pub fn of_all(cases: Vec<BlockCase>, follow: &Follow) -> Result<Vec<FollowedMotion>, MotionError> {
+        let followed = cases.into_iter().map(|case| FollowedMotion::of(case, follow));
+        let mut answers = followed.collect::<Result<Vec<_>, _>>()?;
+        let rank = |outcome: &MotionOutcome| (!outcome.overturned(), !outcome.past_balance);
+        let used = |of: &FollowedMotion| of.checks().first().map_or(0.0, MotionCheck::urgency);
+        answers.sort_by(|one, two| {
+            let by_criteria = used(two).total_cmp(&used(one));
+            let (one, two) = (&one.outcome, &two.outcome);
+            by_criteria.then(rank(one).cmp(&rank(two))).then(two.max_slide.total_cmp(&one.max_slide))
+        });
+        Ok(answers)
+    }
+
+    /// The criteria of the case, the governing one first.
+    pub fn checks(&self) -> Vec<MotionCheck> {
+        let of = |criterion: &_| MotionCheck::of(*criterion, self.case.si, &self.outcome);
+        let mut checks: Vec<_> = self.case.criteria.iter().map(of).collect();
+        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
+        checks
+    }
+
+    /// True if all criteria are met; `None` where there is none.
+    pub fn met(&self) -> Option<bool> {
+        (!self.case.criteria.is_empty()).then(|| self.checks().iter().all(|check| check.met))
+    }
+
+    /// The largest |θ| over that of balance, of the side to which it is nearer to it.
+    pub fn of_balance(&self) -> f64 {
+        let block = &self.case.problem.block;
+        self.outcome.max_theta / (block.b1.min(block.b2) / block.d).atan()
+    }
+}
+
+/// Warnings that the motion itself gives reason for.
+fn found(case: &BlockCase, outcome: &MotionOutcome) -> Vec<MotionWarning> {
+    let mut warnings = Vec::new();
+    let block = &case.problem.block;
+    if (block.m_x != 1.0 || block.m_y != 1.0) && outcome.max_theta > 0.05 {
+        let words = format!(
+            "the body turns by {:.3} rad, and water moves with it as if it did not turn: the added mass of a rocking body is another",
+            outcome.max_theta
+        );
+        warnings.push(MotionWarning { name: "added-mass-turns", words });
+    }
+    if case.uplift && outcome.max_theta > 0.0 {
+        let words = "water under the base presses as before while the base is lifted: how its pressure changes there is left out".to_owned();
+        warnings.push(MotionWarning { name: "uplift-kept", words });
+    }
+    if outcome.impulse_left_base {
+        let words = "the impulse that the measured ratio asks for acts beside the base: no base can give it"
+            .to_owned();
+        warnings.push(MotionWarning { name: "impulse-beside-base", words });
+    }
+    if outcome.reduced_impacts > 0 {
+        let words = format!(
+            "at {} of {} impacts the measured ratio would have given energy to the body, which slips: there it is the largest that does not",
+            outcome.reduced_impacts, outcome.impacts
+        );
+        warnings.push(MotionWarning { name: "ratio-reduced", words });
+    }
+    if outcome.t_rest_is_bound {
+        let words =
+            "the last motion, too small to matter, was not followed: the time of rest is a lower bound"
+                .to_owned();
+        warnings.push(MotionWarning { name: "rest-is-bound", words });
+    }
+    warnings
+}

@@ -1,0 +1,142 @@
+//! Checks of the criteria on a motion: `slide`, `max_theta` and `overturned` under `[criteria]`.
+//!
+//! A bound is met by a motion that was followed to its end: of a body that still moves when the time is up nobody knows how far it gets.
+
+use serde::{Serialize, Serializer};
+use standfast_model::MotionCriterion;
+use standfast_motion::{End, MotionOutcome};
+
+use super::FollowedMotion;
+use crate::digits::{apart, digits};
+
+/// Value of a motion that a criterion is about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MotionValue {
+    /// A length, or an angle in radians.
+    Number(f64),
+    /// True if it overturns.
+    Truth(bool),
+    /// There is none: the body has overturned, or was not followed to the end of its motion.
+    None,
+}
+
+/// Check of a criterion against a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotionCheck {
+    /// The criterion.
+    pub criterion: MotionCriterion,
+    /// Value of the motion.
+    pub value: MotionValue,
+    /// Utilisation, value/required; infinite where there is no value that could meet it, `None` where nothing is measured.
+    pub utilisation: Option<f64>,
+    /// True if it is met.
+    pub met: bool,
+    /// End of the motion.
+    pub end: End,
+    /// True if quantities are in SI units.
+    pub si: bool,
+}
+
+impl MotionCheck {
+    /// Check of a criterion against a motion; `si` if quantities are in SI units.
+    pub fn of(criterion: MotionCriterion, si: bool, outcome: &MotionOutcome) -> MotionCheck {
+        let value = match criterion {
+            MotionCriterion::Slide(_) if outcome.overturned() => MotionValue::None,
+            MotionCriterion::Slide(_) => MotionValue::Number(outcome.slide.abs()),
+            MotionCriterion::MaxTheta(_) => MotionValue::Number(outcome.max_theta),
+            MotionCriterion::NotOverturned => MotionValue::Truth(outcome.overturned()),
+        };
+        let within = match (value, criterion.bound()) {
+            (MotionValue::Number(value), Some(bound)) => value <= bound,
+            (MotionValue::Truth(overturned), _) => !overturned,
+            _ => false,
+        };
+        // What is beyond a bound already stays a number; what is not may get there yet.
+        let followed = matches!(outcome.end, End::AtRest | End::Overturned);
+        let value = if within && !followed { MotionValue::None } else { value };
+        let utilisation = match (value, criterion.bound()) {
+            (MotionValue::Number(value), Some(bound)) => Some(value / bound),
+            (MotionValue::None, Some(_)) => Some(f64::INFINITY),
+            _ => None,
+        };
+        MotionCheck { criterion, value, utilisation, met: within && followed, end: outcome.end, si }
+    }
+
+    /// The value as it is read, with as many digits as tell it from the bound.
+    pub fn value_words(&self) -> String {
+        match (self.value, self.criterion.bound()) {
+            (MotionValue::Number(value), Some(bound)) => {
+                let text = if value == bound { digits(value) } else { apart(&[value, bound])[0].clone() };
+                text + self.criterion.unit(self.si)
+            }
+            (MotionValue::Number(value), None) => digits(value),
+            (MotionValue::Truth(true), _) => "yes".to_owned(),
+            (MotionValue::Truth(false), _) => "no".to_owned(),
+            (MotionValue::None, _) if self.end == End::Overturned => "none: the body overturns".to_owned(),
+            (MotionValue::None, _) => "not known: the motion is not followed to its end".to_owned(),
+        }
+    }
+
+    /// The utilisation as it is read.
+    pub fn utilisation_words(&self) -> String {
+        match self.utilisation {
+            Some(f64::INFINITY) => "infinite".to_owned(),
+            // A number that rounds to 1 is not to be read as met when it is not.
+            Some(utilisation) if utilisation != 1.0 => apart(&[utilisation, 1.0])[0].clone(),
+            Some(utilisation) => digits(utilisation),
+            None => "–".to_owned(),
+        }
+    }
+
+    /// "met" or "not met".
+    pub fn met_words(&self) -> &'static str {
+        if self.met { "met" } else { "not met" }
+    }
+
+    /// Reason why it is not met: `slide is 0.1004 m, not ≤ 0.1 m`.
+    pub fn failure(&self) -> String {
+        let name = self.criterion.name();
+        match (self.value, self.end) {
+            (MotionValue::Number(_), _) => {
+                format!("{name} is {}, not {}", self.value_words(), self.criterion.required(self.si))
+            }
+            (_, End::Overturned) => "the body overturns".to_owned(),
+            _ => format!("{name} is not known: the motion is not followed to its end"),
+        }
+    }
+
+    /// Urgency of the check: its utilisation, 1 at least of one that is not met, infinite where nothing is measured.
+    pub fn urgency(&self) -> f64 {
+        match (self.utilisation, self.met) {
+            (Some(utilisation), true) => utilisation,
+            (Some(utilisation), false) => utilisation.max(1.0),
+            (None, true) => 0.0,
+            (None, false) => f64::INFINITY,
+        }
+    }
+}
+
+/// Each criterion in the situation that meets it worst, with the place of that; the governing one first.
+pub(crate) fn worst_checks(
+    criteria: &[MotionCriterion],
+    answers: &[FollowedMotion],
+) -> Vec<(MotionCheck, usize)> {
+    let worst = |criterion: &MotionCriterion| {
+        let check = |of: &FollowedMotion| MotionCheck::of(*criterion, of.case.si, &of.outcome);
+        let checks = answers.iter().enumerate().map(|(place, followed)| (check(followed), place));
+        checks.reduce(|worst, next| if next.0.urgency() > worst.0.urgency() { next } else { worst })
+    };
+    let mut checks: Vec<_> = criteria.iter().filter_map(worst).collect();
+    checks.sort_by(|(one, _), (two, _)| two.urgency().total_cmp(&one.urgency()));
+    checks
+}
+
+impl Serialize for MotionValue {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            MotionValue::Number(number) => serializer.serialize_f64(*number),
+            MotionValue::Truth(truth) => serializer.serialize_bool(*truth),
+            MotionValue::None => serializer.serialize_none(),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Random numbers of a case: the `[random]` table, and what comes of it.
+//!
+//! ```text
+//! [random] ── read ──► Random ── ChanceProblem::of ──► ChanceProblem ── Probability::of ──► Probability ──► text, JSON
+//!                       names and laws   │  laws and correlations as `standfast-probability` takes them,
+//!                                        └─ and the modes as intervals of one of them
+//! ```
+//!
+//! No uncertainty is applied unless it is written. For given other numbers each mode is an interval of the friction between curves
+//! known in closed form, so that friction is not sampled; where it is certain, a number takes its place in which the loads are
+//! linear.
+
+mod answer;
+mod base;
+mod chances;
+mod criterion;
+mod departure;
+mod draws;
+mod error;
+mod fragility;
+mod intervals;
+mod joint;
+mod mechanics;
+mod outcome;
+mod overturn;
+mod point;
+mod problem;
+mod quantity;
+mod resolve;
+mod storm;
+mod subject;
+mod template;
+
+pub use answer::{
+    ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Method, MethodAsked, Probability,
+    RandomNumber,
+};
+pub use criterion::ChanceCriterion;
+pub(crate) use criterion::not_rest;
+pub use draws::{Draw, DrawInPlane, Draws, WeighedDraws};
+pub use error::ProbabilityError;
+pub use fragility::{Fit, Fragility, FragilityPoint, ValueRange};
+pub use joint::JointChance;
+pub use overturn::{Overturning, PeakChances};
+pub use standfast_probability::sample::{Effort, Estimate};
+
+pub use storm::{
+    Exceedance, FollowedWaves, Pulse, Quantile, RotatingWaves, Sliding, SlidingError, Storm, StormField,
+};
+
+pub use template::template;
+
+pub use problem::ChanceProblem;
+pub use quantity::{Bias, Coordinate, Quantity};
+pub use standfast_inputs::random::{RANDOM, Random, RandomEntry, RandomProblem, Rate};

@@ -1,0 +1,349 @@
+//! Probabilities of the modes: the request, and the answer.
+
+use std::fmt;
+use std::str::FromStr;
+
+use standfast::Verdict;
+use standfast_probability::form::{FormPoint, generalized};
+use standfast_probability::sample::{Effort, Estimate};
+
+use super::chances::chances;
+use super::criterion::{ChanceCriterion, bound};
+use super::error::ProbabilityError;
+use super::fragility::Fragility;
+use super::joint::{JointChance, joined};
+use super::outcome::NOT_A_BODY;
+use super::overturn::Overturning;
+use super::problem::ChanceProblem;
+use super::quantity::RandomInput;
+use super::storm::{self, Sliding};
+use super::subject::{ChanceSubject, problems_of};
+use crate::couple::Variable;
+use crate::digits::digits;
+use crate::units::Dimension;
+use standfast_model::CaseFile;
+
+/// Method by which probabilities are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Integration between the kinks: all digits, three random numbers at most.
+    Integrate,
+    /// Scrambled Sobol' points.
+    Sobol,
+    /// Scrambled Sobol' points about the design points.
+    Importance,
+    /// Everything drawn, nothing integrated.
+    MonteCarlo,
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Method; 4] = [Method::Integrate, Method::Sobol, Method::Importance, Method::MonteCarlo];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Integrate => "integrate",
+            Method::Sobol => "sobol",
+            Method::Importance => "importance",
+            Method::MonteCarlo => "monte-carlo",
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A method as it is asked for by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MethodAsked {
+    /// One that finds probabilities.
+    By(Method),
+    /// FORM: the nearest point of every mode. It ranks and gives no probability, so that those beside it are found by the method
+    /// that suits.
+    Form,
+}
+
+impl FromStr for MethodAsked {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<MethodAsked, String> {
+        const FORM: &str = "form";
+        let method = Method::ALL.into_iter().find(|method| method.name() == text).map(MethodAsked::By);
+        method.or((text == FORM).then_some(MethodAsked::Form)).ok_or_else(|| {
+            let names = Method::ALL.map(Method::name).join(", ");
+            format!("no method is called `{text}`; expected one of {names}, {FORM}")
+        })
+    }
+}
+
+/// Request for probabilities.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ChanceRequest {
+    /// The method; chosen where none is given.
+    pub method: Option<Method>,
+    /// Seed, precision, floor, points and threads.
+    pub effort: Effort,
+    /// The years of a life, before those of the file.
+    pub years: Option<f64>,
+    /// True if waves that begin a rotation are followed by the motion in time.
+    pub follow: bool,
+    /// True if the nearest point of every mode is looked for.
+    pub form: bool,
+}
+
+impl ChanceRequest {
+    /// Request with a method that is asked for.
+    pub fn with(self, asked: MethodAsked) -> ChanceRequest {
+        match asked {
+            MethodAsked::By(method) => ChanceRequest { method: Some(method), ..self },
+            MethodAsked::Form => ChanceRequest { form: true, ..self },
+        }
+    }
+}
+
+/// Probabilities of the modes under one set of loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chances {
+    /// The set of loads, in words; none where the case leaves no choice.
+    pub situation: Option<String>,
+    /// The number along which the modes are integrated, and whether in closed form.
+    pub line: (String, bool),
+    /// The method that was taken.
+    pub method: Method,
+    /// Number of points drawn; of an integration, number of times the modes were asked for.
+    pub points: u64,
+    /// True if every probability above the floor is as precise as asked.
+    pub precise: bool,
+    /// The modes and their probabilities, which add up to one.
+    pub modes: Vec<(Happening, Estimate)>,
+    /// That the body does not stay at rest.
+    pub not_rest: Estimate,
+    /// That more than one mode is consistent.
+    pub not_unique: Estimate,
+    /// That nothing presses the body on its base: part of the modes.
+    pub lifted: Estimate,
+    /// Departure from rest that comes first as the variable loads rise.
+    pub first_departure: FirstDeparture,
+    /// The nearest point at which the body does not rest; none within reach.
+    pub design_point: Option<FormPoint>,
+    /// The nearest point of every mode that has one within reach, and of numbers that do not go together; none unless asked for.
+    pub design_points: Option<Vec<(Happening, FormPoint)>>,
+    /// The probability of not resting if one number were known to have its median, for each.
+    pub known: Vec<Estimate>,
+    /// Over the years of a life.
+    pub life: Option<LifeChances>,
+    /// That the body does not rest, each time the points were doubled, with their number; empty where none were drawn.
+    pub course: Vec<(u64, Estimate)>,
+}
+
+/// Probabilities that each mode is the first as the variable loads rise without end; the parts add up to one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FirstDeparture {
+    /// The modes.
+    pub modes: Vec<(Happening, Estimate)>,
+    /// That the body rests under any multiple of the loads.
+    pub never: Estimate,
+    /// That it moves under the permanent loads alone, or under any share of the others, however small.
+    pub at_once: Estimate,
+    /// True if every probability above the floor is as precise as asked.
+    pub precise: bool,
+}
+
+/// Probability that something happens at least once over a life.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LifeChances {
+    /// The years.
+    pub years: f64,
+    /// That the body ever leaves rest.
+    pub not_rest: Estimate,
+    /// Each mode, at least once.
+    pub modes: Vec<(Happening, Estimate)>,
+    /// Method by which it was found: years are integrated, or drawn.
+    pub method: Method,
+    /// True if every probability above the floor is as precise as asked.
+    pub precise: bool,
+}
+
+/// Outcome of a draw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Happening {
+    /// A mode begins, or the ground fails.
+    Decided(Verdict),
+    /// No mode is consistent.
+    NoMode,
+    /// The numbers drawn do not go together.
+    NotABody,
+}
+
+impl Happening {
+    /// Rest.
+    pub const REST: Happening = Happening::Decided(Verdict::REST);
+
+    /// Motion of the body, or failure of the ground, in words; none where there is no mode.
+    pub fn words(self) -> Option<&'static str> {
+        match self {
+            Happening::Decided(verdict) => Some(verdict.words()),
+            Happening::NoMode | Happening::NotABody => None,
+        }
+    }
+
+    /// A mode's symbol, that of ground that fails, or words.
+    pub fn name(self) -> String {
+        match self {
+            Happening::Decided(verdict) => verdict.to_string(),
+            Happening::NoMode => "no mode".to_owned(),
+            Happening::NotABody => "not a body".to_owned(),
+        }
+    }
+
+    pub(super) fn of(outcome: usize) -> Happening {
+        match Verdict::from_code(outcome as u8) {
+            Some(verdict) => Happening::Decided(verdict),
+            None if outcome == NOT_A_BODY => Happening::NotABody,
+            None => Happening::NoMode,
+        }
+    }
+}
+
+/// A number that is random.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RandomNumber {
+    /// Its name, as in the file.
+    pub name: String,
+    /// Share of its law that was cut because no body has such values.
+    pub cut: f64,
+    /// The dimension of its values, where they have one.
+    pub dimension: Option<Dimension>,
+}
+
+impl RandomNumber {
+    pub(super) fn of(input: &RandomInput) -> RandomNumber {
+        let dimension = input.variable().and_then(Variable::dimension);
+        RandomNumber { name: input.name.clone(), cut: input.cut, dimension }
+    }
+
+    /// A value of it on paper: with its unit, of a dimension.
+    pub fn written(&self, value: f64) -> String {
+        self.dimension.map_or_else(|| digits(value), |dimension| dimension.written(value))
+    }
+}
+
+/// The answer to a case with random numbers.
+#[derive(Debug, Clone)]
+pub struct Probability {
+    /// The file's name.
+    pub case: String,
+    /// The title in the file, where it has one.
+    pub title: Option<String>,
+    /// The problem under the least safe set of loads; none of a storm without a body.
+    pub problem: Option<Box<ChanceProblem>>,
+    /// Request that was answered.
+    pub request: ChanceRequest,
+    /// Random numbers.
+    pub random: Vec<RandomNumber>,
+    /// The number along which the modes are integrated, and whether in closed form.
+    pub line: (String, bool),
+    /// Under each set of loads that act together and each acceleration of the base, the least safe first.
+    /// None of a storm without a body.
+    pub situations: Vec<Chances>,
+    /// That any of several situations moves the body; none where there is only one.
+    pub joined: Option<JointChance>,
+    /// Criterion that `[criteria]` sets for the probability.
+    pub criterion: Option<ChanceCriterion>,
+    /// Slides of the body in storms.
+    pub sliding: Option<Sliding>,
+    /// Overturning over the peak of a shaking, if it was asked for.
+    pub overturning: Option<Overturning>,
+    /// The probabilities along a number, if they were asked for.
+    pub fragility: Option<Fragility>,
+    /// That a case in time is answered at its first instant, in a sentence without its stop.
+    pub note: Option<String>,
+}
+
+impl Probability {
+    /// The answer to a file with a `[random]` table: a case, one in time at its first instant, a `[point]` of the report's plane, or
+    /// a `[storm]` without a body.
+    ///
+    /// # Errors
+    /// If the case or its random numbers are wrong, or the method asked for does not take as many.
+    pub fn of(file: &CaseFile, request: ChanceRequest) -> Result<Probability, ProbabilityError> {
+        Probability::along(file, request, None)
+    }
+
+    pub(super) fn of_asked(
+        name: &str,
+        asked: &ChanceSubject,
+        request: ChanceRequest,
+    ) -> Result<Probability, ProbabilityError> {
+        match asked {
+            ChanceSubject::Case { file, note } => Probability::of_case(file, note.clone(), request),
+            ChanceSubject::Point(of) => {
+                let problem = of.problem(of.point, request.years)?;
+                Probability::of_problems(name, &[problem], None, request)
+            }
+            ChanceSubject::Storm(pure) => pure.answer(name, request),
+        }
+    }
+
+    fn of_case(
+        file: &CaseFile,
+        note: Option<String>,
+        request: ChanceRequest,
+    ) -> Result<Probability, ProbabilityError> {
+        let problems = problems_of(file, request.years)?;
+        let sliding = match storm::storm(file.inputs()).map_err(|fault| file.error(fault))? {
+            Some(storm) => Some(storm::of_case(&storm, &problems, &request)?),
+            None => None,
+        };
+        let answer = Probability::of_problems(file.name(), &problems, sliding, request)?;
+        let criterion = match bound(&file.case()?.criteria) {
+            Some(bound) => Some(ChanceCriterion::of(bound, &problems, &request)?),
+            None => None,
+        };
+        Ok(Probability { criterion, note, ..answer })
+    }
+
+    fn of_problems(
+        name: &str,
+        problems: &[ChanceProblem],
+        sliding: Option<Sliding>,
+        request: ChanceRequest,
+    ) -> Result<Probability, ProbabilityError> {
+        let mut situations: Vec<Chances> =
+            problems.iter().map(|problem| chances(problem, &request)).collect::<Result<_, _>>()?;
+        situations.sort_by(|a, b| b.not_rest.value.total_cmp(&a.not_rest.value));
+        let first = &problems[0];
+        let worst = situations.first().and_then(|worst| {
+            problems.iter().find(|problem| problem.situation() == worst.situation).cloned().map(Box::new)
+        });
+        let line = match situations.first() {
+            Some(worst) => worst.line.clone(),
+            None => (first.line_name().0.to_owned(), first.line_name().1),
+        };
+        Ok(Probability {
+            case: name.to_owned(),
+            title: None,
+            problem: worst,
+            request,
+            random: first.random().iter().map(RandomNumber::of).collect(),
+            line,
+            situations,
+            joined: joined(&problems.iter().collect::<Vec<_>>(), &request)?,
+            sliding,
+            criterion: None,
+            overturning: None,
+            fragility: None,
+            note: None,
+        })
+    }
+}
+impl Chances {
+    /// −Φ⁻¹ of the probability that the body does not rest; none where that is 0 or 1.
+    pub fn generalized(&self) -> Option<f64> {
+        Some(generalized(self.not_rest.value)).filter(|beta| beta.is_finite())
+    }
+}

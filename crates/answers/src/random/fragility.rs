@@ -1,0 +1,244 @@
+//! Probabilities along a number of the case: fragility over an acceleration, or P over a width.
+//!
+//! Each value makes a case of its own, with what goes with the number when it is varied; its laws are those of the file, and a mean
+//! that is left out is that case's. A limit state that is lognormal along the number has the curve
+//!
+//! ```text
+//! P(x) = Φ(ln(x/median)/dispersion)
+//! ```
+//!
+//! of which the nearest is given ([`Lognormal::nearest`]); its largest difference from the probabilities says whether it holds.
+
+use std::str::FromStr;
+
+use standfast_probability::lognormal::Lognormal;
+use standfast_probability::sample::Estimate;
+
+use super::answer::{ChanceRequest, Happening, Probability};
+use super::chances::event;
+use super::error::ProbabilityError;
+use super::overturn::Overturning;
+use super::problem::ChanceProblem;
+use super::quantity::Coordinate;
+use super::resolve::find;
+use super::subject::{ChanceSubject, problems_of};
+use crate::couple::vary;
+use crate::key::Key;
+use standfast_model::CaseFile;
+
+/// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ValueRange {
+    name: String,
+    from: String,
+    to: String,
+    count: usize,
+}
+
+impl FromStr for ValueRange {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<ValueRange, String> {
+        let parts = || {
+            let (name, range) = text.split_once('=')?;
+            let (values, count) = range.rsplit_once(':')?;
+            let (from, to) = values.split_once("..")?;
+            let count = count.trim().parse().ok().filter(|count| (2..=10_000).contains(count))?;
+            let [name, from, to] = [name, from, to].map(|part| part.trim().to_owned());
+            Some(ValueRange { name, from, to, count })
+        };
+        parts().ok_or_else(|| {
+            "expected NAME=FROM..TO:COUNT with two values or more, as in width=12 m..20 m:9".to_owned()
+        })
+    }
+}
+
+/// Probabilities along a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fragility {
+    /// The number's name.
+    pub name: String,
+    /// Its unit in SI, where it has one.
+    pub unit: Option<&'static str>,
+    /// The probabilities at each value.
+    pub points: Vec<FragilityPoint>,
+    /// The curve through the probabilities of not resting.
+    pub fit: Option<Fit>,
+}
+
+/// The probabilities at one value, under the least safe set of loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FragilityPoint {
+    /// The value, SI.
+    pub value: f64,
+    /// That the body does not stay at rest.
+    pub not_rest: Estimate,
+    /// The modes, which add up to one.
+    pub modes: Vec<(Happening, Estimate)>,
+}
+
+/// A lognormal curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fit {
+    /// Its median, SI.
+    pub median: f64,
+    /// Its logarithmic standard deviation.
+    pub dispersion: f64,
+    /// The largest difference from the probabilities.
+    pub misfit: f64,
+}
+
+/// Probabilities that are as near to each other, relatively, are the same.
+const AS_LIKELY: f64 = 1e-9;
+
+impl Fit {
+    /// The curve through values with their chances of something; none where fewer than two tell anything, or they do not rise.
+    pub(super) fn of(points: &[(f64, f64)]) -> Option<Fit> {
+        let curve = Lognormal::nearest(points)?;
+        let difference = |(value, chance): &(f64, f64)| (curve.at(*value) - chance).abs();
+        let misfit = points.iter().map(difference).fold(0.0, f64::max);
+        Some(Fit { median: curve.median, dispersion: curve.dispersion, misfit })
+    }
+}
+
+impl Probability {
+    /// The answer to a file as [`of`](Probability::of) has it, and along a number if one is asked for; along the peak of a shaking, the
+    /// bodies are followed in time.
+    ///
+    /// # Errors
+    /// As [`of`](Probability::of) and [`Overturning::of`]; or if the number is none of the case, or random itself.
+    pub fn along(
+        file: &CaseFile,
+        request: ChanceRequest,
+        over: Option<&ValueRange>,
+    ) -> Result<Probability, ProbabilityError> {
+        let asked = ChanceSubject::of(file, request.years)?;
+        let in_time = matches!(&asked, ChanceSubject::Case { note: Some(_), .. });
+        let of_peak = over.filter(|over| in_time && over.is_of_peak());
+        let along = over.filter(|_| of_peak.is_none());
+        let fragility = along.map(|over| over.fragility(&asked, &request)).transpose()?;
+        let answer = Probability { fragility, ..Probability::of_asked(file.name(), &asked, request)? };
+        let overturning = of_peak.map(|over| Overturning::of(file, &request, over)).transpose()?;
+        let title = file.inputs().text(Key::Title).map(str::to_owned);
+        Ok(Probability { title, overturning, ..answer })
+    }
+}
+
+impl ValueRange {
+    /// True if it asks for overturning over the peak of a shaking, which is none of the numbers of a case.
+    pub fn is_of_peak(&self) -> bool {
+        self.name == "pga"
+    }
+
+    /// Its values, read one by one.
+    pub(super) fn values(
+        &self,
+        read: impl Fn(&str) -> Result<f64, String>,
+    ) -> Result<Vec<f64>, ProbabilityError> {
+        let read = |text: &str| read(text).map_err(|what| self.wrong(what));
+        self.rising(read(&self.from)?, read(&self.to)?)
+    }
+
+    fn rising(&self, from: f64, to: f64) -> Result<Vec<f64>, ProbabilityError> {
+        // Twice one value has no curve through it, and a fall is more likely a slip than meant.
+        if from.is_nan() || to.is_nan() || from >= to {
+            let (from, to) = (&self.from, &self.to);
+            return Err(self.wrong(format!("it does not rise from {from} to {to}; expected FROM below TO")));
+        }
+        let last = (self.count - 1) as f64;
+        Ok((0..self.count).map(|i| from + (to - from) * (i as f64 / last)).collect())
+    }
+
+    pub(super) fn wrong(&self, what: impl Into<String>) -> ProbabilityError {
+        ProbabilityError::Over { name: self.name.clone(), what: what.into() }
+    }
+
+    fn fragility(
+        &self,
+        asked: &ChanceSubject,
+        request: &ChanceRequest,
+    ) -> Result<Fragility, ProbabilityError> {
+        let (unit, points) = match asked {
+            ChanceSubject::Point(of) => {
+                let coordinate = Coordinate::ALL.into_iter().find(|c| c.name() == self.name);
+                let Some(coordinate) = coordinate else {
+                    return Err(self.wrong("it is none of gamma, k_prime, k and mu"));
+                };
+                if of.random.named.iter().any(|named| named.name == self.name) {
+                    return Err(self.wrong("it is random itself"));
+                }
+                let at = |value: f64| {
+                    if !coordinate.range().contains(value) {
+                        return Err(self.wrong(format!("{value} is not {}", coordinate.range().words())));
+                    }
+                    let mut moved = of.point;
+                    moved[coordinate as usize] = value;
+                    Ok(vec![of.problem(moved, None)?])
+                };
+                let read = |text: &str| {
+                    text.parse::<f64>().map_err(|_| self.wrong(format!("\"{text}\" is no number")))
+                };
+                (None, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
+            }
+            ChanceSubject::Storm(_) => return Err(ProbabilityError::NoBody),
+            ChanceSubject::Case { file, .. } => {
+                let case = file.case()?;
+                let unknown = if self.is_of_peak() {
+                    "it is the peak of a shaking, and the case has no [motion.base]; that of an [earthquake] is earthquake.horizontal"
+                } else {
+                    "it is no number of the case; a load is named by its name, as in load.push.force"
+                };
+                let variable = find(file, &case, &self.name).map_err(|found| match found.suggestion {
+                    Some(meant) if !self.is_of_peak() => {
+                        self.wrong(format!("{unknown}; did you mean `{meant}`?"))
+                    }
+                    _ => self.wrong(unknown),
+                })?;
+                let read = |text: &str| {
+                    variable.read(text, file.inputs()).map_err(|problem| self.wrong(problem.to_string()))
+                };
+                // The problems as they are, for what is random.
+                let random = problems_of(file, None)?;
+                let same =
+                    |problem: &ChanceProblem| problem.random().iter().any(|input| input.is_of(&variable));
+                if random.iter().any(same) {
+                    return Err(self.wrong("it is random itself"));
+                }
+                let at = |value: f64| {
+                    let changed = file.varied(vary(file.inputs(), &case, &[(&variable, value)]));
+                    problems_of(&changed, None)
+                };
+                let unit = variable.dimension().map(crate::units::Dimension::si);
+                (unit, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
+            }
+        };
+        let told: Vec<(f64, f64)> = points.iter().map(|point| (point.value, point.not_rest.value)).collect();
+        let fit = Fit::of(&told);
+        Ok(Fragility { name: self.name.clone(), unit, points, fit })
+    }
+
+    fn points(
+        &self,
+        from: f64,
+        to: f64,
+        request: &ChanceRequest,
+        problems: impl Fn(f64) -> Result<Vec<ChanceProblem>, ProbabilityError>,
+    ) -> Result<Vec<FragilityPoint>, ProbabilityError> {
+        self.rising(from, to)?
+            .into_iter()
+            .map(|value| {
+                let mut worst: Option<FragilityPoint> = None;
+                for problem in problems(value)? {
+                    let (modes, not_rest) = event(&problem, request)?;
+                    // Of what is as likely but for rounding, as under a shaking to either side, the first along all values.
+                    let above =
+                        |worst: &FragilityPoint| not_rest.value > worst.not_rest.value * (1.0 + AS_LIKELY);
+                    if worst.as_ref().is_none_or(above) {
+                        worst = Some(FragilityPoint { value, not_rest, modes });
+                    }
+                }
+                worst.ok_or_else(|| self.wrong("the case has no loads"))
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,426 @@
+//! Random numbers of a case as `standfast-probability` takes them: laws, and the modes as intervals along one of them.
+
+use std::cell::RefCell;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use standfast::contact::Block;
+use standfast::loads::Earthquake;
+use standfast::wave::Heights;
+use standfast::{Point, Wrench};
+use standfast_probability::integrate::Life;
+use standfast_probability::problem::RandomVector;
+
+use super::mechanics::{Components, Mechanics, Quick};
+use super::outcome;
+use super::quantity::{Bias, Coordinate, Quantity, RandomInput};
+use super::resolve::{Names, Resolve};
+use crate::case::{Acting, Case};
+use crate::couple::{Variable, vary};
+use crate::digits::digits;
+use crate::error::CaseError;
+use crate::inputs::Inputs;
+use crate::key::Key;
+use standfast::ground::Base;
+use standfast_inputs::random::{Random, Rate, ReadResult};
+use standfast_model::CaseFile;
+
+/// A case, its random numbers, and the loads that act.
+#[derive(Debug, Clone)]
+pub struct ChanceProblem {
+    id: u64,
+    model: Model,
+    random: Vec<RandomInput>,
+    laws: RandomVector,
+    years: Option<f64>,
+    lines: Lines,
+    /// Of each number a value that it has as good as never more than.
+    reaches: Vec<f64>,
+    pub(super) line: Line,
+}
+
+/// Model that the numbers are of.
+#[derive(Debug, Clone)]
+enum Model {
+    /// A case, the loads of it that act, and how the base is shaken.
+    Case {
+        inputs: Box<Inputs>,
+        case: Box<Case>,
+        acting: Acting,
+        /// By what its acceleration of the base is multiplied; none where no earthquake acts.
+        shaking: Option<[f64; 2]>,
+        /// Shortcut where of the case's numbers wave heights alone are random.
+        quick: Option<Box<Quick>>,
+    },
+    /// A point of the report's plane: γ, k', k, μ.
+    Point([f64; 4]),
+}
+
+/// Along which number the modes are known, and how.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Line {
+    /// Friction: its place.
+    Friction(usize),
+    /// A number in which the wrench is linear.
+    Load(usize),
+    /// Any other, scanned.
+    Scan(usize),
+}
+
+/// Of each number the value beyond which no method looks, twelve deviations from the median.
+fn reaches(laws: &RandomVector) -> Vec<f64> {
+    laws.laws().iter().map(|law| law.value(12.0)).collect()
+}
+
+/// An |α| below which a number hardly matters.
+const NEGLIGIBLE: f64 = 0.02;
+
+impl ChanceProblem {
+    /// The problems of a case file, which is of this case, with a `[random]` table: one for each set of loads that act together and each acceleration of
+    /// the base that is tried.
+    ///
+    /// # Errors
+    /// If the values of the case do not go together, or a name, a law or a correlation is wrong.
+    pub fn of(
+        file: &CaseFile,
+        case: Case,
+        random: &Random,
+        years: Option<f64>,
+    ) -> Result<Vec<ChanceProblem>, CaseError> {
+        let wrong = |(problem, span)| file.random_error(problem, span);
+        let (inputs, laws) = Resolve(Names::Case(file, &case)).all(random).map_err(wrong)?;
+        let lines = Lines::of(&inputs, Some(&case));
+        let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
+        let mut unnamed = file.inputs().clone();
+        [Key::Title, Key::Note].into_iter().for_each(|key| unnamed.remove(key.into()));
+        let is_random = |key| inputs.iter().any(|input| input.is_key(key));
+        let moved = [Key::Horizontal, Key::Vertical].map(is_random);
+        let mut problems = Vec::new();
+        for acting in case.acting() {
+            let shakings = case.shakings_if(acting, moved);
+            let each: Vec<Option<[f64; 2]>> =
+                if shakings.is_empty() { vec![None] } else { shakings.into_iter().map(Some).collect() };
+            for shaking in each {
+                let earthquake = shaking.and_then(|signs| case.shaken(signs));
+                let (inputs_of_case, case) = (Box::new(unnamed.clone()), Box::new(case.clone()));
+                let quick = only_heights(&inputs).then(|| Quick::of(&case, acting, earthquake)).flatten();
+                let quick = quick.map(Box::new);
+                problems.push(ChanceProblem {
+                    id: unique(),
+                    model: Model::Case { inputs: inputs_of_case, case, acting, shaking, quick },
+                    random: inputs.clone(),
+                    laws: laws.clone(),
+                    years: years.or(random.years),
+                    lines,
+                    reaches: reaches(&laws),
+                    line,
+                });
+            }
+        }
+        Ok(problems)
+    }
+
+    /// The problem of a point of the report's plane with random numbers.
+    ///
+    /// # Errors
+    /// If a name, a law or a correlation is wrong.
+    pub(super) fn of_point(
+        point: [f64; 4],
+        random: &Random,
+        years: Option<f64>,
+    ) -> ReadResult<ChanceProblem> {
+        let (inputs, laws) = Resolve(Names::Point(point)).all(random)?;
+        let lines = Lines::of(&inputs, None);
+        let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
+        let (model, years) = (Model::Point(point), years.or(random.years));
+        let reaches = reaches(&laws);
+        Ok(ChanceProblem { id: unique(), model, random: inputs, laws, years, lines, reaches, line })
+    }
+
+    /// Random numbers, in the order of the file.
+    pub fn random(&self) -> &[RandomInput] {
+        &self.random
+    }
+
+    /// The case, if it is one, and the loads of it that act.
+    pub(super) fn case(&self) -> Option<(&Case, Acting)> {
+        match &self.model {
+            Model::Case { case, acting, .. } => Some((case, *acting)),
+            Model::Point(_) => None,
+        }
+    }
+
+    /// The laws of the random numbers and how they are correlated.
+    pub fn laws(&self) -> &RandomVector {
+        &self.laws
+    }
+
+    /// Loads that act, and the shaking of the base, in words; none where the case leaves no choice.
+    pub fn situation(&self) -> Option<String> {
+        let Model::Case { case, acting, shaking, .. } = &self.model else { return None };
+        let name = case.acting_name(*acting);
+        let is_random = |key| self.random.iter().any(|input| input.is_key(key));
+        let [sideways, upwards] = [Key::Horizontal, Key::Vertical].map(is_random);
+        // Of a case that is not shaken itself, the sign tells.
+        let towards = |value: f64, sign: f64| if value == 0.0 { sign } else { value };
+        let turned = |(earthquake, [side, way]): (Earthquake, [f64; 2])| {
+            if sideways || upwards {
+                let side = if towards(earthquake.horizontal(), side) < 0.0 { "left" } else { "right" };
+                let way = match towards(earthquake.vertical(), way) {
+                    _ if earthquake.vertical() == 0.0 && !upwards => "",
+                    down if down < 0.0 => " and downwards",
+                    _ => " and upwards",
+                };
+                return format!("base shaken to the {side}{way}");
+            }
+            format!(
+                "base at {} m/s² to the right, {} upwards",
+                digits(earthquake.horizontal()),
+                digits(earthquake.vertical())
+            )
+        };
+        let earthquake = shaking.and_then(|signs| Some((case.shaken(signs)?, signs)));
+        match (name, earthquake.map(turned)) {
+            (Some(name), Some(shaken)) => Some(format!("{name}, {shaken}")),
+            (name, shaken) => name.or(shaken),
+        }
+    }
+
+    /// The life that is asked for, where one is.
+    pub(super) fn life(&self) -> Option<Life> {
+        let yearly = self.random.iter().map(|input| input.every == Rate::Year).collect();
+        self.years.map(|years| Life { years, yearly })
+    }
+
+    /// Problem along a number that is drawn yearly, as a life needs it; none if there is no such number.
+    pub(super) fn along_yearly(&self) -> Option<ChanceProblem> {
+        let line = self.lines.first(&self.random, |place| self.random[place].every == Rate::Year)?;
+        Some(ChanceProblem { line, ..self.clone() })
+    }
+
+    /// Problem along the number that matters more, by the nearest point at which the body does not rest (α of each number): where friction
+    /// hardly matters, or is certain, that number of those in which the wrench is linear that has the largest |α|. None if it is the number
+    /// already.
+    pub(super) fn along_what_matters(&self, alpha: &[f64]) -> Option<ChanceProblem> {
+        let own = match self.line {
+            Line::Friction(place) | Line::Load(place) if alpha[place].abs() < NEGLIGIBLE => {
+                alpha[place].abs()
+            }
+            Line::Friction(_) | Line::Scan(_) => return None,
+            Line::Load(place) => alpha[place].abs(),
+        };
+        if !self.lines.loads {
+            return None;
+        }
+        let linear = (0..self.random.len()).filter(|place| self.random[*place].is_linear());
+        let best = linear.max_by(|a, b| alpha[*a].abs().total_cmp(&alpha[*b].abs()).then(b.cmp(a)))?;
+        let line = Line::Load(best);
+        (line != self.line && alpha[best].abs() > own).then(|| ChanceProblem {
+            line,
+            id: unique(),
+            ..self.clone()
+        })
+    }
+
+    /// True if a number is friction that is put in beside what everything else makes: not where friction to slip has a law of its own.
+    pub(super) fn is_apart(&self, place: usize) -> bool {
+        self.random[place].is_friction() && self.lines.friction
+    }
+
+    /// True if the base may crush, or the ground fail: modes on it are not those of the report's plane.
+    pub fn gives_way(&self) -> bool {
+        self.case().is_some_and(|(case, _)| case.gives_way())
+    }
+
+    /// The outcomes that exclude each other and add up to one.
+    pub(super) fn exclusive(&self) -> impl Iterator<Item = usize> + use<> {
+        outcome::exclusive(self.gives_way())
+    }
+
+    /// Those of them that are not rest.
+    pub(super) fn moving(&self) -> impl Iterator<Item = usize> + use<> {
+        self.exclusive().filter(|outcome| *outcome != outcome::REST)
+    }
+
+    /// A value that a number has as good as never more than.
+    pub(super) fn reach(&self, place: usize) -> f64 {
+        self.reaches[place]
+    }
+
+    /// True if the number along which modes are known has to be scanned.
+    pub(super) fn is_scanned(&self) -> bool {
+        matches!(self.line, Line::Scan(_))
+    }
+
+    /// Name of the number that is integrated, and true if in closed form, as friction and loads are.
+    pub(super) fn line_name(&self) -> (&str, bool) {
+        let (place, exact) = match self.line {
+            Line::Friction(place) | Line::Load(place) => (place, true),
+            Line::Scan(place) => (place, false),
+        };
+        (&self.random[place].name, exact)
+    }
+
+    /// The contact problem with these values, one for each random number; none if they do not go together.
+    pub(super) fn mechanics(&self, values: &[f64]) -> Option<Mechanics> {
+        if let Model::Point(point) = &self.model {
+            return self.at_point(*point, values);
+        }
+        let components = self.components(values)?;
+        let mut block = components.block;
+        if let Some(place) = (0..self.random.len()).find(|place| self.is_apart(*place)) {
+            let ratio = if block.mu_s > 0.0 { block.mu_k / block.mu_s } else { 1.0 };
+            (block.mu_s, block.mu_k) = (values[place], values[place] * ratio);
+        }
+        let [permanent, variable] = components.wrenches(|bias| self.bias(bias, values));
+        Some(Mechanics { block, base: components.base, permanent, variable, formulas: components.formulas })
+    }
+
+    /// Mechanics on the way to the full load: of the report's force, at any size, only the elevation counts.
+    pub(super) fn departing(&self, values: &[f64]) -> Option<Mechanics> {
+        let mut mechanics = self.mechanics(values)?;
+        if let Model::Point(point) = &self.model {
+            let with = |coordinate: Coordinate| {
+                let place = self.random.iter().position(|i| i.quantity == Quantity::Point(coordinate));
+                place.map_or(point[coordinate as usize], |place| values[place])
+            };
+            if with(Coordinate::K) > 0.0 {
+                let m = with(Coordinate::KPrime) * with(Coordinate::Gamma);
+                mechanics.variable = Wrench { x: -1.0, p: 0.0, m };
+            }
+        }
+        Some(mechanics)
+    }
+
+    /// A number that no other problem has.
+    pub(super) fn id(&self) -> u64 {
+        self.id
+    }
+
+    pub(super) fn bias(&self, bias: Bias, values: &[f64]) -> Option<f64> {
+        let place = self.random.iter().position(|input| input.quantity == Quantity::Bias(bias));
+        place.map(|place| values[place])
+    }
+
+    /// Components of the loads, unbiased, with these values of all numbers but friction; those of the last call if they are the same.
+    pub(super) fn components(&self, values: &[f64]) -> Option<Components> {
+        let slow = |place: &usize| self.random[*place].variable().is_some() && !self.is_apart(*place);
+        let keys: Vec<f64> = (0..self.random.len()).filter(slow).map(|place| values[place]).collect();
+        LAST.with_borrow_mut(|last| match last {
+            Some((id, of, components)) if *id == self.id && *of == keys => *components,
+            last => {
+                let components = self.assembled(values);
+                *last = Some((self.id, keys, components));
+                components
+            }
+        })
+    }
+
+    fn assembled(&self, values: &[f64]) -> Option<Components> {
+        let Model::Case { acting, shaking, quick, .. } = &self.model else { return None };
+        if let Some(quick) = quick {
+            return quick.components(self.heights(values)?);
+        }
+        let case = self.case_with(values)?;
+        let formulas = case.wave.as_ref().map_or(0, |wave| wave.goda.formulas);
+        let earthquake = shaking.and_then(|signs| case.shaken(signs));
+        Components::of(&case.situation(*acting, earthquake).ok()?, case.ground.as_ref(), formulas).ok()
+    }
+
+    /// The case with these values of all numbers but friction; none if they do not go together.
+    pub(super) fn case_with(&self, values: &[f64]) -> Option<Case> {
+        let Model::Case { inputs, case, quick, .. } = &self.model else { return None };
+        if let Some(quick) = quick {
+            return quick.case(case, self.heights(values)?);
+        }
+        let named: Vec<(&Variable, f64)> = self
+            .random
+            .iter()
+            .zip(values)
+            .enumerate()
+            // A friction of zero would leave no ratio of slip to stick.
+            .filter(|(place, _)| !self.is_apart(*place))
+            .filter_map(|(_, (input, value))| Some((input.variable()?, *value)))
+            .collect();
+        Case::of(&vary(inputs, case, &named)).ok()
+    }
+
+    /// The wave heights of the case, with these values of those that are random.
+    fn heights(&self, values: &[f64]) -> Option<Heights> {
+        let Model::Case { case, .. } = &self.model else { return None };
+        let mut heights = case.wave.as_ref()?.heights;
+        for (input, value) in self.random.iter().zip(values) {
+            let key = input.variable().map(|variable| variable.id().key);
+            match (&mut heights, key) {
+                (Heights::DeepWater(height), Some(Key::DeepWaterHeight)) => *height = *value,
+                (Heights::Local { significant, .. }, Some(Key::H13)) => *significant = *value,
+                (Heights::Local { maximum, .. }, Some(Key::Hmax)) => *maximum = *value,
+                _ => {}
+            }
+        }
+        Some(heights)
+    }
+
+    /// The report's problem with these values: X = −k, M = k k' γ.
+    fn at_point(&self, mut point: [f64; 4], values: &[f64]) -> Option<Mechanics> {
+        for (input, value) in self.random.iter().zip(values) {
+            if let Quantity::Point(coordinate) = input.quantity {
+                point[coordinate as usize] = *value;
+            }
+        }
+        let [gamma, k_prime, k, mu] = point;
+        Point::new(gamma, k_prime, k, mu).ok()?;
+        let permanent = Wrench { x: 0.0, p: 1.0, m: 0.0 };
+        let variable = Wrench { x: -k, p: 0.0, m: k * k_prime * gamma };
+        let block = Block::uniform(gamma, mu);
+        Some(Mechanics { block, base: Base::Rigid, permanent, variable, formulas: 0 })
+    }
+}
+
+/// A problem's number, the values, and what was assembled; none if they do not go together.
+type Assembled = (u64, Vec<f64>, Option<Components>);
+
+thread_local! {
+    /// Last assembly: its problem, its values and its components.
+    static LAST: RefCell<Option<Assembled>> = const { RefCell::new(None) };
+}
+
+/// A number that no other problem has.
+fn unique() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(0);
+    NEXT.fetch_add(1, Ordering::Relaxed)
+}
+
+/// True if of a case's numbers, beside friction, only heights of waves are random.
+fn only_heights(inputs: &[RandomInput]) -> bool {
+    let heights = [Key::DeepWaterHeight, Key::H13, Key::Hmax];
+    let of_case = inputs.iter().filter(|input| !input.is_friction()).filter_map(RandomInput::variable);
+    of_case.into_iter().all(|variable| heights.contains(&variable.id().key))
+}
+
+/// Along which numbers the modes are known in closed form.
+#[derive(Debug, Clone, Copy)]
+struct Lines {
+    /// Friction; not where that to slip has a law of its own, as the conditions take both in one proportion.
+    friction: bool,
+    /// Numbers in which the wrench is linear; not on a base that gives way.
+    loads: bool,
+}
+
+impl Lines {
+    fn of(inputs: &[RandomInput], case: Option<&Case>) -> Lines {
+        let gives_way = case.is_some_and(Case::gives_way);
+        Lines { friction: !inputs.iter().any(RandomInput::is_kinetic_friction), loads: !gives_way }
+    }
+
+    /// The first along which the modes are known, of those for which this holds.
+    fn first(self, inputs: &[RandomInput], among: impl Fn(usize) -> bool) -> Option<Line> {
+        let find = |of: &dyn Fn(&RandomInput) -> bool| {
+            (0..inputs.len()).find(|place| among(*place) && of(&inputs[*place]))
+        };
+        let friction = find(&RandomInput::is_friction).filter(|_| self.friction).map(Line::Friction);
+        // On a base that gives way a load is scanned, which is quicker than another number.
+        let load = || find(&RandomInput::is_linear).map(if self.loads { Line::Load } else { Line::Scan });
+        let scan = || find(&|_| true).map(Line::Scan);
+        friction.or_else(load).or_else(scan)
+    }
+}

@@ -1,0 +1,120 @@
+//! A `[random]` table to begin from: laws of practice for the numbers that a case has, each with its source.
+//!
+//! None of the sources was read for this program: the values are as the literature on caisson breakwaters and structural
+//! reliability is remembered to hand them on, and the table says so line by line. They are a form to fill, no advice.
+
+use std::fmt::Write;
+
+use crate::case::{Case, Weight};
+use crate::digits::digits;
+use crate::error::CaseError;
+use crate::inputs::Inputs;
+use crate::key::{Key, Table};
+use standfast_model::CaseFile;
+
+/// Note that every line has.
+const NOT_READ: &str = "recalled; not read in the original";
+
+/// A line of the table and what is said of it above.
+struct Line {
+    name: String,
+    law: String,
+    says: String,
+}
+
+/// A `[random]` table for the case of a file, which may be appended to it; a comment in the place of numbers that have no law of
+/// practice.
+///
+/// # Errors
+/// If the values of the case do not go together.
+pub fn template(file: &CaseFile) -> Result<String, CaseError> {
+    let case = file.case()?;
+    let mut text = String::from(
+        "# Laws of practice to begin from. Every source is as it is recalled: none was read in the original for this table.\n\
+         # Put in the place of each what is known of this body and this site. Means left out are the case's own values.\n",
+    );
+    if file.random().is_some() {
+        text += "# The case has a [random] table already, which this is not to be added to.\n";
+    }
+    text += "[random]\n";
+    text += "# years = 50                 # of a life; what is drawn anew each year says every = \"year\"\n";
+    for Line { name, law, says } in lines(&case, file.inputs()) {
+        let _ = write!(text, "\n# {says}\n{name} = {law}\n");
+    }
+    if case.wave.is_some() {
+        text += "\n# Forces and uplift of one wave err to the same side; by how much is not known here.\n\
+                 # [[random.correlation]]\n# between = [\"bias.P\", \"bias.U\"]\n# rank = 0.5\n";
+    }
+    Ok(text)
+}
+
+fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
+    let line =
+        |name: &str, law: &str, says: String| Line { name: name.to_owned(), law: law.to_owned(), says };
+    let mut lines = Vec::new();
+    if case.wave.is_some() {
+        lines.push(line(
+            "friction",
+            "{ lognormal = { mean = 0.636, cov = 0.15 } }",
+            format!("Concrete on rubble: Takayama and Ikeda (1992), tests of sliding caissons; {NOT_READ}"),
+        ));
+    } else {
+        lines.push(line(
+            "friction",
+            "{ lognormal = { cov = 0.15 } }",
+            format!(
+                "The scatter of concrete on rubble, Takayama and Ikeda (1992), about the case's {}; {NOT_READ}",
+                digits(case.friction)
+            ),
+        ));
+    }
+    if inputs.has(Table::Part) {
+        // Each part has a density of its own.
+    } else if case.weight == Weight::Total {
+        lines.push(line(
+            "mass",
+            "{ normal = { cov = 0.03 } }",
+            format!(
+                "Concrete: JCSS Probabilistic Model Code, part 2.1, gives 0.04 of its density, less for a whole body; {NOT_READ}"
+            ),
+        ));
+    } else {
+        lines.push(line(
+            "body.buoyant_weight",
+            "{ normal = { cov = 0.03 } }",
+            format!(
+                "Concrete: JCSS Probabilistic Model Code, part 2.1, gives 0.04 of its density, less for a whole body; {NOT_READ}"
+            ),
+        ));
+    }
+    if case.wave.is_some() {
+        for (name, law, of) in [
+            ("bias.P", "{ lognormal = { mean = 0.91, cov = 0.19 } }", "horizontal force"),
+            ("bias.U", "{ lognormal = { mean = 0.77, cov = 0.25 } }", "uplift"),
+        ] {
+            lines.push(line(
+                name,
+                law,
+                format!(
+                    "Measured over Goda's {of}: van der Meer, d'Angremond and Juhl (ICCE 1994) for vertical walls; {NOT_READ}"
+                ),
+            ));
+        }
+        let height = if inputs.get(Key::DeepWaterHeight).is_some() { "deep_water_height" } else { "H13" };
+        lines.push(line(
+            &format!("wave.{height}"),
+            "{ gumbel = { cov = 0.2 } }",
+            "The sea: an assumption and no law of practice. Fit the yearly largest waves of the site, with every = \"year\", or give \
+             two return values: { gumbel = { \"10 years\" = \"5.4 m\", \"100 years\" = \"6.9 m\" } }"
+                .to_owned(),
+        ));
+    }
+    if case.forces.iter().any(|force| !force.permanent) {
+        lines.push(line(
+            "bias.force",
+            "{ lognormal = { mean = 1, cov = 0.2 } }",
+            format!("Load effects: JCSS Probabilistic Model Code, part 3.9, is of this order; {NOT_READ}"),
+        ));
+    }
+    lines
+}

@@ -1,0 +1,377 @@
+//! The one list of results: a key of the JSON, a column of a table, a target and a criterion are the same thing under the same
+//! name in the same unit.
+//!
+//! Numbers are SI. A result that does not exist (a safety factor of a lifted body, the load factor of a departure that never
+//! comes) is [`Nothing`](ResultValue::Nothing), and nothing else is; a number without bound is infinite.
+
+use serde::{Serialize, Serializer};
+use standfast::ground::bearing::{LoadFactors, Reaction};
+use standfast::ground::impact::{ImpactEvent, ImpactResponse};
+use standfast::{Bearing, Departure, Margins, Modes, Response, Verdict};
+
+use crate::assess::Assessed;
+use crate::assess::ground::{BaseResponse, Elastic};
+use crate::units::Dimension;
+use standfast_inputs::listed;
+
+/// The value of a result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum ResultValue {
+    /// In SI units, or without unit; it may be infinite.
+    Number(f64),
+    /// One of a few words.
+    Word(&'static str),
+    /// true or false.
+    Truth(bool),
+    /// A set of modes.
+    Modes(Modes),
+    /// There is no such thing.
+    Nothing,
+}
+
+impl Serialize for ResultValue {
+    /// An infinite number, which JSON lacks, as the word `infinite`.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            ResultValue::Number(number) => number_or_word(number, serializer),
+            ResultValue::Word(word) => serializer.serialize_str(word),
+            ResultValue::Truth(truth) => serializer.serialize_bool(*truth),
+            ResultValue::Modes(modes) => modes.serialize(serializer),
+            ResultValue::Nothing => serializer.serialize_none(),
+        }
+    }
+}
+
+/// A number, or the word `infinite`.
+pub fn number_or_word<S: Serializer>(number: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    match *number {
+        f64::INFINITY => serializer.serialize_str("infinite"),
+        number => serializer.serialize_f64(number),
+    }
+}
+
+/// Kind of the values of a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ResultKind {
+    /// Numbers; `None` for those without unit.
+    Number(Option<Dimension>),
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// true or false.
+    Truth,
+    /// A set of modes.
+    Modes,
+    /// Names with blanks between them.
+    Names,
+}
+
+/// Everything that is said of a result.
+#[derive(Clone, Copy)]
+pub struct ResultInfo {
+    /// Its name.
+    pub name: &'static str,
+    /// Kind of its values.
+    pub kind: ResultKind,
+    /// Its meaning, in words.
+    pub words: &'static str,
+    of: fn(&Assessed) -> ResultValue,
+}
+
+const SYMBOLS: [&str; 11] = ["RE", "SL", "RO", "SRO-", "SRO+", "SRO'-", "RO'", "SL+", "SRO'+", "FL", "BF"];
+
+const fn number(
+    name: &'static str,
+    dimension: Option<Dimension>,
+    words: &'static str,
+    of: fn(&Assessed) -> ResultValue,
+) -> ResultInfo {
+    ResultInfo { name, kind: ResultKind::Number(dimension), words, of }
+}
+
+const fn word(
+    name: &'static str,
+    choices: &'static [&'static str],
+    words: &'static str,
+    of: fn(&Assessed) -> ResultValue,
+) -> ResultInfo {
+    ResultInfo { name, kind: ResultKind::Word(choices), words, of }
+}
+
+listed! {
+    /// A result of a situation.
+    ResultName: ResultInfo;
+
+    Mode = word("mode", &SYMBOLS, "the mode under the full load, applied at once; BF where the ground fails", |a| verdict(a.verdict()));
+    Unique = ResultInfo {
+        name: "unique",
+        kind: ResultKind::Truth,
+        words: "whether no other mode is consistent under the full load",
+        of: |a| ResultValue::Truth(a.outcome.full.is_unique()),
+    };
+    Also = ResultInfo {
+        name: "also",
+        kind: ResultKind::Modes,
+        words: "the other consistent modes",
+        of: |a| ResultValue::Modes(a.outcome.full.others()),
+    };
+    Lifted = ResultInfo {
+        name: "lifted",
+        kind: ResultKind::Truth,
+        words: "whether nothing presses the body on its base under the full load; safety factors then mean nothing",
+        of: |a| ResultValue::Truth(a.outcome.full.is_lifted()),
+    };
+    Departure = word("departure", &["never", "at-once", "at"],
+        "whether the body leaves rest as the variable loads rise: for no load factor above zero, at once, or at `load_factor`",
+        |a| ResultValue::Word(departure(&a.departure())));
+    LoadFactor = number("load_factor", None, "where it leaves rest, as a multiple of the variable loads; only where `departure` is `at`",
+        |a| match a.departure() {
+            Departure::At { factor, .. } => ResultValue::Number(factor),
+            Departure::Never | Departure::AtOnce { .. } => ResultValue::Nothing,
+        });
+    DepartureMode = word("departure_mode", &SYMBOLS, "the mode in which it leaves rest; BF where the ground fails", |a| verdict(a.departure().verdict()));
+    DepartureBy = word("departure_by", &["permanent-loads", "any-share"],
+        "what moves a body that departs at once: its permanent loads alone, or any share of the variable ones, however small",
+        |a| match a.departure() {
+            Departure::AtOnce { permanent: true, .. } => ResultValue::Word("permanent-loads"),
+            Departure::AtOnce { permanent: false, .. } => ResultValue::Word("any-share"),
+            Departure::Never | Departure::At { .. } => ResultValue::Nothing,
+        });
+
+    SfSliding = number("SF_sliding", None, "safety factor against sliding, μ(W' − U)/P", |a| factor(&a.outcome.full, a.outcome.stability.sliding));
+    SfOverturning = number("SF_overturning", None, "safety factor against overturning, the lesser of both corners",
+        |a| factor(&a.outcome.full, a.outcome.stability.overturning()));
+    SfOverturningHeel = number("SF_overturning_heel", None, "the same about the heel, (W' t − M_U)/M_p",
+        |a| factor(&a.outcome.full, a.outcome.stability.overturning_about_heel));
+    SfOverturningToe = number("SF_overturning_toe", None, "the same about the toe, (W'(B_c − t) − U B_c + M_U)/(−M_p)",
+        |a| factor(&a.outcome.full, a.outcome.stability.overturning_about_toe));
+    SfOverturningGross = number("SF_overturning_gross", None,
+        "safety factor against overturning by gross moments, (W' t + M_s)/(M_s + M_U + M_p) about the heel, the lesser of both corners: the whole weight against all water under the base and P",
+        |a| factor(&a.outcome.full, a.outcome.gross.overturning()));
+
+    MarginSliding = number("margin_sliding", Some(Dimension::Force),
+        "what friction leaves of the horizontal force, μ(W' − U) − P: negative where the body cannot rest for want of friction, and where it is lifted",
+        |a| ResultValue::Number(margins(a).sliding));
+    MarginOverturning = number("margin_overturning", Some(Dimension::Moment),
+        "the lesser of both corners' moments that press the body on its base: negative where the resultant misses the base, and where the body is lifted; with `margin_sliding` not negative, the body can rest on a rigid base; `ground_margin` is that of another",
+        |a| ResultValue::Number(margins(a).overturning()));
+    MarginOverturningHeel = number("margin_overturning_heel", Some(Dimension::Moment), "the same about the heel, W' t − M_U − M_p",
+        |a| ResultValue::Number(margins(a).overturning_about_heel));
+    MarginOverturningToe = number("margin_overturning_toe", Some(Dimension::Moment),
+        "the same about the toe, W'(B_c − t) − U B_c + M_U + M_p",
+        |a| ResultValue::Number(margins(a).overturning_about_toe));
+
+    Bearing = word("bearing", &["pressed", "outside-base", "lifted"],
+        "whether the base can carry the resultant: it does, the resultant misses the base, or nothing presses",
+        |a| ResultValue::Word(match a.outcome.stability.bearing {
+            Bearing::Pressed { .. } => "pressed",
+            Bearing::Lifted => "lifted",
+            _ => "outside-base",
+        }));
+    HeelPressure = number("heel_pressure", Some(Dimension::Pressure), "bearing pressure at the heel", |a| pressed(a, |heel, _, _| heel));
+    ToePressure = number("toe_pressure", Some(Dimension::Pressure), "bearing pressure at the toe", |a| pressed(a, |_, toe, _| toe));
+    BearingMax = number("bearing_max", Some(Dimension::Pressure), "the larger of both", |a| pressed(a, |heel, toe, _| heel.max(toe)));
+    ContactLength = number("contact_length", Some(Dimension::Length), "the length of the base that is pressed",
+        |a| pressed(a, |_, _, contact| contact));
+    ContactShare = number("contact_share", None, "the share of the base's area that is pressed", |a| {
+        match a.outcome.stability.bearing {
+            Bearing::Pressed { share, .. } => ResultValue::Number(share),
+            _ => ResultValue::Nothing,
+        }
+    });
+    ResultantArm = number("resultant_arm", Some(Dimension::Length), "t_e, distance of the resultant from the heel",
+        |a| a.outcome.stability.resultant_arm.map_or(ResultValue::Nothing, ResultValue::Number));
+
+    Eccentricity = number("eccentricity", Some(Dimension::Length), "distance of the resultant from the middle of the base, where it meets the base",
+        |a| pressed(a, |_, _, _| a.outcome.stability.eccentricity(a.situation.body().base_width()).unwrap_or_default()));
+
+    Heel = word("heel", &["O", "O'"], "the corner that the classical checks call the heel",
+        |a| ResultValue::Word(a.outcome.actions.heel.letter()));
+    P = number("P", Some(Dimension::Force), "horizontal force, towards the heel", |a| ResultValue::Number(a.outcome.actions.force));
+    Mp = number("M_p", Some(Dimension::Moment), "its moment about the base", |a| ResultValue::Number(a.outcome.actions.force_moment));
+    U = number("U", Some(Dimension::Force), "uplift", |a| ResultValue::Number(a.outcome.actions.uplift));
+    Mu = number("M_U", Some(Dimension::Moment), "its moment about the heel", |a| ResultValue::Number(a.outcome.actions.uplift_moment));
+    BuoyantWeight = number("buoyant_weight", Some(Dimension::Force), "W', weight less buoyancy",
+        |a| ResultValue::Number(a.outcome.actions.buoyant_weight));
+    WeightArm = number("weight_arm", Some(Dimension::Length), "t, its arm to the heel", |a| ResultValue::Number(a.outcome.actions.weight_arm));
+
+    Omega = number("omega", None, "ω, the share of the base that crushes under P alone, P/(2B q_u); from 1 on it cannot carry P",
+        |a| ground(a, |g| g.omega));
+    Pivot = number("pivot", Some(Dimension::Length),
+        "of a base that crushes, how far inside its edge the reaction of a body acts that turns, or is about to",
+        |a| ground(a, BaseResponse::pivot));
+    Neutral = number("neutral", Some(Dimension::Length),
+        "of a base that crushes, how far inside its edge the neutral point is about which the body turns",
+        |a| ground(a, BaseResponse::neutral));
+    EffectiveWidth = number("effective_width", Some(Dimension::Length),
+        "B' = 2(B − |e|), the width that the resultant has in its middle; 0 where it misses the base",
+        |a| on_base(a, Reaction::effective_width));
+    EffectivePressure = number("effective_pressure", Some(Dimension::Pressure), "pressure on the effective width, P/B'",
+        |a| on_base(a, Reaction::effective_pressure));
+    GroundResistance = number("ground_resistance", Some(Dimension::Force),
+        "R, what the ground bears at the eccentricity and inclination of the resultant, no partial factor applied", |a| ground(a, |g| g.resistance));
+    GroundFactor = number("ground_factor", None, "R/P, what the ground bears over what presses on it", |a| ground(a, |g| g.factor));
+    GroundMargin = number("ground_margin", Some(Dimension::Force),
+        "R − P, what the ground leaves: negative where it does not bear a body at rest; with `margin_sliding` not negative either, the body can rest on this base",
+        |a| ground(a, |g| g.margin));
+    LoadFactorGround = number("load_factor_ground", None,
+        "where R/P falls to 1 under a body that friction holds, as a multiple of the variable loads; 0 under the permanent loads alone",
+        |a| failing(a, |f| Some(f.given)));
+    LoadFactorGroundLess = number("load_factor_ground_less", None, "the same at an angle of friction 2° less", |a| failing(a, |f| f.less));
+    LoadFactorGroundMore = number("load_factor_ground_more", None, "the same at an angle of friction 2° more", |a| failing(a, |f| f.more));
+    KBf = number("k_BF", None,
+        "horizontal by vertical force at which R/P is 1, if force and moment grow as they stand to each other under the full load",
+        |a| ground(a, |g| g.k_bf));
+    Rotation = number("rotation", Some(Dimension::Angle), "rotation on the elastic base under the full load, raised slowly",
+        |a| elastic(a, |e| e.rotation));
+    KOverturn = number("k_overturn", None,
+        "horizontal by vertical force at which the body overturns on the elastic base if the load is raised slowly, as `k_BF`",
+        |a| elastic(a, |e| e.k_overturn));
+    Period1 = number("period_1", Some(Dimension::Time), "the longer natural period of sway and rocking on the elastic base",
+        |a| elastic(a, |e| e.periods.map(|periods| periods[0])));
+    Period2 = number("period_2", Some(Dimension::Time), "the shorter one", |a| elastic(a, |e| e.periods.map(|periods| periods[1])));
+    DShear = number("D_shear", None, "the largest shear of the base over that of the loads in time", |a| impact(a, |i| i.d_shear));
+    DMoment = number("D_moment", None, "the largest moment about the middle of the base over that of the loads in time",
+        |a| impact(a, |i| i.d_moment));
+    KMoved = number("k_moved", None,
+        "where the loads in time take k of the full load in the k–μ plane, D_shear k; if they alone push and turn the body",
+        |a| elastic(a, |e| e.moved.map(|[k, _]| k)));
+    KPrimeMoved = number("k_prime_moved", None, "the same of k', (1 + k') D_moment/D_shear − 1",
+        |a| elastic(a, |e| e.moved.map(|[_, k_prime]| k_prime)));
+    FirstEvent = word("first_event", &["slip", "lift", "yield"], "what first ends the linear response of the elastic base: the base slips, an edge lifts, or it yields",
+        |a| first_event(a).map_or(ResultValue::Nothing, |(event, _)| ResultValue::Word(event)));
+    FirstEventTime = number("first_event_time", Some(Dimension::Time), "when that is", |a| perhaps(first_event(a).map(|(_, time)| time)));
+
+    KEff = number("k_eff", None, "k of the load in the report's diagram, where it has a point there",
+        |a| a.outcome.full.effective.map_or(ResultValue::Nothing, |reduced| ResultValue::Number(reduced.point.k())));
+    KPrimeEff = number("k_prime_eff", None, "k' of the load in the report's diagram",
+        |a| a.outcome.full.effective.map_or(ResultValue::Nothing, |reduced| ResultValue::Number(reduced.point.k_prime())));
+}
+
+impl ResultName {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        self.info().name
+    }
+
+    /// Its value for a situation.
+    pub fn of(self, assessed: &Assessed) -> ResultValue {
+        (self.info().of)(assessed)
+    }
+
+    /// True if only a case with a `[ground]` has it.
+    pub fn is_of_ground(self) -> bool {
+        (ResultName::Omega..=ResultName::FirstEventTime).contains(&self)
+    }
+
+    /// Its name under `ground` in the JSON; `None` if it stands with the others. Both periods are one list.
+    pub fn in_ground(self) -> Option<&'static str> {
+        match self {
+            ResultName::GroundResistance => Some("resistance"),
+            ResultName::GroundFactor => Some("factor"),
+            ResultName::GroundMargin => Some("margin"),
+            ResultName::Period1 | ResultName::Period2 => Some("periods"),
+            result => Some(result.name()).filter(|_| result.is_of_ground()),
+        }
+    }
+
+    /// The result of a name.
+    pub fn find(name: &str) -> Option<ResultName> {
+        ResultName::ALL.iter().copied().find(|result| result.name() == name)
+    }
+}
+
+fn verdict(verdict: Option<Verdict>) -> ResultValue {
+    verdict.map_or(ResultValue::Nothing, |verdict| ResultValue::Word(verdict.symbol()))
+}
+
+/// A number that may not exist.
+fn perhaps(number: Option<f64>) -> ResultValue {
+    number.map_or(ResultValue::Nothing, ResultValue::Number)
+}
+
+/// A number of what presses on the base, of any case with a rectangular one.
+fn on_base(assessed: &Assessed, of: fn(&Reaction) -> f64) -> ResultValue {
+    let reaction = match &assessed.ground {
+        Some(ground) => ground.reaction,
+        None => Reaction::of(&assessed.situation, 1.0).ok().flatten(),
+    };
+    perhaps(reaction.map(|reaction| of(&reaction)))
+}
+
+/// A number of what the base bears.
+fn ground(assessed: &Assessed, of: fn(&BaseResponse) -> Option<f64>) -> ResultValue {
+    perhaps(assessed.ground.as_ref().and_then(of))
+}
+
+/// A load factor of the ground.
+fn failing(assessed: &Assessed, of: fn(&LoadFactors) -> Option<f64>) -> ResultValue {
+    perhaps(assessed.ground.as_ref().and_then(|ground| of(ground.load_factors.as_ref()?)))
+}
+
+/// A number of an elastic base.
+fn elastic(assessed: &Assessed, of: fn(&Elastic) -> Option<f64>) -> ResultValue {
+    perhaps(assessed.ground.as_ref().and_then(|ground| of(ground.elastic.as_ref()?)))
+}
+
+/// A number of the response to loads in time.
+fn impact(assessed: &Assessed, of: fn(&ImpactResponse) -> Option<f64>) -> ResultValue {
+    let response = assessed.ground.as_ref().and_then(|ground| ground.elastic.as_ref()?.impact.as_ref());
+    perhaps(response.and_then(of))
+}
+
+/// First event that ends the linear response of an elastic base, and its time.
+fn first_event(assessed: &Assessed) -> Option<(&'static str, f64)> {
+    let elastic = assessed.ground.as_ref()?.elastic.as_ref()?;
+    let found = elastic.impact.as_ref()?.first_event()?;
+    Some((event(found.event), found.time?))
+}
+
+/// An event in a word.
+pub fn event(event: ImpactEvent) -> &'static str {
+    match event {
+        ImpactEvent::Slip => "slip",
+        ImpactEvent::Lift => "lift",
+        ImpactEvent::Yield => "yield",
+    }
+}
+
+/// Departure from rest, in a word.
+fn departure(departure: &Departure) -> &'static str {
+    match departure {
+        Departure::Never => "never",
+        Departure::AtOnce { .. } => "at-once",
+        Departure::At { .. } => "at",
+    }
+}
+
+/// A safety factor; one of a lifted body means nothing.
+fn factor(full: &Response, factor: f64) -> ResultValue {
+    if full.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(factor) }
+}
+
+/// Margins of the inequalities of rest under the full load.
+fn margins(assessed: &Assessed) -> Margins {
+    assessed.outcome.margins
+}
+
+fn pressed(assessed: &Assessed, of: impl Fn(f64, f64, f64) -> f64) -> ResultValue {
+    match assessed.outcome.stability.bearing {
+        Bearing::Pressed { heel, toe, contact, .. } => ResultValue::Number(of(heel, toe, contact)),
+        _ => ResultValue::Nothing,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_symbols_those_of_the_modes() {
+        for &result in ResultName::ALL {
+            assert_eq!(ResultName::find(result.name()), Some(result));
+        }
+        let verdicts = (0..=Verdict::BEARING_FAILURE_CODE).filter_map(Verdict::from_code);
+        assert_eq!(SYMBOLS.to_vec(), verdicts.map(Verdict::symbol).collect::<Vec<_>>());
+    }
+}

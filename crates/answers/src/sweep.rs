@@ -1,0 +1,361 @@
+//! A case of which some numbers vary, answered over and over: the rows of a table, the draws of a sample.
+//!
+//! Each answer is that of [`Assessment`] for the case with these values, put in by the one [rule](crate::couple) for several keys,
+//! and its results stand under the names of the one [list](crate::results), behind those of the case as a whole.
+//!
+//! ```
+//! use standfast_answers::results::ResultValue;
+//! use standfast_answers::sweep::{Factor, Sweep, SweepResult};
+//! use standfast_answers::CaseFile;
+//!
+//! let text = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n[[load]]\nforce = 1e6\nelevation = 8\n";
+//! let file = CaseFile::parse("case.toml", text)?;
+//! let sweep = Sweep::of(&file, vec![Factor::find("friction", None, file.inputs())?])?;
+//! let mut scratch = sweep.scratch();
+//! let mode = SweepResult::find("mode").expect("a result");
+//! assert_eq!(sweep.answer(&mut scratch, &[0.6])?.get(mode), ResultValue::Word("RE"));
+//! assert_eq!(sweep.answer(&mut scratch, &[0.2])?.get(mode), ResultValue::Word("SL"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod factor;
+
+use std::sync::Arc;
+
+use standfast::loads::Earthquake;
+
+pub use factor::{Factor, NoFactor, heading};
+
+use crate::assess::{Assessed, Assessment};
+use crate::case::{Case, blamed};
+use crate::couple::{STAYS, Variable, change, moved};
+use crate::criteria::Check;
+use crate::error::{CaseError, Fault, Problem};
+use crate::inputs::{Inputs, Value};
+use crate::key::{Key, Table};
+use crate::results::{ResultKind, ResultName, ResultValue};
+use standfast_model::CaseFile;
+use standfast_model::Warning;
+
+/// A case, and which of its numbers vary.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    inputs: Inputs,
+    case: Case,
+    factors: Vec<Factor>,
+    /// Numbers that go with those that vary, as they are in the case.
+    moved: Vec<(Key, Value)>,
+}
+
+/// The inputs of one answer after the other: one for each thread.
+#[derive(Debug, Clone)]
+pub struct Scratch(Arc<Inputs>);
+
+/// The answer for one set of values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    assessment: Assessment,
+    governing: usize,
+    /// The governing criterion, and whether all are met.
+    check: Option<(Check, bool)>,
+}
+
+/// A result of a case with varied numbers: of the case as a whole, or of the situation that governs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum SweepResult {
+    /// Name of the governing situation.
+    Situation,
+    /// The acceleration of the base that is the worst of those tried, to the right, m/s².
+    EarthquakeHorizontal,
+    /// The acceleration of the base that is the worst of those tried, upwards, m/s².
+    EarthquakeVertical,
+    /// True if all criteria are met.
+    Met,
+    /// Utilisation of the governing criterion.
+    Utilisation,
+    /// The governing criterion.
+    Criterion,
+    /// The names of the warnings about the case; see [`Answer::warnings`].
+    Warnings,
+    /// Of the governing situation.
+    Of(ResultName),
+}
+
+/// The names of criteria, which are those of the keys that ask for them.
+const CRITERIA: [&str; 14] = [
+    "SF_sliding",
+    "SF_overturning",
+    "bearing_max",
+    "contact_share",
+    "eccentricity",
+    "load_factor",
+    "ground_factor",
+    "effective_pressure_max",
+    "rotation_max",
+    "p_not_rest",
+    "slide",
+    "max_theta",
+    "overturned",
+    "modes_not",
+];
+
+impl Sweep {
+    /// The case of a file, and the numbers of it that vary.
+    ///
+    /// # Errors
+    /// If the file's own values do not go together.
+    pub fn of(file: &CaseFile, factors: Vec<Factor>) -> Result<Sweep, CaseError> {
+        if let Some(table) = in_time(file.inputs()) {
+            return Err(file.error(Fault::new(Problem::TableInTime, table)));
+        }
+        let case = file.case()?;
+        let asks = |key: Key| key == Key::GreatestNotRest;
+        let varied = factors.iter().any(|factor| asks(factor.variable().id().key));
+        if varied || case.criteria.iter().any(|criterion| asks(criterion.key)) {
+            let why = "of the rows of a table none is found; `standfast probability` and `design` have it"
+                .to_owned();
+            return Err(file.no_chance(why));
+        }
+        let mut inputs = file.inputs().clone();
+        // What is said of the case is not said again for every answer.
+        [Key::Title, Key::Note].into_iter().for_each(|key| inputs.remove(key.into()));
+        let variables: Vec<_> = factors.iter().map(Factor::variable).collect();
+        let moved = moved(&inputs, &case, &variables).into_iter();
+        let gravity = factors.iter().any(|factor| factor.variable().id().key == Key::Gravity);
+        let factors =
+            if gravity { factors.into_iter().map(Factor::under_any_gravity).collect() } else { factors };
+        let moved = moved.filter_map(|key| Some((key, inputs.get(key)?.clone()))).collect();
+        Ok(Sweep { inputs, case, factors, moved })
+    }
+
+    /// The case of the file.
+    pub fn case(&self) -> &Case {
+        &self.case
+    }
+
+    /// The numbers that vary, in the order of the values of an answer.
+    pub fn factors(&self) -> &[Factor] {
+        &self.factors
+    }
+
+    /// Notes on the numbers that go with those that vary, in sentences.
+    pub fn notes(&self) -> Vec<String> {
+        notes(&self.factors.iter().map(Factor::variable).collect::<Vec<_>>(), &self.inputs, &self.case)
+    }
+
+    /// The names of the situations, by their places; none where there is only one.
+    pub fn situations(&self) -> Vec<String> {
+        let acting = self.case.acting();
+        acting.into_iter().filter_map(|acting| self.case.acting_name(acting)).collect()
+    }
+
+    /// The results that the case has, in the order in which they are shown.
+    pub fn results(&self) -> Vec<SweepResult> {
+        let asked = |factor: &Factor| factor.variable().id().key.info().table == Table::Criteria;
+        let has_criteria = !self.case.criteria.is_empty() || self.factors.iter().any(asked);
+        SweepResult::all()
+            .filter(|result| match result {
+                SweepResult::Situation => !self.situations().is_empty(),
+                SweepResult::EarthquakeHorizontal | SweepResult::EarthquakeVertical => {
+                    self.case.earthquake.is_some()
+                }
+                SweepResult::Met | SweepResult::Utilisation | SweepResult::Criterion => has_criteria,
+                SweepResult::Of(name) => !name.is_of_ground() || self.case.ground.is_some(),
+                SweepResult::Warnings => true,
+            })
+            .collect()
+    }
+
+    /// Inputs to answer with.
+    pub fn scratch(&self) -> Scratch {
+        Scratch(Arc::new(self.inputs.clone()))
+    }
+
+    /// The answer for these values, one for each number that varies.
+    ///
+    /// # Errors
+    /// If the case cannot have these values.
+    pub fn answer(&self, Scratch(inputs): &mut Scratch, values: &[f64]) -> Result<Answer, Fault> {
+        let shared = inputs;
+        let inputs = Arc::make_mut(shared);
+        for (key, value) in &self.moved {
+            inputs.put((*key).into(), value.clone());
+        }
+        let variables = self.factors.iter().map(Factor::variable);
+        change(inputs, &self.inputs, &self.case, variables.zip(values.iter().copied()));
+        for (factor, value) in self.factors.iter().zip(values).filter(|(factor, _)| factor.counts_gravity()) {
+            inputs.put(factor.variable().id(), Value::InGravity(*value));
+        }
+        let case = Case::sharing(Arc::clone(shared))?;
+        let assessment = Assessment::owning(case).map_err(|error| blamed(shared, error))?;
+        Ok(Answer::of(assessment))
+    }
+
+    /// Places of the varied numbers that a fault is about; none if it is about others.
+    pub fn blamed(&self, fault: &Fault) -> Vec<usize> {
+        let places = || std::iter::once(fault.at).chain(fault.and);
+        let is_it = |factor: &Factor| places().any(|place| place == factor.variable().id().into());
+        (0..self.factors.len()).filter(|place| is_it(&self.factors[*place])).collect()
+    }
+}
+
+/// The table that makes a case one in time, where it is so.
+fn in_time(inputs: &Inputs) -> Option<Table> {
+    let of_time = |table: &Table| {
+        inputs.has(*table) && (table.is_of_motion() || table.is_history() || *table == Table::Block)
+    };
+    Table::ALL.into_iter().filter(|_| inputs.is_in_time()).find(of_time)
+}
+
+/// Notes on the numbers that go with variables of a case, in sentences.
+pub(crate) fn notes(variables: &[&Variable], inputs: &Inputs, case: &Case) -> Vec<String> {
+    let mut notes = Vec::new();
+    let names: Vec<_> = moved(inputs, case, variables).into_iter().map(|key| key.to_string()).collect();
+    if !names.is_empty() {
+        notes.push(format!("{} with what varies: {}.", goes(names.len()), names.join(", ")));
+    }
+    if variables.iter().flat_map(|variable| variable.notes(inputs, case)).any(|note| note == STAYS) {
+        notes.push(STAYS.to_owned());
+    }
+    notes
+}
+
+fn goes(count: usize) -> &'static str {
+    if count == 1 { "Goes" } else { "Go" }
+}
+
+impl Answer {
+    fn of(assessment: Assessment) -> Answer {
+        let checks = assessment.checks();
+        let check = checks.first().map(|first| (first.check, checks.iter().all(|check| check.check.met)));
+        let governing = assessment.governing().index;
+        Answer { assessment, governing, check }
+    }
+
+    /// Everything that is said about the case with these values.
+    pub fn assessment(&self) -> &Assessment {
+        &self.assessment
+    }
+
+    /// Warnings of the case with these values.
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.assessment.case.warnings()
+    }
+
+    /// The situation that governs.
+    pub fn governing(&self) -> &Assessed {
+        &self.assessment.all[self.governing]
+    }
+
+    /// A result; which situation governs, by its place among them.
+    pub fn get(&self, result: SweepResult) -> ResultValue {
+        let shaken = |of: fn(&Earthquake) -> f64| {
+            self.governing()
+                .earthquake
+                .as_ref()
+                .map_or(ResultValue::Nothing, |earthquake| ResultValue::Number(of(earthquake)))
+        };
+        match result {
+            SweepResult::Situation => ResultValue::Number(self.governing as f64),
+            SweepResult::EarthquakeHorizontal => shaken(Earthquake::horizontal),
+            SweepResult::EarthquakeVertical => shaken(Earthquake::vertical),
+            SweepResult::Met => self.check.map_or(ResultValue::Nothing, |(_, met)| ResultValue::Truth(met)),
+            SweepResult::Utilisation => {
+                let used = self.check.and_then(|(check, _)| check.utilisation);
+                used.map_or(ResultValue::Nothing, ResultValue::Number)
+            }
+            // They are more than one value.
+            SweepResult::Warnings => ResultValue::Nothing,
+            SweepResult::Criterion => {
+                let name = self.check.map(|(check, _)| check.criterion.name());
+                name.map_or(ResultValue::Nothing, ResultValue::Word)
+            }
+            SweepResult::Of(name) => name.of(self.governing()),
+        }
+    }
+}
+
+impl SweepResult {
+    /// All of them, in the order in which they are shown.
+    pub fn all() -> impl Iterator<Item = SweepResult> {
+        let of_case = [
+            SweepResult::Situation,
+            SweepResult::EarthquakeHorizontal,
+            SweepResult::EarthquakeVertical,
+            SweepResult::Met,
+            SweepResult::Utilisation,
+            SweepResult::Criterion,
+            SweepResult::Warnings,
+        ];
+        of_case.into_iter().chain(ResultName::ALL.iter().copied().map(SweepResult::Of))
+    }
+
+    /// The result of a name.
+    pub fn find(name: &str) -> Option<SweepResult> {
+        SweepResult::all().find(|result| result.name() == name)
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            SweepResult::Situation => "situation",
+            SweepResult::EarthquakeHorizontal => "earthquake_horizontal",
+            SweepResult::EarthquakeVertical => "earthquake_vertical",
+            SweepResult::Met => "met",
+            SweepResult::Utilisation => "utilisation",
+            SweepResult::Criterion => "criterion",
+            SweepResult::Warnings => "warnings",
+            SweepResult::Of(name) => name.name(),
+        }
+    }
+
+    /// Kind of its values; for the situation, which is one of the [names](Sweep::situations) of the case, a number that is its
+    /// place among them.
+    pub fn kind(self) -> ResultKind {
+        use crate::units::Dimension::Acceleration;
+        match self {
+            SweepResult::Situation | SweepResult::Utilisation => ResultKind::Number(None),
+            SweepResult::EarthquakeHorizontal | SweepResult::EarthquakeVertical => {
+                ResultKind::Number(Some(Acceleration))
+            }
+            SweepResult::Met => ResultKind::Truth,
+            SweepResult::Criterion => ResultKind::Word(&CRITERIA),
+            SweepResult::Warnings => ResultKind::Names,
+            SweepResult::Of(name) => name.info().kind,
+        }
+    }
+
+    /// Its meaning, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            SweepResult::Situation => {
+                "the situation that governs, whose results these are: the force that acts alone, or the combination"
+            }
+            SweepResult::EarthquakeHorizontal => {
+                "the acceleration of the base that is the worst of those tried, to the right"
+            }
+            SweepResult::EarthquakeVertical => "the same upwards",
+            SweepResult::Met => "whether all criteria are met",
+            SweepResult::Utilisation => {
+                "what is used of the governing criterion, met up to 1; none for `modes_not`"
+            }
+            SweepResult::Criterion => "the governing criterion",
+            SweepResult::Warnings => "the names of the warnings about the case, which may be slips",
+            SweepResult::Of(name) => name.info().words,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_criteria_those_of_the_keys() {
+        for result in SweepResult::all() {
+            assert_eq!(SweepResult::find(result.name()), Some(result));
+        }
+        assert_eq!(CRITERIA.to_vec(), Table::Criteria.keys().map(Key::name).collect::<Vec<_>>());
+    }
+}

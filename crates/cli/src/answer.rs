@@ -1,0 +1,52 @@
+//! An answer that a command prints, with its figures.
+
+use std::path::Path;
+
+use standfast_cases::Document;
+
+use crate::figures::{self, FigureError, Figures};
+use crate::files_read::FilesRead;
+use crate::format::Format;
+
+/// An answer to print, and why a figure of it could not be written, if it could not: the answer is not lost with it.
+#[derive(Debug)]
+pub struct PrintedAnswer {
+    /// The answer to print.
+    pub answer: String,
+    /// Error that prevented a figure.
+    pub undrawn: Option<FigureError>,
+    /// True if all criteria are met; `None` where there are none.
+    pub met: Option<bool>,
+}
+
+impl PrintedAnswer {
+    /// An answer without figures and criteria.
+    pub fn plain(answer: String) -> PrintedAnswer {
+        PrintedAnswer { answer, undrawn: None, met: None }
+    }
+
+    /// The answer to a case file, its figures written over no file that was `read`.
+    pub fn of<D: Document + ?Sized>(
+        answer: &D,
+        view: &D::View,
+        format: Format,
+        figures: Figures<'_>,
+        (case, read): (&Path, &FilesRead),
+    ) -> PrintedAnswer {
+        let mut drawn = Vec::new();
+        let undrawn = if figures.are_drawn() {
+            let all = answer.figures(view).map_err(FigureError::from);
+            all.and_then(|all| figures.write(case, read, all, &mut drawn)).err()
+        } else {
+            None
+        };
+        let answer = match format {
+            Format::Text => {
+                let gap = if drawn.is_empty() && undrawn.is_none() { "" } else { "\n" };
+                answer.text(view) + gap + &figures::said(&drawn)
+            }
+            Format::Json => answer.json(view, &figures::files(drawn)),
+        };
+        PrintedAnswer { answer, undrawn, met: None }
+    }
+}

@@ -1,0 +1,527 @@
+//! A case: one body and the loads on it, from typed [`Inputs`] that go together.
+//!
+//! ```
+//! use standfast_model::{Acting, CaseFile};
+//!
+//! let text = r#"
+//! [body]
+//! width = "15 m"
+//! height = "12 m"
+//! density = "2.1 t/m3"
+//! friction = 0.6
+//!
+//! [[load]]
+//! force = "450 kN/m"
+//! elevation = "8 m"
+//! "#;
+//! let case = CaseFile::parse("case.toml", text)?.case()?;
+//! assert_eq!(case.body.mass(), 378_000.0);
+//! assert_eq!(case.forces[0].magnitude, 450_000.0);
+//! let outcome = case.situation(Acting::Alone(0), None)?.outcome()?;
+//! assert_eq!(outcome.full.mode(), Some(standfast::Mode::Rest));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Nothing here reads text, so that a case may be varied millions of times.
+
+mod ground;
+mod history;
+mod loads;
+mod motion;
+mod reader;
+mod section;
+
+use std::sync::Arc;
+
+use standfast::loads::{
+    Action, AddedMass, Earthquake, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
+};
+use standfast::section::{Part, Section, WaterTable};
+use standfast::wave::{self, Choices, Goda, Heights, Sea};
+use standfast::{Ball, Body, InputError, Scalar, Situation};
+
+pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
+pub(crate) use history::HistoryOf;
+pub use history::history_shapes;
+pub use loads::{Combination, Direction, FacePressure, PointForce};
+pub use motion::CaseMotion;
+pub(crate) use reader::{Reader, motion_fault};
+pub use reader::{blamed, check_ranges};
+pub use section::OF_PARTS;
+
+use crate::criteria::Criterion;
+use crate::error::{Fault, Place, Problem};
+use crate::inputs::{GRAVITY, Inputs};
+use crate::key::{Id, Key, Table};
+use crate::units::Extent;
+
+/// A case: one body and the loads on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case<T = f64> {
+    /// Title of the case.
+    pub title: Option<String>,
+    /// Note on the source of its numbers.
+    pub note: Option<String>,
+    /// Acceleration of gravity, m/s².
+    pub gravity: T,
+    /// Extent of forces, masses and moments: a metre run or the whole body.
+    pub extent: Extent,
+    /// The body.
+    pub body: Body<T>,
+    /// Its section, where it is made of parts.
+    pub section: Option<Section>,
+    /// Under which line they are wet.
+    pub water_table: Option<WaterTable>,
+    /// The names of its parts.
+    pub part_names: Vec<Option<String>>,
+    /// Coulomb friction μ between body and base, to stick.
+    pub friction: T,
+    /// Coulomb friction μ to slip.
+    pub kinetic_friction: T,
+    /// Strength and stiffness of the base; `None` of one that is rigid.
+    pub ground: Option<Foundation>,
+    /// Part that water takes in the weight.
+    pub weight: Weight<T>,
+    /// Still water.
+    pub water: Option<StillWater<T>>,
+    /// Pressures under the base.
+    pub uplift: Option<Uplift<T>>,
+    /// Acceleration of the base, as given.
+    pub earthquake: Option<Earthquake<T>>,
+    /// True if it may be to the other side as well.
+    pub both_sides: bool,
+    /// True if it may be downwards as well as upwards.
+    pub both_ways: bool,
+    /// Waves.
+    pub wave: Option<Waves>,
+    /// Water that a horizontal motion carries along.
+    pub added_mass: AddedMass<T>,
+    /// Pressures along faces.
+    pub pressures: Vec<FacePressure<T>>,
+    /// Forces.
+    pub forces: Vec<PointForce<T>>,
+    /// Loads that act together, and their factors.
+    pub combinations: Vec<Combination>,
+    /// Criteria on the results.
+    pub criteria: Vec<Criterion>,
+    /// Its motion in time; `None` of one at rest, and of one whose histories are those of loads on springs.
+    pub motion: Option<CaseMotion>,
+    /// Inputs it was made of, whose decimals decide where f64 cannot.
+    pub(crate) inputs: Arc<Inputs>,
+}
+
+/// Loads of a case that act in a situation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Acting {
+    /// All: the case leaves no choice.
+    All,
+    /// Of the forces that act alone this one, by its place, beside all other loads.
+    Alone(usize),
+    /// Those of a combination, by its place, times its factors.
+    Combination(usize),
+}
+
+/// Meaning of the weight of the body: with or without buoyancy.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Weight<T = f64> {
+    /// m g; water under the base is a load of its own.
+    Total,
+    /// W', from which buoyancy is taken off already.
+    Buoyant {
+        /// W', N per metre run.
+        force: T,
+        /// Its arm to O, m.
+        arm: T,
+    },
+}
+
+/// Waves from the right, and what they amount to by Goda's formulas.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Waves {
+    /// The sea.
+    pub sea: Sea,
+    /// The wave heights as they are given.
+    pub heights: Heights,
+    /// The caisson and its berm.
+    pub section: wave::CaissonSection,
+    /// The choices in the formulas.
+    pub choices: Choices,
+    /// The pressures, forces and moments.
+    pub goda: Goda,
+    /// Variation of thrust and uplift in time.
+    pub history: Option<standfast::History>,
+}
+
+impl Case {
+    /// The case of inputs.
+    ///
+    /// # Errors
+    /// If a value is missing, out of its range, or does not go with the others.
+    pub fn of(inputs: &Inputs) -> Result<Case, Fault> {
+        Case::sharing(Arc::new(inputs.clone()))
+    }
+
+    /// The case of inputs that are shared.
+    pub fn sharing(inputs: Arc<Inputs>) -> Result<Case, Fault> {
+        Case::in_scalars(inputs)
+    }
+
+    /// A [situation](Case::situation) under an acceleration of the base by its [signs](Case::shakings), decided by the numbers as
+    /// they are written where f64 could put it on the other side of a boundary.
+    ///
+    /// # Errors
+    /// If the numbers of a changed case are out of range.
+    pub fn decided(&self, acting: Acting, shaking: Option<[f64; 2]>) -> Result<Situation, InputError> {
+        let situation = self.situation(acting, shaking.and_then(|signs| self.shaken(signs)))?;
+        Ok(if situation.is_near_boundary() { self.as_written(situation, acting, shaking) } else { situation })
+    }
+
+    /// The situation decided by the numbers as they are written.
+    pub fn as_written(&self, situation: Situation, acting: Acting, shaking: Option<[f64; 2]>) -> Situation {
+        let written = Case::<Ball>::in_scalars(Arc::clone(&self.inputs)).ok();
+        let written = written
+            .and_then(|case| case.situation(acting, shaking.and_then(|signs| case.shaken(signs))).ok());
+        match written {
+            Some(written) => situation.as_written(&written),
+            None => situation,
+        }
+    }
+
+    /// The case without its earthquake.
+    pub fn unshaken(self) -> Case {
+        Case { earthquake: None, ..self }
+    }
+
+    /// The case with other waves.
+    pub fn with_waves(&self, waves: Waves) -> Case {
+        Case { wave: Some(waves), ..self.clone() }
+    }
+
+    /// Part that water takes in the weight, in words.
+    pub fn weight_words(&self) -> &'static str {
+        match (self.weight, &self.water) {
+            (Weight::Buoyant { .. }, _) => "buoyant weight, as given",
+            (Weight::Total, Some(_)) => "total weight with explicit pressures",
+            (Weight::Total, None) => "total weight, no still water",
+        }
+    }
+}
+
+impl<T: Scalar> Case<T> {
+    /// The case of inputs in any arithmetic.
+    fn in_scalars(shared: Arc<Inputs>) -> Result<Case<T>, Fault> {
+        let inputs = &*shared;
+        let given = Reader { inputs };
+        given.ranges()?;
+        let in_place = [Table::Block, Table::Point, Table::Storm].into_iter();
+        if let Some(table) = in_place
+            .filter(|table| inputs.has(*table))
+            .find(|table| *table != Table::Storm || !inputs.has(Table::Body))
+        {
+            return Err(Fault::new(Problem::NoCase { table }, table));
+        }
+        given.of_motion()?;
+        if !inputs.has(Table::Body) {
+            return Err(Fault::new(Problem::MissingTable { table: Table::Body }, Table::Top));
+        }
+        let gravity = given.scalar(Key::Gravity).unwrap_or_else(|| T::written(GRAVITY));
+        let (body, section) = given.body::<T>()?;
+        let friction: T = given.needed(Key::Friction)?;
+        let kinetic_friction = given.kinetic_friction(friction.clone())?;
+        let weight = given.weight(&body, section.as_ref())?;
+        let ground = given.in_table(Table::Ground, |given| given.ground(&body.rounded()))?;
+        given.answerable(ground.as_ref())?;
+        let mut motion = if inputs.is_in_time() { Some(given.motion(HistoryOf::Base)?) } else { None };
+        let wave = given
+            .in_table(Table::Wave, |given| given.waves(&body.rounded(), gravity.value(), motion.as_mut()))?;
+        let water = match (inputs.has(Table::Water), &weight, &wave) {
+            (true, Weight::Buoyant { .. }, _) => return Err(Fault::new(Problem::WaterTwice, Table::Water)),
+            (false, Weight::Total, Some(_)) => return Err(Fault::new(Problem::NoWater, Table::Wave)),
+            (true, Weight::Total, wave) => Some(given.water(&body, wave.as_ref())?),
+            (false, _, _) => None,
+        };
+        let uplift = given.in_table(Table::Uplift, Reader::uplift)?;
+        let earthquake = given.in_table(Table::Earthquake, Reader::earthquake)?;
+        let added_mass = given
+            .in_table(Table::AddedMass, |given| given.added_mass(&body, water.as_ref(), wave.as_ref()))?;
+        // A body on a base that moves needs no load.
+        const OTHER_LOADS: [Table; 6] =
+            [Table::Water, Table::Uplift, Table::Earthquake, Table::Wave, Table::Pressure, Table::Motion];
+        if !inputs.has(Table::Load) && !OTHER_LOADS.iter().any(|table| inputs.has(*table)) {
+            return Err(Fault::new(Problem::MissingTable { table: Table::Load }, Table::Top));
+        }
+        let every = |table| 0..inputs.count(table);
+        let forces: Vec<_> = every(Table::Load)
+            .map(|index| given.force(index, &body, motion.as_mut()))
+            .collect::<Result<_, _>>()?;
+        let pressures: Vec<_> =
+            every(Table::Pressure).map(|index| given.pressure(index, &body)).collect::<Result<_, _>>()?;
+        let combinations =
+            every(Table::Combination).map(|index| given.combination(index, &forces, &pressures));
+        let combinations = combinations.collect::<Result<_, _>>()?;
+        let case = Case {
+            title: inputs.text(Key::Title).map(str::to_owned),
+            note: inputs.text(Key::Note).map(str::to_owned),
+            gravity,
+            extent: inputs.extent(),
+            body,
+            section,
+            water_table: given.water_table(),
+            part_names: given.part_names(),
+            friction,
+            kinetic_friction,
+            ground,
+            weight,
+            water,
+            uplift,
+            earthquake,
+            both_sides: !inputs.truth(Key::HorizontalFixed).unwrap_or(false),
+            both_ways: !inputs.truth(Key::VerticalFixed).unwrap_or(false),
+            wave,
+            added_mass: match added_mass {
+                Some(water) => water,
+                None => AddedMass::of(T::of(0.0)).map_err(|error| given.blame(Table::Body, error))?,
+            },
+            pressures,
+            forces,
+            combinations,
+            criteria: Criterion::all(inputs),
+            motion,
+            inputs: Arc::clone(&shared),
+        };
+        case.bare().map_err(|error| given.blame(Table::Body, error))?;
+        Ok(case)
+    }
+
+    /// The acceleration of the base times signs, to the sides and upwards.
+    pub fn shaken(&self, [side, way]: [f64; 2]) -> Option<Earthquake<T>> {
+        self.earthquake.as_ref().map(|given| given.turned(side, way))
+    }
+
+    /// The body under the loads that act, the base shaken in one of the ways that are tried or else as given.
+    ///
+    /// # Errors
+    /// If the numbers of a changed case are out of range.
+    ///
+    /// # Panics
+    /// If there is no such force or combination.
+    pub fn situation(
+        &self,
+        acting: Acting,
+        earthquake: Option<Earthquake<T>>,
+    ) -> Result<Situation<T>, InputError> {
+        let mut situation = self.bare()?;
+        for (of, load) in self.loads(acting, earthquake.or_else(|| self.earthquake.clone())) {
+            let factor = match acting {
+                Acting::Combination(index) => self.factor_as_written(index, of, &load),
+                Acting::All | Acting::Alone(_) => T::of(1.0),
+            };
+            if factor != T::of(0.0) {
+                situation = situation.with(load.times(factor).with_id(of.into()));
+            }
+        }
+        Ok(situation)
+    }
+
+    /// The body without loads.
+    fn bare(&self) -> Result<Situation<T>, InputError> {
+        let situation = Situation::new(self.body.clone(), self.friction.clone(), self.gravity.clone())?
+            .with_kinetic_friction(self.kinetic_friction.clone())?;
+        Ok(situation.with_added_mass(self.added_mass.clone()))
+    }
+
+    /// All loads of the case but for alternatives to the one that acts, and what each is of.
+    fn loads(&self, acting: Acting, earthquake: Option<Earthquake<T>>) -> Vec<(LoadOrigin, Load<T>)> {
+        let weight = match self.weight.clone() {
+            Weight::Total => Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight),
+            Weight::Buoyant { force, arm } => {
+                let action = Action::vertical(&self.body, force, arm);
+                Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, action)
+            }
+        };
+        let mut loads = vec![(LoadOrigin::Table(Table::Body), weight)];
+        let mut add = |of, more: Vec<Load<T>>| loads.extend(more.into_iter().map(|load| (of, load)));
+        let over_time = |load: Load<T>, history: &Option<standfast::History>| match history {
+            Some(history) => load.over_time(history.clone()),
+            None => load,
+        };
+        if let Some(water) = &self.water {
+            add(LoadOrigin::Table(Table::Water), water.loads(&self.body, self.gravity.clone()));
+            if let Some(section) = &self.section {
+                let (body, gravity) = (self.body.rounded(), self.gravity.value());
+                let on_sides = section.water_on_sides(&body, &water.rounded(), gravity).into_iter();
+                add(LoadOrigin::Table(Table::Water), on_sides.map(Load::computed).collect());
+            }
+        }
+        if let Some(uplift) = &self.uplift {
+            add(LoadOrigin::Table(Table::Uplift), vec![uplift.load(&self.body)]);
+        }
+        if let Some(earthquake) = earthquake {
+            add(LoadOrigin::Table(Table::Earthquake), earthquake.loads(&self.added_mass));
+        }
+        if let Some(Waves { goda, section, history, .. }) = &self.wave {
+            let waves = goda.loads(&self.body.rounded(), section.base_depth).into_iter().map(Load::computed);
+            add(LoadOrigin::Table(Table::Wave), waves.map(|load| over_time(load, history)).collect());
+        }
+        for (index, pressure) in self.pressures.iter().enumerate() {
+            add(LoadOrigin::Pressure(index), vec![pressure.load()]);
+        }
+        for (index, force) in self.forces.iter().enumerate() {
+            let replaced = matches!(acting, Acting::Alone(alone) if alone != index && force.acts_alone());
+            if !replaced {
+                add(LoadOrigin::Force(index), vec![over_time(force.load(&self.body), &force.history)]);
+            }
+        }
+        loads
+    }
+
+    /// Factor of a combination on a load: one that it does not name acts as it is if it is permanent, and else not.
+    fn factor(&self, combination: &Combination, of: LoadOrigin, load: &Load<T>) -> f64 {
+        let factor = self.called(of).and_then(|name| combination.factor(name));
+        factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
+    }
+
+    /// The same factor of a combination, by its place, with all its decimals.
+    fn factor_as_written(&self, index: usize, of: LoadOrigin, load: &Load<T>) -> T {
+        let combination = &self.combinations[index];
+        let named = |name| combination.factors.iter().position(|(known, _)| known == name);
+        let factor = self.factor(combination, of, load);
+        let id = Id::new(Key::LoadFactors, index);
+        self.called(of)
+            .and_then(named)
+            .map_or_else(|| T::written(factor), |place| self.inputs.element(id, place, factor))
+    }
+
+    /// The name by which a combination calls a load.
+    fn called(&self, of: LoadOrigin) -> Option<&str> {
+        match of {
+            LoadOrigin::Table(table) => table.in_combination(),
+            LoadOrigin::Pressure(index) => self.pressures[index].name.as_deref(),
+            LoadOrigin::Force(index) => self.forces[index].name.as_deref(),
+        }
+    }
+}
+
+impl Case {
+    /// True if its base may crush, or the ground under it fail.
+    pub fn gives_way(&self) -> bool {
+        self.ground.is_some_and(|ground| ground.limit.is_some())
+    }
+
+    /// Loads that act together: in each combination; or else beside each force that acts alone; or else all.
+    pub fn acting(&self) -> Vec<Acting> {
+        if !self.combinations.is_empty() {
+            return (0..self.combinations.len()).map(Acting::Combination).collect();
+        }
+        let alone = self.forces.iter().enumerate().filter(|(_, force)| force.acts_alone());
+        let alone: Vec<_> = alone.map(|(index, _)| Acting::Alone(index)).collect();
+        if alone.is_empty() { vec![Acting::All] } else { alone }
+    }
+
+    /// The accelerations of the base that are tried: as given, and unless that is fixed to the other side, and down for up; none
+    /// where no earthquake acts.
+    pub fn earthquakes(&self, acting: Acting) -> Vec<Earthquake> {
+        let turned = self.shakings(acting).into_iter().map(|signs| self.shaken(signs));
+        turned.flatten().collect()
+    }
+
+    /// By what signs the acceleration of the base is multiplied in turn, to the sides and upwards; none where no earthquake acts.
+    pub fn shakings(&self, acting: Acting) -> Vec<[f64; 2]> {
+        self.shakings_if(acting, [false; 2])
+    }
+
+    /// Signs of the accelerations that are tried where the one to the sides, or upwards, may be another than the case's, which may be zero.
+    pub fn shakings_if(&self, acting: Acting, moved: [bool; 2]) -> Vec<[f64; 2]> {
+        let acts = self.earthquake_factor(acting) != 0.0;
+        let Some(given) = self.earthquake.filter(|_| acts) else { return Vec::new() };
+        let signs = |both: bool, value: f64, moved: bool| {
+            if both && (moved || value != 0.0) { &[1.0, -1.0][..] } else { &[1.0] }
+        };
+        let sides = signs(self.both_sides, given.horizontal(), moved[0]);
+        let ways = signs(self.both_ways, given.vertical(), moved[1]);
+        sides.iter().flat_map(|side| ways.iter().map(move |way| [*side, *way])).collect()
+    }
+
+    /// Factor on the earthquake: that of a combination, which may be zero.
+    pub fn earthquake_factor(&self, acting: Acting) -> f64 {
+        match (acting, Table::Earthquake.in_combination()) {
+            (Acting::Combination(index), Some(name)) => self.combinations[index].factor(name).unwrap_or(0.0),
+            _ => 1.0,
+        }
+    }
+
+    /// The parts of the body, with their names.
+    pub fn parts(&self) -> impl Iterator<Item = (Option<&str>, &Part)> {
+        let parts = self.section.iter().flat_map(Section::parts);
+        self.part_names.iter().map(Option::as_deref).zip(parts)
+    }
+
+    /// Variable loads that act in no combination: the table each is of, and its place.
+    pub(crate) fn unused(&self) -> Vec<Place> {
+        if self.combinations.is_empty() {
+            return Vec::new();
+        }
+        let loads = self.loads(Acting::All, self.earthquake);
+        let unused = loads.iter().filter(|(of, load)| {
+            !load.permanent
+                && self.combinations.iter().all(|combination| self.factor(combination, *of, load) == 0.0)
+        });
+        let mut places: Vec<_> = unused.map(|(of, _)| of.place()).collect();
+        places.dedup();
+        places
+    }
+
+    /// The name of a situation: its force that acts alone or its combination, or the number of it, counted from one.
+    pub fn acting_name(&self, acting: Acting) -> Option<String> {
+        match acting {
+            Acting::All => None,
+            Acting::Alone(index) => {
+                Some(self.forces[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1)))
+            }
+            Acting::Combination(index) => {
+                let name = &self.combinations[index].name;
+                Some(name.clone().unwrap_or_else(|| format!("combination {}", index + 1)))
+            }
+        }
+    }
+}
+
+/// Source of a load, by which a combination names it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum LoadOrigin {
+    /// A table of the case.
+    Table(Table),
+    /// A pressure, by its place.
+    Pressure(usize),
+    /// A force, by its place.
+    Force(usize),
+}
+
+impl LoadOrigin {
+    /// The table of the file that says it.
+    fn place(self) -> Place {
+        match self {
+            LoadOrigin::Table(table) => Place::Table(table, 0),
+            LoadOrigin::Pressure(index) => Place::Table(Table::Pressure, index),
+            LoadOrigin::Force(index) => Place::Table(Table::Load, index),
+        }
+    }
+}
+
+/// The table that says a load is the upper half of its number, the place of the table the lower.
+impl From<LoadOrigin> for LoadId {
+    fn from(of: LoadOrigin) -> LoadId {
+        let (table, index) = match of {
+            LoadOrigin::Table(table) => (table, 0),
+            LoadOrigin::Pressure(index) => (Table::Pressure, index),
+            LoadOrigin::Force(index) => (Table::Load, index),
+        };
+        LoadId((table as u64) << 32 | index as u64)
+    }
+}
+
+/// The table of the file that says a load of a [situation](Case::situation).
+pub(crate) fn said_by(LoadId(id): LoadId) -> Place {
+    let table = Table::ALL.into_iter().find(|table| *table as u64 == id >> 32).unwrap_or(Table::Top);
+    Place::Table(table, (id & u64::from(u32::MAX)) as usize)
+}

@@ -1,0 +1,108 @@
+//! From typed inputs to the motion in time: how the base moves, how corners meet it, how the motion begins, what is asked of it.
+
+use standfast_motion::{BaseMotion, Impact, Initial, MotionError};
+
+use super::Reader;
+use super::history::{HistoryOf, ReadHistory};
+use crate::criteria::MotionCriterion;
+use crate::error::{Fault, Place, Problem};
+use crate::key::{Id, Key, Table};
+use crate::motion::MotionWarning;
+
+/// Motion of a case in time, as its file gives it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseMotion {
+    /// Motion of the base, m/s².
+    pub base: BaseMotion,
+    /// Impact of a corner on the base.
+    pub impact: Impact,
+    /// State in which the motion begins.
+    pub initial: Initial,
+    /// Time at which to stop at the latest, s.
+    pub t_max: Option<f64>,
+    /// Criteria on the motion.
+    pub criteria: Vec<MotionCriterion>,
+    /// Warnings of possible slips in its histories.
+    pub(crate) warnings: Vec<MotionWarning>,
+    /// The longest step between the points of a record, s.
+    pub(crate) step: Option<f64>,
+}
+
+impl CaseMotion {
+    /// Puts the warnings of a history beside the others, and passes on the history.
+    pub(crate) fn take(&mut self, read: ReadHistory) -> standfast::History {
+        self.warnings.extend(read.warnings);
+        self.step = [self.step, read.step].into_iter().flatten().reduce(f64::max);
+        read.history
+    }
+}
+
+impl Reader<'_> {
+    /// The motion in time; `of` is what the accelerations of the base are of.
+    pub(crate) fn motion(&self, of: HistoryOf<'_>) -> Result<CaseMotion, Fault> {
+        let mut motion = CaseMotion {
+            base: BaseMotion::default(),
+            impact: self.impact()?,
+            initial: self.initial(),
+            t_max: self.number(Key::TMax),
+            criteria: MotionCriterion::all(self.inputs)?,
+            warnings: Vec::new(),
+            step: None,
+        };
+        let horizontal = self.history(Table::BaseHorizontal, 0, of)?;
+        motion.base.horizontal = horizontal.map(|read| motion.take(read));
+        let vertical = self.history(Table::BaseVertical, 0, of)?;
+        motion.base.vertical = vertical.map(|read| motion.take(read));
+        if motion.base != BaseMotion::default() && self.inputs.has(Table::Earthquake) {
+            return Err(Fault::new(Problem::ShakenTwice, Table::Base).and(Table::Earthquake));
+        }
+        Ok(motion)
+    }
+
+    fn impact(&self) -> Result<Impact, Fault> {
+        if !self.inputs.has(Table::Impact) {
+            return Ok(Impact::default());
+        }
+        let law = self.inputs.choice(Key::ImpactLaw);
+        let law = law.ok_or_else(|| self.missing(Key::ImpactLaw, 0))?;
+        match (law, self.number(Key::ImpactRatio)) {
+            ("ratio", ratio) => Ok(Impact::Ratio(ratio.ok_or_else(|| self.missing(Key::ImpactRatio, 0))?)),
+            (_, Some(_)) => Err(Fault::new(Problem::RatioOfOtherLaw, Key::ImpactRatio)),
+            ("housner", None) => Ok(Impact::Housner),
+            (_, None) => Ok(Impact::Inelastic),
+        }
+    }
+
+    fn initial(&self) -> Initial {
+        let or_zero = |key| self.number(key).unwrap_or(0.0);
+        Initial {
+            theta: or_zero(Key::InitialTheta),
+            omega: or_zero(Key::InitialOmega),
+            vx: self.number(Key::InitialVx),
+            vy: self.number(Key::InitialVy),
+            gap: or_zero(Key::InitialGap),
+        }
+    }
+
+    /// Refusal by the motion, shown at the key it is about.
+    pub(crate) fn motion_refused(&self, error: MotionError) -> Fault {
+        let named = |name: &str| {
+            let tables = [Table::Motion, Table::Impact, Table::Initial, Table::Block];
+            let keys = tables.into_iter().flat_map(Table::keys).filter(|key| key.name() == name);
+            keys.map(Id::from).find(|id| self.inputs.get(*id).is_some())
+        };
+        let at = match &error {
+            MotionError::Input(error) => return self.blame(Table::Block, *error),
+            MotionError::Value { name, .. } => named(name).map(Place::from),
+            MotionError::Ratio { .. } => Some(Key::ImpactRatio.into()),
+            MotionError::Acceleration { name, .. } => {
+                let tables = [Table::BaseHorizontal, Table::BaseVertical].into_iter();
+                tables.filter(|table| table.name() == *name).map(Place::from).next()
+            }
+            MotionError::WaterWithoutHeight { .. } => Some(Key::WaterMass.into()),
+            _ => None,
+        };
+        let whole = [Table::Motion, Table::Block].into_iter().find(|table| self.inputs.has(*table));
+        Fault::new(Problem::Motion(error), at.unwrap_or_else(|| whole.unwrap_or(Table::Top).into()))
+    }
+}

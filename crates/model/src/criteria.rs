@@ -1,0 +1,198 @@
+//! Criteria of a case: required factors, allowable pressures, modes not allowed, and how far a body may move.
+//!
+//! A criterion is a result with a bound, or the modes that are not allowed.
+
+use std::fmt;
+
+use standfast::{Mode, Modes};
+
+use crate::digits::{digits, plain};
+use crate::error::{Fault, Problem};
+use crate::inputs::{Inputs, Value};
+use crate::key::{Key, MOTION_CRITERIA, Table};
+use crate::units::Dimension;
+
+/// Criterion on a result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Criterion {
+    /// The key under which it is asked; its name is that of the result, with `_max` behind it for one of the ground.
+    pub key: Key,
+    /// The bound.
+    pub bound: Bound,
+}
+
+/// The bound of a result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bound {
+    /// It has to be at least this, in SI units.
+    AtLeast(f64),
+    /// It has to be at most this, in SI units.
+    AtMost(f64),
+    /// The body may take up none of these modes under the full load.
+    NoneOf(Modes),
+}
+
+/// Criterion on a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MotionCriterion {
+    /// The displacement along the base at the end is this at most, to either side.
+    Slide(f64),
+    /// |θ| is this at most, in radians.
+    MaxTheta(f64),
+    /// The body does not overturn.
+    NotOverturned,
+}
+
+/// Criteria on a number that has to be at least the bound; all others have to be at most that.
+const AT_LEAST: [Key; 5] =
+    [Key::LeastSliding, Key::LeastOverturning, Key::LeastContact, Key::LeastGround, Key::LeastLoadFactor];
+
+impl Criterion {
+    /// The criteria of a case.
+    pub(crate) fn all(inputs: &Inputs) -> Vec<Criterion> {
+        Table::Criteria.keys().filter_map(|key| Criterion::of(key, inputs.get(key)?)).collect()
+    }
+
+    /// Criterion of a value under a key of `[criteria]`; `None` if the key is none of these.
+    pub fn of(key: Key, value: &Value) -> Option<Criterion> {
+        let bound = match value {
+            Value::Number(_) if key.is_of_motion() => return None,
+            Value::Number(bound) if AT_LEAST.contains(&key) => Bound::AtLeast(*bound),
+            Value::Number(bound) => Bound::AtMost(*bound),
+            Value::Modes(modes) => Bound::NoneOf(*modes),
+            _ => return None,
+        };
+        Some(Criterion { key, bound })
+    }
+
+    /// True if it asks for a probability, which takes random numbers.
+    pub fn is_chance(&self) -> bool {
+        self.key == Key::GreatestNotRest
+    }
+
+    /// Its name: that of the result.
+    pub fn name(&self) -> &'static str {
+        self.key.name()
+    }
+
+    /// The quantity that is asked for, in words.
+    pub fn words(&self) -> &'static str {
+        let words = self.key.info().words;
+        words.split_once(": ").map_or(words, |(_, words)| words)
+    }
+
+    /// The bound as it is read: `≥ 1.2`, `≤ 400 kPa`, `none of RO, SRO-`.
+    pub fn required(&self) -> String {
+        match self.bound {
+            Bound::AtLeast(least) => format!("≥ {}", self.with_unit(&digits(self.shown(least)))),
+            Bound::AtMost(most) => format!("≤ {}", self.with_unit(&digits(self.shown(most)))),
+            Bound::NoneOf(modes) => format!("none of {}", listed_modes(modes)),
+        }
+    }
+
+    /// The unit in which its bound is read, empty for plain numbers and modes, and how many SI units make one.
+    fn on_paper(&self) -> (&'static str, f64) {
+        self.key.info().dimension().map_or(("", 1.0), Dimension::on_paper)
+    }
+
+    /// A number in the unit that it is read in.
+    pub fn shown(&self, si: f64) -> f64 {
+        si / self.on_paper().1
+    }
+
+    /// A number, as it is read, with its unit.
+    pub fn with_unit(&self, number: &str) -> String {
+        match self.on_paper().0 {
+            "" => number.to_owned(),
+            unit => format!("{number} {unit}"),
+        }
+    }
+}
+
+impl fmt::Display for Criterion {
+    /// As a target is written: `SF_sliding=1.2`, `bearing_max=300 kPa`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let bound = match self.bound {
+            Bound::AtLeast(bound) | Bound::AtMost(bound) => self.with_unit(&plain(self.shown(bound))),
+            Bound::NoneOf(modes) => {
+                let quoted: Vec<_> = modes.iter().map(|mode| format!("\"{mode}\"")).collect();
+                format!("[{}]", quoted.join(", "))
+            }
+        };
+        write!(f, "{}={bound}", self.name())
+    }
+}
+
+/// Modes by their symbols.
+pub fn listed_modes(modes: Modes) -> String {
+    modes.iter().map(Mode::symbol).collect::<Vec<_>>().join(", ")
+}
+
+impl MotionCriterion {
+    /// Its name: that of the result.
+    pub fn name(self) -> &'static str {
+        match self {
+            MotionCriterion::Slide(_) => MOTION_CRITERIA[0],
+            MotionCriterion::MaxTheta(_) => MOTION_CRITERIA[1],
+            MotionCriterion::NotOverturned => MOTION_CRITERIA[2],
+        }
+    }
+
+    /// The quantity that is asked for, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            MotionCriterion::Slide(_) => "displacement along the base at the end, to either side",
+            MotionCriterion::MaxTheta(_) => "largest angle to either side",
+            MotionCriterion::NotOverturned => "whether the body overturns",
+        }
+    }
+
+    /// Those that inputs ask for.
+    ///
+    /// # Errors
+    /// If the body is asked to overturn.
+    pub fn all(inputs: &Inputs) -> Result<Vec<MotionCriterion>, Fault> {
+        let slide = inputs.number(Key::GreatestSlide).map(MotionCriterion::Slide);
+        let theta = inputs.number(Key::GreatestTheta).map(MotionCriterion::MaxTheta);
+        let stands = match inputs.truth(Key::NotOverturned) {
+            Some(true) => return Err(Fault::new(Problem::AskedToOverturn, Key::NotOverturned)),
+            asked => asked.map(|_| MotionCriterion::NotOverturned),
+        };
+        Ok([slide, theta, stands].into_iter().flatten().collect())
+    }
+
+    /// The bound, where it is a number.
+    pub fn bound(self) -> Option<f64> {
+        match self {
+            MotionCriterion::Slide(bound) | MotionCriterion::MaxTheta(bound) => Some(bound),
+            MotionCriterion::NotOverturned => None,
+        }
+    }
+
+    /// The unit of its bound, with a space before it; none of a body in pure numbers.
+    pub fn unit(self, si: bool) -> &'static str {
+        match self {
+            MotionCriterion::Slide(_) if si => " m",
+            MotionCriterion::MaxTheta(_) if si => " rad",
+            _ => "",
+        }
+    }
+
+    /// The bound as it is read: `≤ 0.1 m`.
+    pub fn required(self, si: bool) -> String {
+        match self.bound() {
+            Some(bound) => format!("≤ {}{}", digits(bound), self.unit(si)),
+            None => "no".to_owned(),
+        }
+    }
+}
+
+impl fmt::Display for MotionCriterion {
+    /// As a target of a case with a body is written: `slide=0.1 m`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.bound() {
+            Some(bound) => write!(f, "{}={}{}", self.name(), plain(bound), self.unit(true)),
+            None => write!(f, "{}=false", self.name()),
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! A case in time, one situation of it: a body in pure numbers, or one in metres with the loads that act together.
+
+use standfast::Wrench;
+use standfast::contact::Block;
+use standfast::loads::{LoadSource, Pose};
+use standfast_motion::{LoadInTime, MotionError, MotionProblem, is_own_weight};
+
+use crate::case::{Acting, Case, CaseMotion, Foundation, HistoryOf, Reader, said_by};
+use crate::case_file::CaseFile;
+use crate::criteria::MotionCriterion;
+use crate::error::{CaseError, Fault, Problem};
+use crate::inputs::Inputs;
+use crate::key::{Id, Key, Table};
+use crate::load_words::load_words;
+use crate::slips::slips;
+
+/// A body with what acts on it in time; that of a `[body]` is in SI units, per its mass.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlockCase {
+    /// Its title.
+    pub title: Option<String>,
+    /// Name of the alternative load or combination that acts, where there are several.
+    pub situation: Option<String>,
+    /// The problem.
+    pub problem: MotionProblem,
+    /// The crest above the base, for its figures; of a `[block]` twice that of C.
+    pub height: f64,
+    /// True if water presses up on the base.
+    pub uplift: bool,
+    /// True if it is in SI units.
+    pub si: bool,
+    /// The loads at their peaks, of a body.
+    pub peaks: Vec<LoadPeak>,
+    /// Criteria on the motion.
+    pub criteria: Vec<MotionCriterion>,
+    /// Warnings of possible slips.
+    pub warnings: Vec<MotionWarning>,
+}
+
+/// A load of a body at its peak, about its centre of mass.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadPeak {
+    /// Its name.
+    pub name: String,
+    /// True if it is there all the time.
+    pub permanent: bool,
+    /// The load, N and N·m, or per metre run; the greatest of its history times what the case has of it.
+    pub wrench: Wrench,
+}
+
+/// Something that may be a slip, or leaves the range of the model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionWarning {
+    /// Its name.
+    pub name: &'static str,
+    /// The finding, with its number.
+    pub words: String,
+}
+
+impl CaseFile {
+    /// The situations of a case in time: one for each of the loads, or combinations of them, that act alone.
+    ///
+    /// # Errors
+    /// If the case is none, or a variable load has no history.
+    pub fn motions(&self) -> Result<Vec<BlockCase>, CaseError> {
+        if self.is_in_time() && !self.inputs().has(Table::Block) {
+            self.case()?;
+        }
+        motions(self.inputs()).map_err(|fault| self.error(fault))
+    }
+}
+
+/// The situations of inputs in time.
+///
+/// # Errors
+/// As [`CaseFile::motions`].
+pub fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
+    if inputs.has(Table::Block) {
+        return Ok(vec![block_case(&Reader { inputs })?]);
+    }
+    // Histories on a [ground] are those of a motion where one is followed.
+    let mut moving = inputs.clone();
+    if !inputs.is_in_time() {
+        moving.add_table(Table::Motion);
+    }
+    let given = Reader { inputs: &moving };
+    let mut case = Case::of(&moving)?;
+    let motion = match case.motion.take() {
+        Some(motion) => motion,
+        None => given.motion(HistoryOf::Base)?,
+    };
+    if let Some(strength) = case.ground.as_ref().and_then(Foundation::strength) {
+        return Err(Fault::new(Problem::MovingOnCrushing { strength }, Key::Strength));
+    }
+    let acting = case.acting().into_iter();
+    acting.map(|acts| body_case(&given, &case, &motion, acts)).collect()
+}
+
+/// One situation of a body in metres.
+fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting) -> Result<BlockCase, Fault> {
+    let situation = case.situation(acts, None).map_err(|error| given.motion_refused(error.into()))?;
+    let (body, gravity) = (situation.body(), situation.gravity());
+    let acts_at_all = |wrench: Wrench| wrench != Wrench::ZERO;
+    let problem = MotionProblem::of(&situation, motion.base.clone(), motion.impact).and_then(|problem| {
+        let problem = MotionProblem { initial: motion.initial, t_max: motion.t_max, ..problem };
+        problem.check().map(|()| problem)
+    });
+    let problem = problem.map_err(|error| match error {
+        MotionError::NoHistory { load } => Fault::new(Problem::Motion(error), said_by(load)),
+        error => given.motion_refused(error),
+    })?;
+    let mut peaks = Vec::new();
+    for load in situation.loads().iter().filter(|load| !is_own_weight(load)) {
+        let wrench = situation.wrench_of(load);
+        if acts_at_all(wrench) {
+            let peak =
+                load.history.as_ref().filter(|_| !load.permanent).map_or(1.0, |history| history.peak());
+            peaks.push(LoadPeak { name: load_words(load), permanent: load.permanent, wrench: wrench * peak });
+        }
+    }
+    let uplift = situation.loads().iter().any(|load| {
+        matches!(load.source, LoadSource::WaveUplift | LoadSource::Uplift)
+            && acts_at_all(load.wrench(body, gravity, Pose::UPRIGHT))
+    });
+    let mut warnings = motion.warnings.clone();
+    if case.ground.is_some() {
+        let words =
+            "the motion is that on a rigid base: what [ground] bears, and how it gives way, is left out"
+                .to_owned();
+        warnings.push(MotionWarning { name: "ground-left-out", words });
+    }
+    warnings.extend(slips(&problem, motion.step));
+    Ok(BlockCase {
+        title: case.title.clone(),
+        situation: case.acting_name(acts),
+        problem,
+        height: case.body.height(),
+        uplift,
+        si: true,
+        peaks,
+        criteria: motion.criteria.clone(),
+        warnings,
+    })
+}
+
+/// A body in pure numbers.
+fn block_case(given: &Reader<'_>) -> Result<BlockCase, Fault> {
+    let inputs = given.inputs;
+    alone(inputs)?;
+    given.ranges()?;
+    let mut problem = MotionProblem::new(block(given)?, given.required(Key::BlockGravity)?);
+    problem.mu_impact = given.number(Key::MuImpact);
+    let mut motion = given.motion(HistoryOf::Pure)?;
+    for index in 0..inputs.count(Table::BlockLoad) {
+        let number = |key| inputs.number(Id::new(key, index));
+        let pair = |x, y| Some([number(x)?, number(y)?]);
+        let lacks = || given.missing(Key::DirectionX, index);
+        let direction = pair(Key::DirectionX, Key::DirectionY).ok_or_else(lacks)?;
+        let read = given.history(Table::BlockLoadHistory, index, HistoryOf::Pure)?;
+        let read = read.ok_or_else(|| {
+            let problem =
+                Problem::MissingTableIn { table: Table::BlockLoad, missing: Table::BlockLoadHistory };
+            Fault::new(problem, crate::error::Place::Table(Table::BlockLoad, index))
+        })?;
+        problem.loads.push(LoadInTime {
+            at: pair(Key::AtX, Key::AtY).unwrap_or([0.0, 0.0]),
+            direction,
+            follows: inputs.truth(Id::new(Key::Follows, index)).unwrap_or(false),
+            history: motion.take(read),
+        });
+    }
+    problem.base = motion.base;
+    (problem.impact, problem.initial, problem.t_max) = (motion.impact, motion.initial, motion.t_max);
+    problem.check().map_err(|error| given.motion_refused(error))?;
+    let mut warnings = motion.warnings;
+    warnings.extend(slips(&problem, motion.step));
+    let height = 2.0 * problem.block.d;
+    let title = inputs.text(Key::Title).map(str::to_owned);
+    let criteria = motion.criteria;
+    Ok(BlockCase {
+        title,
+        situation: None,
+        problem,
+        height,
+        uplift: false,
+        si: false,
+        peaks: Vec::new(),
+        criteria,
+        warnings,
+    })
+}
+
+/// Refuses what does not go with a body in pure numbers.
+fn alone(inputs: &Inputs) -> Result<(), Fault> {
+    let of_block = |table: Table| {
+        table.is_of_motion()
+            || matches!(table, Table::Top | Table::Block | Table::BlockLoad | Table::BlockLoadHistory)
+    };
+    let goes = |id: Id| match id.table {
+        Table::Top => matches!(id.key, Key::Title | Key::Note),
+        Table::Criteria => id.key.is_of_motion(),
+        table => of_block(table),
+    };
+    let table = Table::ALL
+        .into_iter()
+        .find(|table| inputs.has(*table) && *table != Table::Criteria && !of_block(*table));
+    if let Some(table) = table {
+        return Err(Fault::new(Problem::NotOfBlock { path: table.path(0) }, table));
+    }
+    match inputs.values().find(|(id, _)| !goes(*id)) {
+        Some((id, _)) => Err(Fault::new(Problem::NotOfBlock { path: id.to_string() }, id)),
+        None => Ok(()),
+    }
+}
+
+fn block(given: &Reader<'_>) -> Result<Block, Fault> {
+    let or = |key, other: f64| given.number(key).unwrap_or(other);
+    let (b1, b2, d) = (given.required(Key::B1)?, given.required(Key::B2)?, given.required(Key::D)?);
+    let rho2 = match given.number(Key::Rho2) {
+        Some(rho2) => rho2,
+        None if b1 == 1.0 && b2 == 1.0 => (1.0 + d * d) / 3.0,
+        None => return Err(Fault::new(Problem::NoInertia, Table::Block)),
+    };
+    let mu_s = given.required(Key::MuS)?;
+    Ok(Block {
+        b1,
+        b2,
+        d,
+        rho2,
+        m_x: or(Key::Mx, 1.0),
+        m_y: or(Key::My, 1.0),
+        mu_s,
+        mu_k: or(Key::MuK, mu_s),
+    })
+}

@@ -1,0 +1,41 @@
+//! Slips that may be in a case in time whose values are possible.
+
+use standfast_motion::{History, Impact, MotionProblem};
+
+use crate::motion::MotionWarning;
+
+/// A base shaken by more than this share of gravity may have been given in another unit.
+const VIOLENT: f64 = 5.0;
+
+/// Points of a history further apart than this share of √(B/g) may leave out what moves the body.
+const COARSE: f64 = 0.05;
+
+/// A body keeps less of its rate at an impact than this.
+const LOSSLESS: f64 = 0.999;
+
+/// Possible slips in a problem whose histories have points up to `step` apart, if they have points.
+pub(crate) fn slips(problem: &MotionProblem, step: Option<f64>) -> Vec<MotionWarning> {
+    let mut slips = Vec::new();
+    let gravity = problem.gravity;
+    for (key, history) in [("horizontal", &problem.base.horizontal), ("vertical", &problem.base.vertical)] {
+        if let Some(peak) = history.as_ref().map(History::peak).filter(|peak| *peak > VIOLENT * gravity) {
+            let words =
+                format!("the {key} acceleration of the base reaches {:.1} times gravity", peak / gravity);
+            slips.push(MotionWarning { name: "violent-base", words });
+        }
+    }
+    let time = (problem.block.b1.max(problem.block.b2) / gravity).sqrt();
+    if let Some(step) = step.filter(|step| *step > COARSE * time) {
+        let words = format!("points are up to {step:.3} apart, {:.2} of √(B/g)", step / time);
+        slips.push(MotionWarning { name: "coarse-record", words });
+    }
+    if let Impact::Ratio(ratio) = problem.impact
+        && ratio > LOSSLESS
+    {
+        let words = format!(
+            "a ratio of {ratio} leaves almost all of the energy at an impact; measured ones lose more"
+        );
+        slips.push(MotionWarning { name: "lossless-impact", words });
+    }
+    slips
+}

@@ -1,0 +1,353 @@
+//! Warnings of values in a case that are possible, but so unusual that they may be slips: a name, the value that triggered it,
+//! the usual one, and the key it came from. The tests and their limits stand in `search`.
+
+mod search;
+
+use std::fmt;
+
+use standfast::{Slip, wave};
+
+use crate::digits::{apart, digits};
+use crate::key::{Id, Key, Table};
+use crate::units::Extent;
+use search::{
+    BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, OBJECT, SHAKING, STIFFNESS, STRENGTH, UNIT_WEIGHT, WATER,
+};
+
+/// A warning about a case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Warning {
+    /// The base reaches beyond the body.
+    BaseBeyondBody {
+        /// On which side.
+        side: Slip,
+        /// Reach of the base from mid-width, m.
+        edge: f64,
+        /// Reach of the base beyond the body, m.
+        beyond: f64,
+    },
+    /// The buoyant weight acts beside the base.
+    WeightBesideBase {
+        /// Its arm, m.
+        arm: f64,
+        /// The width of the base, m.
+        base: f64,
+    },
+    /// The body is lighter or heavier than what is built.
+    MeanDensity {
+        /// Mass over volume, kg/m³.
+        density: f64,
+        /// Extent of the mass: a metre run or the whole body.
+        extent: Extent,
+        /// True if its volume is that of parts.
+        of_parts: bool,
+    },
+    /// A part is lighter or heavier than what is built.
+    PartDensity {
+        /// Above still water or below it.
+        id: Id,
+        /// kg/m³.
+        density: f64,
+        /// Extent of the body: a metre run or the whole of it.
+        extent: Extent,
+    },
+    /// The water is lighter or heavier than water is.
+    WaterDensity {
+        /// Key that gives it.
+        key: Key,
+        /// kg/m³.
+        density: f64,
+    },
+    /// More friction than bases have.
+    HighFriction {
+        /// μ to stick.
+        friction: f64,
+    },
+    /// Another planet, or another unit.
+    UnusualGravity {
+        /// m/s².
+        gravity: f64,
+    },
+    /// A variable load acts in no combination.
+    LoadInNoCombination {
+        /// Its table.
+        table: Table,
+        /// Its place among those of that name.
+        index: usize,
+    },
+    /// A vertical force acts beside the body.
+    LoadBesideBody {
+        /// The key of its distance.
+        id: Id,
+        /// Its distance to the right of O, m.
+        distance: f64,
+        /// Distance from the body, m.
+        beside: f64,
+    },
+    /// An allowable bearing pressure that nothing stands on.
+    SmallBearing {
+        /// Pa.
+        pressure: f64,
+    },
+    /// Ground that is softer, weaker, lighter or heavier than ground is.
+    UnusualGround {
+        /// Key of the property.
+        key: Key,
+        /// In SI units.
+        value: f64,
+    },
+    /// The base is shaken with more than the acceleration of gravity.
+    StrongEarthquake {
+        /// Along the base, or vertically.
+        key: Key,
+        /// m/s².
+        acceleration: f64,
+        /// The acceleration in multiples of that of gravity.
+        share: f64,
+    },
+    /// The largest wave does not go with the significant one.
+    WaveHeightRatio {
+        /// Hmax, m.
+        maximum: f64,
+        /// H13, m.
+        significant: f64,
+    },
+    /// The weight less buoyancy is more than the weight.
+    BuoyantAboveWeight {
+        /// W', N.
+        buoyant: f64,
+        /// m g, N.
+        weight: f64,
+        /// Extent of both: a metre run or the whole body.
+        extent: Extent,
+    },
+    /// The weight less buoyancy is not the weight less the water that the section displaces.
+    BuoyantBesideDisplacement {
+        /// W', N.
+        buoyant: f64,
+        /// m g, N.
+        weight: f64,
+        /// ρ g × area of the base × depth of the base, N.
+        displaced: f64,
+        /// Extent of the forces: a metre run or the whole body.
+        extent: Extent,
+    },
+    /// The weight less buoyancy is not that of the parts.
+    BuoyantBesideParts {
+        /// W', as given, N.
+        buoyant: f64,
+        /// The weight of the parts less the water they displace, N per metre run.
+        of_parts: f64,
+    },
+    /// A wall is shaken in water that presses on it as if it were still.
+    EarthquakeWithoutAddedMass {
+        /// Along the base, m/s².
+        acceleration: f64,
+    },
+    /// Waves bring their own uplift.
+    UpliftBesideWave {
+        /// Of the table, at O and O', Pa.
+        given: [f64; 2],
+        /// Of the waves, at the seaward toe, Pa.
+        of_waves: f64,
+    },
+    /// The waves leave the range of the formulas.
+    Wave(wave::WaveWarning),
+}
+
+impl Warning {
+    /// Its name, to be told apart by programs.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Warning::BaseBeyondBody { .. } => "base-beyond-body",
+            Warning::WeightBesideBase { .. } => "weight-beside-base",
+            Warning::MeanDensity { .. } => "mean-density",
+            Warning::PartDensity { .. } => "part-density",
+            Warning::WaterDensity { .. } => "water-density",
+            Warning::HighFriction { .. } => "high-friction",
+            Warning::UnusualGravity { .. } => "unusual-gravity",
+            Warning::LoadInNoCombination { .. } => "load-in-no-combination",
+            Warning::LoadBesideBody { .. } => "load-beside-body",
+            Warning::SmallBearing { .. } => "small-bearing",
+            Warning::UnusualGround { .. } => "unusual-ground",
+            Warning::StrongEarthquake { .. } => "strong-earthquake",
+            Warning::WaveHeightRatio { .. } => "wave-height-ratio",
+            Warning::BuoyantAboveWeight { .. } => "buoyant-above-weight",
+            Warning::BuoyantBesideDisplacement { .. } => "buoyant-beside-displacement",
+            Warning::BuoyantBesideParts { .. } => "buoyant-beside-parts",
+            Warning::EarthquakeWithoutAddedMass { .. } => "earthquake-without-added-mass",
+            Warning::UpliftBesideWave { .. } => "uplift-beside-wave",
+            Warning::Wave(warning) => warning.name(),
+        }
+    }
+
+    /// True if it is about waves.
+    pub fn is_about_waves(&self) -> bool {
+        match self {
+            Warning::Wave(_) | Warning::WaveHeightRatio { .. } => true,
+            Warning::WaterDensity { key, .. } => key.info().table == Table::Wave,
+            _ => false,
+        }
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // A value is told apart from the limit that it is beyond.
+        let beyond = |value: f64, limit: f64| apart(&[value, limit]).swap_remove(0);
+        let kilopascals = |pressure: f64| format!("{} kPa", digits(pressure / 1e3));
+        match self {
+            Warning::BaseBeyondBody { side, edge, beyond } => {
+                let (key, side) = match side {
+                    Slip::Left => ("base_left", "left"),
+                    Slip::Right => ("base_right", "right"),
+                };
+                let (edge, beyond) = (digits(*edge), digits(*beyond));
+                write!(f, "{key} = {edge} m: the base reaches {beyond} m beyond the body's {side} side")
+            }
+            Warning::WeightBesideBase { arm, base } => write!(
+                f,
+                "weight_arm = {} m is more than the base is wide, {} m: the body does not stand under its own weight",
+                digits(*arm),
+                digits(*base)
+            ),
+            Warning::MeanDensity { density, extent, of_parts: true } => {
+                let usual = if *extent == Extent::PerMetre { DENSITY } else { OBJECT };
+                write!(
+                    f,
+                    "the mean density of the parts is {} kg/m³; what is built has {usual} kg/m³: see their densities and \
+                     outlines, and their units",
+                    beyond(*density, usual.limit(*density))
+                )
+            }
+            Warning::MeanDensity { density, extent: Extent::PerMetre, .. } => write!(
+                f,
+                "the mean density, mass/(width × height), is {} kg/m³; what is built has {DENSITY} kg/m³: see mass or \
+                 density, width and height, and their units",
+                beyond(*density, DENSITY.limit(*density))
+            ),
+            Warning::MeanDensity { density, extent: Extent::Whole, .. } => write!(
+                f,
+                "the mean density, mass/volume, is {} kg/m³; objects have {OBJECT} kg/m³: see mass or density, the \
+                 dimensions, and their units",
+                beyond(*density, OBJECT.limit(*density))
+            ),
+            Warning::PartDensity { id, density, extent } => {
+                let usual = if *extent == Extent::PerMetre { DENSITY } else { OBJECT };
+                write!(
+                    f,
+                    "{id} = {} kg/m³; what is built has {usual} kg/m³",
+                    beyond(*density, usual.limit(*density))
+                )
+            }
+            Warning::WaterDensity { key, density } => {
+                write!(
+                    f,
+                    "{key} = {} kg/m³; water has {WATER} kg/m³",
+                    beyond(*density, WATER.limit(*density))
+                )
+            }
+            Warning::HighFriction { friction } => write!(
+                f,
+                "friction = {}; between a body and its base it is {FRICTION} at most, as a rule",
+                beyond(*friction, FRICTION)
+            ),
+            Warning::UnusualGravity { gravity } => {
+                write!(
+                    f,
+                    "gravity = {} m/s²; on the ground it is {GRAVITY} m/s²",
+                    beyond(*gravity, GRAVITY.limit(*gravity))
+                )
+            }
+            Warning::LoadInNoCombination { table, index } => {
+                let number = if table.repeats() { format!(" {}", index + 1) } else { String::new() };
+                write!(
+                    f,
+                    "{}{number} acts in no combination, and so nowhere: a combination names it among its factors",
+                    table.header()
+                )
+            }
+            Warning::LoadBesideBody { id, distance, beside } => write!(
+                f,
+                "{id} = {} m: the force acts {} m beside the body",
+                digits(*distance),
+                digits(*beside)
+            ),
+            Warning::SmallBearing { pressure } => write!(
+                f,
+                "criteria.bearing_max = {} kPa; {BEARING} kPa at least is usual, and a number without unit is in Pa",
+                digits(*pressure / 1e3)
+            ),
+            Warning::UnusualGround { key, value } => {
+                let (usual, unit, scale, plain) = match key {
+                    Key::Strength => (STRENGTH, "kPa", 1e3, "Pa"),
+                    Key::UnitWeight => (UNIT_WEIGHT, "kN/m³", 1e3, "N/m³"),
+                    _ => (STIFFNESS, "MN/m³", 1e6, "N/m³"),
+                };
+                let value = beyond(*value / scale, usual.limit(*value / scale));
+                write!(
+                    f,
+                    "{key} = {value} {unit}; {usual} {unit} is usual, and a number without unit is in {plain}"
+                )
+            }
+            Warning::StrongEarthquake { key, acceleration, share } => write!(
+                f,
+                "{key} = {} m/s² is {} g; the ground is seldom shaken with more than {SHAKING} g, and a number without \
+                 unit counts g",
+                digits(*acceleration),
+                beyond(*share, SHAKING.copysign(*share))
+            ),
+            Warning::WaveHeightRatio { maximum, significant } => write!(
+                f,
+                "Hmax = {} m is {} times H13 = {} m; {HEIGHTS} times is usual, 1.8 where no wave breaks",
+                digits(*maximum),
+                beyond(maximum / significant, HEIGHTS.limit(maximum / significant)),
+                digits(*significant)
+            ),
+            Warning::BuoyantAboveWeight { buoyant, weight, extent } => write!(
+                f,
+                "buoyant_weight = {} is more than the weight m g = {}, from which buoyancy only takes",
+                extent.kilonewtons(*buoyant),
+                extent.kilonewtons(*weight)
+            ),
+            Warning::BuoyantBesideDisplacement { buoyant, weight, displaced, extent } => write!(
+                f,
+                "buoyant_weight = {}, but the weight m g = {} less the water displaced, ρ g × width of the base × \
+                 base_depth = {}, is {}",
+                extent.kilonewtons(*buoyant),
+                extent.kilonewtons(*weight),
+                extent.kilonewtons(*displaced),
+                extent.kilonewtons(weight - displaced)
+            ),
+            Warning::BuoyantBesideParts { buoyant, of_parts } => {
+                // Waves, which tell how deep they stand, are those of a long wall.
+                let [given, parts] = [buoyant, of_parts].map(|force| Extent::PerMetre.kilonewtons(*force));
+                let off = 100.0 * (of_parts / buoyant - 1.0);
+                write!(
+                    f,
+                    "buoyant_weight = {given}, but the parts less the water they displace weigh {parts}, {} % {}; \
+                     buoyant_weight is what counts",
+                    digits(off.abs()),
+                    if off < 0.0 { "less" } else { "more" }
+                )
+            }
+            Warning::EarthquakeWithoutAddedMass { acceleration } => write!(
+                f,
+                "earthquake.horizontal = {} m/s² shakes a wall in water, and there is no [added_mass]: the water's share \
+                 in the inertia and its pressure on the shaken wall are left out; sides = \"right\" or \"both\" counts them for a wall, mass for \
+                 anything else",
+                digits(*acceleration)
+            ),
+            Warning::UpliftBesideWave { given: [left, right], of_waves } => write!(
+                f,
+                "[uplift], {} at the left and {} at the right, acts beside the waves' own uplift, pu = {}: what is \
+                 one pressure is counted twice",
+                kilopascals(*left),
+                kilopascals(*right),
+                kilopascals(*of_waves)
+            ),
+            Warning::Wave(warning) => warning.fmt(f),
+        }
+    }
+}
