@@ -1,15 +1,15 @@
-//! The motion in time of a case: `[block]`, `[motion]`, the histories of loads and base, and the answer as text and JSON.
+//! The motion of a case in time: followed to its end, in many variants as a table or a spectrum, and checked against its criteria.
 //!
 //! A `[block]` is a body of which only ratios matter: lengths in any one unit, the mass as 1, accelerations as they come.
 //!
 //! ```
-//! use standfast_answers::CaseFile;
-//! use standfast_answers::motion::Follow;
+//! use standfast_answers::motion::{Follow, FollowedMotion};
+//! use standfast_model::CaseFile;
 //!
 //! let text = "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.4\ngravity = 1\n\
 //!     [motion.base]\nhorizontal = { shape = \"half-sine\", peak = 0.6, duration = 2 }\n";
-//! let motions = CaseFile::parse("block.toml", text)?.follow(&Follow::default())?;
-//! assert!(motions[0].1.outcome.at_rest());
+//! let motions = FollowedMotion::of_file(&CaseFile::parse("block.toml", text)?, &Follow::default())?;
+//! assert!(motions[0].outcome.at_rest());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

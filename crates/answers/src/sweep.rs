@@ -6,7 +6,7 @@
 //! ```
 //! use standfast_answers::results::ResultValue;
 //! use standfast_answers::sweep::{Factor, Sweep, SweepResult};
-//! use standfast_answers::CaseFile;
+//! use standfast_model::CaseFile;
 //!
 //! let text = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n[[load]]\nforce = 1e6\nelevation = 8\n";
 //! let file = CaseFile::parse("case.toml", text)?;

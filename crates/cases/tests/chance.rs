@@ -375,12 +375,22 @@ fn overturning_is_that_of_the_motions_one_by_one() {
         )
     };
     let biased = format!("{listed}bias.force = {{ uniform = {{ from = 0.5, to = 2 }} }}\n");
+    let moving = format!(
+        "{listed}motion.impact.ratio = {{ uniform = {{ from = 0.4, to = 0.95 }} }}\nmotion.initial.theta = {{ normal = {{ sd = 0.02 }} }}\n"
+    );
+    let of_motion = |ratio: f64, theta: f64| {
+        format!("[motion.impact]\nlaw = \"ratio\"\nratio = {ratio}\n[motion.initial]\ntheta = {theta}\n")
+    };
     const BODIES: usize = 20;
     let peaks = [2.0, 6.0, 10.0];
     let mut shares = Vec::new();
-    for (random, extra) in [(&listed, None), (&biased, Some(900.0))] {
+    for (random, extra, moves) in
+        [(&listed, None, false), (&biased, Some(900.0), false), (&moving, None, true)]
+    {
         let of_force = |size: f64| extra.map_or(String::new(), |force_of: f64| force(force_of * size));
-        let text = format!("{}{}{}{random}", body(0.6, 0.6), shaken("one.csv", 3.0), of_force(1.0));
+        let of_motion = |ratio: f64, theta: f64| if moves { of_motion(ratio, theta) } else { String::new() };
+        let more = of_force(1.0) + &of_motion(0.7, 0.02);
+        let text = format!("{}{}{more}{random}", body(0.6, 0.6), shaken("one.csv", 3.0));
         let in_time = CaseFile::read("case.toml", &text, &files).unwrap();
         // A motion counts as 1024 points.
         let points = (BODIES * names.len() * peaks.len() * 1024) as u64;
@@ -397,9 +407,9 @@ fn overturning_is_that_of_the_motions_one_by_one() {
             for file in names {
                 let of_record: Vec<[bool; 3]> = (0..BODIES)
                     .map(|i| {
-                        let bias = draws.values.get(2).map_or(1.0, |values| values[i]);
-                        let case = body(draws.values[0][i], draws.values[1][i]) + &shaken(file, peak);
-                        let case = case + &of_force(bias);
+                        let drawn = |place: usize| draws.values.get(place).map_or(1.0, |values| values[i]);
+                        let case = body(drawn(0), drawn(1)) + &shaken(file, peak);
+                        let case = case + &of_force(drawn(2)) + &of_motion(drawn(2), drawn(3));
                         let cases = CaseFile::read("case.toml", &case, &files).unwrap().motions().unwrap();
                         let outcome =
                             FollowedMotion::of(cases[0].clone(), &Default::default()).unwrap().outcome;
@@ -422,7 +432,32 @@ fn overturning_is_that_of_the_motions_one_by_one() {
         let e = found.points[2].overturned;
         assert!(e.low < plain.low && plain.high < e.high, "{e:?} {plain:?}");
     }
-    assert!(shares[0] != shares[1], "{shares:?}");
+    assert!(shares[0] != shares[1] && shares[0] != shares[2], "{shares:?}");
+    // Where no motion is followed its numbers are refused by name, and of the base they are scaled, not drawn.
+    let text = |law: &str| {
+        format!(
+            "{}{}[motion.impact]\nlaw = \"ratio\"\nratio = 0.7\n[random]\n{law}\n",
+            body(0.6, 0.6),
+            shaken("one.csv", 3.0)
+        )
+    };
+    let of_ratio =
+        CaseFile::read("case.toml", &text("motion.impact.ratio = { normal = { sd = 0.1 } }"), &files)
+            .unwrap();
+    let of_peak = "motion.base.horizontal.target_peak = { normal = { sd = \"0.1 m/s2\" } }";
+    let of_peak = CaseFile::read("case.toml", &text(of_peak), &files).unwrap();
+    let over: ValueRange = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
+    for (file, over, name) in [
+        (&of_ratio, None, "motion.impact.ratio"),
+        (&of_peak, Some(&over), "motion.base.horizontal.target_peak"),
+    ] {
+        let error = Probability::along(file, ChanceRequest::default(), over).unwrap_err().to_string();
+        assert!(
+            error.starts_with(&format!("`{name}` is no number of the case that can be random")),
+            "{error}"
+        );
+        assert!(error.contains("[motion.impact] and [motion.initial]"), "{error}");
+    }
     let text = format!("{}{}{listed}", body(0.6, 0.6), shaken("one.csv", 3.0));
     let over = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
     for (load, said) in [

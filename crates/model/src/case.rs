@@ -187,11 +187,6 @@ impl Case {
         }
     }
 
-    /// The case without its earthquake.
-    pub fn unshaken(self) -> Case {
-        Case { earthquake: None, ..self }
-    }
-
     /// The case with other waves.
     pub fn with_waves(&self, waves: Waves) -> Case {
         Case { wave: Some(waves), ..self.clone() }

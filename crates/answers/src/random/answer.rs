@@ -280,7 +280,9 @@ impl Probability {
         request: ChanceRequest,
     ) -> Result<Probability, ProbabilityError> {
         match asked {
-            ChanceSubject::Case { file, note } => Probability::of_case(file, note.clone(), request),
+            ChanceSubject::Case { file, note, moving } => {
+                Probability::of_case(file, note.clone(), moving.as_deref(), request)
+            }
             ChanceSubject::Point(of) => {
                 let problem = of.problem(of.point, request.years)?;
                 Probability::of_problems(name, &[problem], None, request)
@@ -292,9 +294,10 @@ impl Probability {
     fn of_case(
         file: &CaseFile,
         note: Option<String>,
+        moving: Option<&CaseFile>,
         request: ChanceRequest,
     ) -> Result<Probability, ProbabilityError> {
-        let problems = problems_of(file, request.years)?;
+        let problems = problems_of(file, request.years, moving)?;
         let sliding = match storm::storm(file.inputs()).map_err(|fault| file.error(fault))? {
             Some(storm) => Some(storm::of_case(&storm, &problems, &request)?),
             None => None,

@@ -62,5 +62,5 @@ pub(super) fn bound(criteria: &[Criterion]) -> Option<f64> {
 /// # Errors
 /// As [`Probability::of`](super::Probability::of).
 pub(crate) fn not_rest(file: &CaseFile) -> Result<Vec<(Acting, Estimate)>, ProbabilityError> {
-    by_acting(&problems_of(file, None)?, &ChanceRequest::default())
+    by_acting(&problems_of(file, None, None)?, &ChanceRequest::default())
 }

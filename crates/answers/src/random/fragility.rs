@@ -112,9 +112,12 @@ impl Probability {
         request: ChanceRequest,
         over: Option<&ValueRange>,
     ) -> Result<Probability, ProbabilityError> {
-        let asked = ChanceSubject::of(file, request.years)?;
-        let in_time = matches!(&asked, ChanceSubject::Case { note: Some(_), .. });
-        let of_peak = over.filter(|over| in_time && over.is_of_peak());
+        let mut asked = ChanceSubject::of(file, request.years)?;
+        let mut of_peak = None;
+        if let ChanceSubject::Case { note: Some(_), moving, .. } = &mut asked {
+            of_peak = over.filter(|over| over.is_of_peak());
+            *moving = moving.take().filter(|_| of_peak.is_some());
+        }
         let along = over.filter(|_| of_peak.is_none());
         let fragility = along.map(|over| over.fragility(&asked, &request)).transpose()?;
         let answer = Probability { fragility, ..Probability::of_asked(file.name(), &asked, request)? };
@@ -198,7 +201,7 @@ impl ValueRange {
                     variable.read(text, file.inputs()).map_err(|problem| self.wrong(problem.to_string()))
                 };
                 // The problems as they are, for what is random.
-                let random = problems_of(file, None)?;
+                let random = problems_of(file, None, None)?;
                 let same =
                     |problem: &ChanceProblem| problem.random().iter().any(|input| input.is_of(&variable));
                 if random.iter().any(same) {
@@ -206,7 +209,7 @@ impl ValueRange {
                 }
                 let at = |value: f64| {
                     let changed = file.varied(vary(file.inputs(), &case, &[(&variable, value)]));
-                    problems_of(&changed, None)
+                    problems_of(&changed, None, None)
                 };
                 let unit = variable.dimension().map(crate::units::Dimension::si);
                 (unit, self.points(read(&self.from)?, read(&self.to)?, request, at)?)

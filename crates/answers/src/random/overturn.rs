@@ -26,7 +26,7 @@ use super::error::ProbabilityError;
 use super::fragility::{Fit, ValueRange};
 use super::problem::ChanceProblem;
 use super::quantity::{Bias, RandomInput};
-use super::subject::{ChanceSubject, problems_of};
+use super::subject::problems_of;
 use crate::case::Acting;
 use crate::key::Table;
 use crate::units::{Dimension, in_gravity};
@@ -79,17 +79,11 @@ impl Overturning {
         over: &ValueRange,
     ) -> Result<Overturning, ProbabilityError> {
         let wrong = |what: &str| over.wrong(what);
-        let asked = ChanceSubject::of(file, request.years)?;
-        let ChanceSubject::Case { file: case_file, .. } = &asked else {
-            return Err(ProbabilityError::NoBody);
-        };
-        let problem = &problems_of(case_file, None)?[0];
-        let shaken = |input: &RandomInput| {
-            input.variable().is_some_and(|variable| variable.id().key.info().table == Table::Earthquake)
-        };
-        if problem.random().iter().any(shaken) {
+        let random = file.random().ok_or(ProbabilityError::NoRandom)?;
+        if random.named.iter().any(|named| named.name.starts_with(Table::Earthquake.name())) {
             return Err(wrong("the peak of the shaking is random itself"));
         }
+        let problem = &problems_of(file, None, Some(file))?[0];
         varies_not(problem, over)?;
         let motions = file.motions()?;
         let [motion] = &motions[..] else { return Err(wrong("the case has loads that act one by one")) };
@@ -97,7 +91,6 @@ impl Overturning {
         let Some(own) = &motion.base.horizontal else {
             return Err(wrong("the base does not move to the sides; [motion.base] has no `horizontal`"));
         };
-        let random = case_file.random().ok_or(ProbabilityError::NoRandom)?;
         if !random.records.is_empty() && motion.base.vertical.is_some() {
             return Err(wrong("[random] has `records` and the base moves up and down, by another record"));
         }
@@ -124,7 +117,7 @@ impl Overturning {
         let bodies = (request.effort.points / POINTS / motions).max(LEAST);
         let mut drawn: Vec<Option<Body>> = Vec::new();
         sample::draws(problem.laws(), request.effort.seed, bodies, |values| {
-            drawn.push(Body::of(problem, motion, values));
+            drawn.push(Body::of(problem, values));
         });
         let followed = follow(&drawn, &bases, &peaks, request.effort.threads)
             .map_err(|error| over.wrong(format!("a body cannot be followed: {error}")))?;
@@ -151,7 +144,6 @@ impl Overturning {
 /// That beside the shaking nothing varies.
 fn varies_not(problem: &ChanceProblem, over: &ValueRange) -> Result<(), ProbabilityError> {
     let Some((case, _)) = problem.case() else { return Err(ProbabilityError::NoBody) };
-    let case = case.clone().unshaken();
     let situation = case.situation(Acting::All, None).map_err(|error| over.wrong(error.to_string()))?;
     let acts = |load: &&Load| {
         load.wrench(situation.body(), case.gravity, Pose::UPRIGHT) != Wrench::ZERO && !is_own_weight(load)
@@ -183,14 +175,13 @@ struct Body {
 }
 
 impl Body {
-    /// The body that values make, for the rest as in `motion`; none if they do not go together.
-    fn of(problem: &ChanceProblem, motion: &MotionProblem, values: &[f64]) -> Option<Body> {
-        // The peaks of the shaking, which the first instant has as an earthquake, come with time.
-        let case = problem.case_with(values)?.unshaken();
+    /// The body that values make; none if they do not go together.
+    fn of(problem: &ChanceProblem, values: &[f64]) -> Option<Body> {
+        let case = problem.case_with(values)?;
+        let motion = case.motion.as_ref()?;
         let situation = case.situation(Acting::All, None).ok()?;
-        let stands = MotionProblem::standing(&situation).ok()?;
-        let mut still = MotionProblem { block: stands.block, loads: stands.loads, ..motion.clone() };
-        still.base = BaseMotion { horizontal: None, vertical: None };
+        let mut still = MotionProblem::standing(&situation).ok()?;
+        (still.impact, still.initial, still.t_max) = (motion.impact, motion.initial, motion.t_max);
         if let Some(place) = problem.random().iter().position(RandomInput::is_friction) {
             let ratio = if still.block.mu_s > 0.0 { still.block.mu_k / still.block.mu_s } else { 1.0 };
             (still.block.mu_s, still.block.mu_k) = (values[place], values[place] * ratio);

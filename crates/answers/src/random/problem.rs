@@ -76,7 +76,7 @@ const NEGLIGIBLE: f64 = 0.02;
 
 impl ChanceProblem {
     /// The problems of a case file, which is of this case, with a `[random]` table: one for each set of loads that act together and each acceleration of
-    /// the base that is tried.
+    /// the base that is tried. `moving` are the inputs in time of a case whose motion is followed, some of whose numbers may be random.
     ///
     /// # Errors
     /// If the values of the case do not go together, or a name, a law or a correlation is wrong.
@@ -85,9 +85,10 @@ impl ChanceProblem {
         case: Case,
         random: &Random,
         years: Option<f64>,
+        moving: Option<&Inputs>,
     ) -> Result<Vec<ChanceProblem>, CaseError> {
         let wrong = |(problem, span)| file.random_error(problem, span);
-        let (inputs, laws) = Resolve(Names::Case(file, &case)).all(random).map_err(wrong)?;
+        let (inputs, laws) = Resolve(Names::Case(file, &case, moving)).all(random).map_err(wrong)?;
         let lines = Lines::of(&inputs, Some(&case));
         let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
         let mut unnamed = file.inputs().clone();
@@ -340,6 +341,10 @@ impl ChanceProblem {
             // A friction of zero would leave no ratio of slip to stick.
             .filter(|(place, _)| !self.is_apart(*place))
             .filter_map(|(_, (input, value))| Some((input.variable()?, *value)))
+            // At the first instant numbers of the motion have no part.
+            .filter(|(variable, _)| {
+                !variable.id().table.is_of_motion() || inputs.get(variable.id()).is_some()
+            })
             .collect();
         Case::of(&vary(inputs, case, &named)).ok()
     }

@@ -9,7 +9,8 @@ use super::storm::StormField;
 use crate::case::Case;
 use crate::couple::{Unknown, Variable};
 use crate::digits::digits;
-use crate::key::{Kind, Range};
+use crate::inputs::Inputs;
+use crate::key::{Kind, Range, Table};
 use crate::suggest::closest;
 use standfast_inputs::random::{Parameter, Random, RandomEntry, RandomProblem, ReadResult, Written, years};
 use standfast_model::CaseFile;
@@ -20,7 +21,8 @@ pub(super) struct Resolve<'a>(pub(super) Names<'a>);
 /// Subject that names are of: a case, a point of the report's plane, or a storm without a body.
 #[derive(Clone, Copy)]
 pub(super) enum Names<'a> {
-    Case(&'a CaseFile, &'a Case),
+    /// A case; its file at rest and, where the motion is followed, the inputs in time, whose numbers may be random too.
+    Case(&'a CaseFile, &'a Case, Option<&'a Inputs>),
     Point([f64; 4]),
     /// A storm without a body.
     Storm([f64; 6]),
@@ -81,8 +83,8 @@ impl Resolve<'_> {
 
     /// Quantity that a name stands for.
     fn quantity(&self, named: &RandomEntry) -> ReadResult<Quantity> {
-        let (file, case) = match self.0 {
-            Names::Case(file, case) => (file, case),
+        let (file, case, moving) = match self.0 {
+            Names::Case(file, case, moving) => (file, case, moving),
             Names::Storm(_) => return of_storm(named),
             Names::Point(_) => {
                 let found = Coordinate::ALL.into_iter().find(|coordinate| coordinate.name() == named.name);
@@ -106,8 +108,18 @@ impl Resolve<'_> {
         }
         let spelled = spelled(case, &named.name);
         let name = spelled.as_deref().unwrap_or(&named.name);
-        match Variable::find(name, file.inputs()) {
+        let of_motion = |inputs: &Inputs| {
+            let variable = Variable::find(name, inputs).ok()?;
+            matches!(variable.id().table, Table::Impact | Table::Initial).then_some(variable)
+        };
+        let found = moving.and_then(of_motion).map_or_else(|| Variable::find(name, file.inputs()), Ok);
+        match found {
             Ok(variable) => Ok(Quantity::Key(variable)),
+            Err(_) if name.starts_with("motion.") => {
+                let known = "of the motion the numbers of [motion.impact] and [motion.initial] are drawn, where it is followed with --over pga";
+                let (name, known) = (named.name.clone(), known.to_owned());
+                Err((RandomProblem::NoNumber { name, suggestion: None, known }, named.span.clone()))
+            }
             Err(unknown) => {
                 let biases = Bias::ALL.map(Bias::name);
                 let suggestion = unknown.suggestion.or_else(|| closest(name, biases).map(str::to_owned));
@@ -168,7 +180,10 @@ impl Resolve<'_> {
         // Mean and deviation; the mean is the case's value where none is given, and 1 of a bias.
         let moments = || -> ReadResult<(f64, f64)> {
             let own = match (quantity, self.0) {
-                (Quantity::Key(variable), Names::Case(file, case)) => variable.value(file.inputs(), case),
+                (Quantity::Key(variable), Names::Case(file, case, moving)) => {
+                    let own = moving.filter(|_| variable.id().table.is_of_motion()).unwrap_or(file.inputs());
+                    variable.value(own, case)
+                }
                 (Quantity::Point(coordinate), Names::Point(point)) => point[*coordinate as usize],
                 (Quantity::Storm(field), Names::Storm(values)) => values[*field as usize],
                 _ => 1.0,
@@ -235,7 +250,7 @@ impl Resolve<'_> {
     /// A parameter in SI units of the random number; deviations and scales too.
     fn value(&self, named: &RandomEntry, quantity: &Quantity, parameter: &Parameter) -> ReadResult<f64> {
         match (&parameter.value, quantity, self.0) {
-            (Written::Text(text), Quantity::Key(variable), Names::Case(file, _)) => {
+            (Written::Text(text), Quantity::Key(variable), Names::Case(file, ..)) => {
                 variable.read(text, file.inputs()).map_err(|_| {
                     let expected = match variable.dimension() {
                         Some(dimension) => {
@@ -264,7 +279,7 @@ impl Resolve<'_> {
                     (RandomProblem::Value { what, written, expected }, parameter.span.clone())
                 })
             }
-            (Written::Number(_), Quantity::Key(variable), Names::Case(file, _))
+            (Written::Number(_), Quantity::Key(variable), Names::Case(file, ..))
                 if variable.key().info().kind == Kind::InGravity =>
             {
                 // A share of g, as behind the key itself.

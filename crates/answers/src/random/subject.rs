@@ -16,6 +16,8 @@ pub(super) enum ChanceSubject {
         file: Box<CaseFile>,
         /// Note on the answer for the first instant, in a sentence.
         note: Option<String>,
+        /// The case in time, some of whose numbers of the motion may be random; `None` where no motion is followed.
+        moving: Option<Box<CaseFile>>,
     },
     /// A `[point]`.
     Point(Box<PointSubject>),
@@ -55,15 +57,18 @@ impl ChanceSubject {
             return Ok(ChanceSubject::Storm(Box::new(pure)));
         }
         Ok(match file.first_instant()? {
-            Some(first) => ChanceSubject::Case { file: Box::new(first.file), note: Some(first.note) },
-            None => ChanceSubject::Case { file: Box::new(file.clone()), note: None },
+            Some(first) => {
+                let moving = Some(Box::new(file.clone()));
+                ChanceSubject::Case { file: Box::new(first.file), note: Some(first.note), moving }
+            }
+            None => ChanceSubject::Case { file: Box::new(file.clone()), note: None, moving: None },
         })
     }
 
     /// Its problems: one for each set of loads that act together, and each acceleration of the base that is tried.
     pub(super) fn problems(&self, years: Option<f64>) -> Result<Vec<ChanceProblem>, ProbabilityError> {
         match self {
-            ChanceSubject::Case { file, .. } => problems_of(file, years),
+            ChanceSubject::Case { file, moving, .. } => problems_of(file, years, moving.as_deref()),
             ChanceSubject::Point(of) => Ok(vec![of.problem(of.point, years)?]),
             ChanceSubject::Storm(_) => Err(ProbabilityError::NoBody),
         }
@@ -98,12 +103,13 @@ impl ChanceProblem {
     }
 }
 
-/// The problems of a case file with a `[random]` table.
+/// The problems of a case file with a `[random]` table; `moving` is that in time of a case whose motion is followed.
 pub(super) fn problems_of(
     file: &CaseFile,
     years: Option<f64>,
+    moving: Option<&CaseFile>,
 ) -> Result<Vec<ChanceProblem>, ProbabilityError> {
     let random = file.random().ok_or(ProbabilityError::NoRandom)?;
     let case = file.case()?;
-    Ok(ChanceProblem::of(file, case, random, years)?)
+    Ok(ChanceProblem::of(file, case, random, years, moving.map(|file| file.inputs()))?)
 }
