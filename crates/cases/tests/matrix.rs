@@ -192,7 +192,7 @@ fn every_number_changes_what_simulate_says() {
         }
         let follow = |file: &CaseFile| {
             let answers =
-                FollowedMotion::of_file(&file, &Follow::default()).map_err(|error| error.to_string())?;
+                FollowedMotion::of_file(file, &Follow::default()).map_err(|error| error.to_string())?;
             Ok::<_, String>(answers.json(&MotionView::default(), &[]))
         };
         let plain = follow(&file).unwrap();

@@ -149,7 +149,7 @@ fn files(
     for output in &args.output {
         let what = match output {
             BoundaryFile::Csv(path) => {
-                write::write_file(path, boundary_csv(&boundary).as_bytes(), read)?;
+                write::write_file(path, boundary_csv(boundary).as_bytes(), read)?;
                 "Table"
             }
             BoundaryFile::Picture(picture) => {
