@@ -4,7 +4,8 @@ use std::path::Path;
 
 use standfast_cases::Document;
 
-use crate::figures::{self, FigureError, Figures};
+use crate::error::CommandError;
+use crate::figures::{self, Figures};
 use crate::files_read::FilesRead;
 use crate::format::Format;
 
@@ -14,7 +15,7 @@ pub struct PrintedAnswer {
     /// The answer to print.
     pub answer: String,
     /// Error that prevented a figure.
-    pub undrawn: Option<FigureError>,
+    pub undrawn: Option<CommandError>,
     /// True if all criteria are met; `None` where there are none.
     pub met: Option<bool>,
 }
@@ -35,8 +36,9 @@ impl PrintedAnswer {
     ) -> PrintedAnswer {
         let mut drawn = Vec::new();
         let undrawn = if figures.are_drawn() {
-            let all = answer.figures(view).map_err(FigureError::from);
-            all.and_then(|all| figures.write(case, read, all, &mut drawn)).err()
+            let all = answer.figures(view).map_err(CommandError::from);
+            let written = all.and_then(|all| figures.write(case, read, all, &mut drawn));
+            written.err().map(|error| CommandError::Figure(Box::new(error)))
         } else {
             None
         };

@@ -8,48 +8,19 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use indicatif::HumanCount;
-use standfast_cases::Explained;
 use standfast_cases::layout::paragraph;
 use standfast_cases::sweep::SweepResult;
 use standfast_tables::{
     CaseTable, Interface, ResultColumn, Summary, TableError, TableFormat, TableInput, TableOptions,
     TableProblem, Varied, VariedColumn, answer,
 };
-use thiserror::Error;
 
-use crate::case_file::{self, CaseFileError};
-use crate::features::{Feature, LeftOut};
+use crate::case_file;
+use crate::error::{CommandError, Result};
+use crate::features::Feature;
 use crate::files_read::{FilePurpose, FilesRead};
 use crate::progress::Bar;
-use crate::write::{Pending, WriteError};
-
-/// Reason why a table was not answered.
-#[derive(Debug, Error)]
-pub enum BatchCommandError {
-    /// The table is wrong.
-    #[error(transparent)]
-    Table(#[from] TableError),
-    /// A format that this build does not have.
-    #[error(transparent)]
-    LeftOut(#[from] LeftOut),
-    /// The case file is wrong.
-    #[error(transparent)]
-    Case(#[from] CaseFileError),
-    /// The file of the result cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
-
-impl Explained for BatchCommandError {
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        Some(match self {
-            BatchCommandError::Table(error) => error,
-            BatchCommandError::LeftOut(error) => error,
-            BatchCommandError::Case(error) => error,
-            BatchCommandError::Write(error) => error,
-        })
-    }
-}
+use crate::write::Pending;
 
 /// The results of points of these names; all of the problem for none.
 ///
@@ -68,8 +39,8 @@ pub fn columns(problem: TableProblem, names: &[String]) -> Result<Vec<ResultColu
 ///
 /// # Errors
 /// If the case file cannot be read or is wrong, or there is no result of a name.
-pub fn case(path: &Path, names: &[String], read: &FilesRead) -> Result<CaseTable, BatchCommandError> {
-    let case = CaseTable::of(case_file::parse(path, read)?).map_err(CaseFileError::from)?;
+pub fn case(path: &Path, names: &[String], read: &FilesRead) -> Result<CaseTable> {
+    let case = CaseTable::of(case_file::parse(path, read)?)?;
     let of_name = |name: &String| {
         let found = SweepResult::find(name.trim());
         found.ok_or_else(|| no_result(name, SweepResult::all().map(SweepResult::name)))
@@ -111,11 +82,7 @@ pub fn said(summary: &Summary) -> String {
 ///
 /// # Errors
 /// If the extension is not known, or this build leaves out the format.
-pub fn format(
-    file: &Path,
-    said: Option<TableFormat>,
-    option: &'static str,
-) -> Result<TableFormat, BatchCommandError> {
+pub fn format(file: &Path, said: Option<TableFormat>, option: &'static str) -> Result<TableFormat> {
     let format = said.map_or_else(|| TableFormat::of(file, option), Ok)?;
     let feature = match format {
         TableFormat::Csv => None,
@@ -136,12 +103,7 @@ pub fn format(
 ///
 /// # Errors
 /// If the table or a row makes no sense (see [`OnError`](standfast_tables::OnError)), or a file cannot be opened or written.
-pub fn process(
-    input: &Path,
-    output: &Path,
-    options: &TableOptions,
-    read: &FilesRead,
-) -> Result<Summary, BatchCommandError> {
+pub fn process(input: &Path, output: &Path, options: &TableOptions, read: &FilesRead) -> Result<Summary> {
     let (source, length) = open(input, options, read)?;
     let progress = Arc::new(Bar::shown(length));
 
@@ -166,9 +128,9 @@ pub fn process(
     let mut sink = BufWriter::with_capacity(1 << 18, file);
     let outcome = answer(source, &mut sink, options, &*progress);
     progress.clear();
-    let unwritten = |cause| WriteError::System { path: output.to_owned(), cause };
+    let unwritten = |cause| CommandError::Write { path: output.to_owned(), cause };
     let summary = outcome.map_err(|error| match error {
-        TableError::Write(cause) => BatchCommandError::from(unwritten(cause)),
+        TableError::Write(cause) => unwritten(cause),
         other => other.into(),
     });
     let file = match sink.into_inner() {
@@ -177,7 +139,7 @@ pub fn process(
             let (cause, sink) = error.into_parts();
             // Dropped, it would write once more.
             drop(sink.into_parts());
-            return Err(summary.err().unwrap_or_else(|| unwritten(cause).into()));
+            return Err(summary.err().unwrap_or_else(|| unwritten(cause)));
         }
     };
     let summary = summary?;

@@ -1,52 +1,11 @@
 //! Case files, read: from a file, or from standard input where `-` stands in its place.
 
-use std::io;
 use std::path::Path;
 
-use standfast_cases::{CaseError, CaseFile, Explained};
-use thiserror::Error;
+use standfast_cases::CaseFile;
 
+use crate::error::{CommandError, Result};
 use crate::files_read::{FilePurpose, FilesRead};
-
-/// Reason why a case file was not read.
-#[derive(Debug, Error)]
-pub enum CaseFileError {
-    /// The case file cannot be read.
-    #[error("cannot read {name}: {cause}")]
-    System {
-        /// The case file.
-        name: String,
-        /// Error of the system.
-        cause: io::Error,
-    },
-    /// The case file is not text.
-    #[error("{name} is not UTF-8 text: line {line} has a byte that is no character")]
-    Encoding {
-        /// The case file.
-        name: String,
-        /// The first line with such a byte, counted from one.
-        line: usize,
-    },
-    /// It is no case file.
-    #[error(transparent)]
-    Case(#[from] CaseError),
-}
-
-impl Explained for CaseFileError {
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        match self {
-            CaseFileError::Case(error) => Some(error),
-            _ => None,
-        }
-    }
-
-    fn help(&self) -> Option<String> {
-        match self {
-            CaseFileError::Encoding { .. } => Some("save it as UTF-8".into()),
-            _ => None,
-        }
-    }
-}
 
 /// True if a case is read from standard input.
 fn is_standard_input(path: &Path) -> bool {
@@ -70,7 +29,7 @@ pub fn stem(path: &Path) -> String {
 ///
 /// # Errors
 /// If it, or a file that it names, cannot be read, or is not understood.
-pub fn parse(path: &Path, files: &FilesRead) -> Result<CaseFile, CaseFileError> {
+pub fn parse(path: &Path, files: &FilesRead) -> Result<CaseFile> {
     Ok(CaseFile::read(&name(path), &read(path, files)?, &beside(path, files))?)
 }
 
@@ -78,7 +37,7 @@ pub fn parse(path: &Path, files: &FilesRead) -> Result<CaseFile, CaseFileError> 
 ///
 /// # Errors
 /// If it cannot be read, or is not understood.
-pub fn parse_alone(path: &Path, files: &FilesRead) -> Result<CaseFile, CaseFileError> {
+pub fn parse_alone(path: &Path, files: &FilesRead) -> Result<CaseFile> {
     Ok(CaseFile::parse(&name(path), &read(path, files)?)?)
 }
 
@@ -97,16 +56,16 @@ pub(crate) fn beside(case: &Path, files: &FilesRead) -> impl Fn(&str) -> Result<
 ///
 /// # Errors
 /// If it cannot be read, or is not text.
-pub(crate) fn read(path: &Path, files: &FilesRead) -> Result<String, CaseFileError> {
+pub(crate) fn read(path: &Path, files: &FilesRead) -> Result<String> {
     let read = if is_standard_input(path) {
         files.read_standard_input(FilePurpose::Case)
     } else {
         files.read(path, FilePurpose::Case)
     };
-    let bytes = read.map_err(|cause| CaseFileError::System { name: name(path), cause })?;
+    let bytes = read.map_err(|cause| CommandError::Read { name: name(path), cause: cause.to_string() })?;
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        CaseFileError::Encoding { name: name(path), line }
+        CommandError::Encoding { name: name(path), line }
     })
 }

@@ -5,19 +5,18 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use standfast::InputError;
+use standfast_cases::Document;
 use standfast_cases::design::{
-    BoundaryRequest, Design, DesignBoundary, DesignError, DesignRequest, Extreme, Spelling, boundary_csv,
+    BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, boundary_csv,
 };
-use standfast_cases::{Document, Explained};
-use thiserror::Error;
 
 use crate::args::DesignArgs;
-use crate::case_file::{self, CaseFileError};
-use crate::draw::{DrawError, PictureFile};
+use crate::case_file;
+use crate::draw::PictureFile;
+use crate::error::{CommandError, Result};
 use crate::files_read::FilesRead;
 use crate::format::Format;
-use crate::write::{self, ExtensionError, WriteError};
+use crate::write::{self, ExtensionError};
 
 /// A file for the boundary of two quantities, whose extension says what is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -59,60 +58,16 @@ impl fmt::Display for BoundaryFile {
     }
 }
 
-/// Reason why there is no design, or a file of it was not written.
-#[derive(Debug, Error)]
-pub enum DesignCommandError {
-    /// The case file cannot be read, or is no case file.
-    #[error(transparent)]
-    File(#[from] CaseFileError),
-    /// The boundary cannot be drawn.
-    #[error(transparent)]
-    Mechanics(#[from] InputError),
-    /// There is no design.
-    #[error(transparent)]
-    Design(#[from] DesignError),
-    /// There is no boundary to be drawn.
-    #[error("there is no boundary to draw: the target is met up to both ends of the range in every column")]
-    NoBoundary,
-    /// The picture cannot be drawn.
-    #[error(transparent)]
-    Draw(#[from] DrawError),
-    /// The table cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
-
-impl Explained for DesignCommandError {
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        match self {
-            DesignCommandError::File(error) => Some(error),
-            DesignCommandError::Design(error) => Some(error),
-            DesignCommandError::Draw(error) => Some(error),
-            DesignCommandError::Write(error) => Some(error),
-            _ => None,
-        }
-    }
-
-    fn help(&self) -> Option<String> {
-        match self {
-            DesignCommandError::NoBoundary => {
-                Some("--from and --to widen the range; -o FILE.csv writes the values".into())
-            }
-            _ => None,
-        }
-    }
-}
-
 /// The design that the arguments ask for, as it is printed; files of it are written.
 ///
 /// # Errors
 /// If the case file cannot be read or makes no sense, there is no design, or a file cannot be written.
-pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
+pub fn design(args: &DesignArgs) -> Result<String> {
     let read = FilesRead::default();
     let file = case_file::parse(&args.case, &read)?;
     for output in &args.output {
         // Before a boundary is looked for, or the first of several files is written.
-        read.refuse(output.path()).map_err(WriteError::from)?;
+        read.refuse(output.path())?;
     }
     let request = DesignRequest {
         vary: args.vary.clone(),
@@ -140,11 +95,7 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
 }
 
 /// Writes the files; says so.
-fn files(
-    args: &DesignArgs,
-    boundary: &DesignBoundary,
-    read: &FilesRead,
-) -> Result<String, DesignCommandError> {
+fn files(args: &DesignArgs, boundary: &DesignBoundary, read: &FilesRead) -> Result<String> {
     let mut said = if args.output.is_empty() { String::new() } else { "\n".to_owned() };
     for output in &args.output {
         let what = match output {
@@ -153,7 +104,7 @@ fn files(
                 "Table"
             }
             BoundaryFile::Picture(picture) => {
-                let figure = boundary.figures(&())?.pop().ok_or(DesignCommandError::NoBoundary)?.figure;
+                let figure = boundary.figures(&())?.pop().ok_or(CommandError::NoBoundary)?.figure;
                 picture.save(&figure, args.scale, read)?;
                 "Picture"
             }

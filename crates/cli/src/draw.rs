@@ -8,18 +8,15 @@ use clap::ValueEnum;
 use standfast::ground::bearing::BearingPlane;
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
-use standfast_cases::Explained;
-#[cfg(feature = "pictures")]
-use standfast_figures::RenderError;
 use standfast_figures::{
     DesignPoint, DiagramContent, Figure, FigureId, KMuPlane, diagram_with, report_figure,
 };
-use thiserror::Error;
 
 use crate::args::DiagramArgs;
+use crate::error::Result;
 use crate::features::{Feature, LeftOut};
 use crate::files_read::FilesRead;
-use crate::write::{self, ExtensionError, WriteError};
+use crate::write::{self, ExtensionError};
 
 /// Format of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -87,7 +84,7 @@ impl PictureFile {
     ///
     /// # Errors
     /// If the picture cannot be made or written.
-    pub fn save(&self, figure: &Figure, scale: f32, read: &FilesRead) -> Result<(), DrawError> {
+    pub fn save(&self, figure: &Figure, scale: f32, read: &FilesRead) -> Result<()> {
         save(figure, &self.path, self.picture, scale, read)
     }
 }
@@ -101,61 +98,23 @@ pub struct KMu {
     pub mu: f64,
 }
 
-/// Reason why a picture was not made.
-#[derive(Debug, Error)]
-pub enum DrawError {
-    /// This build does not have the format.
-    #[error(transparent)]
-    LeftOut(#[from] LeftOut),
-    /// The picture cannot be converted.
-    #[cfg(feature = "pictures")]
-    #[error("cannot draw {}: {cause}", path.display())]
-    Render {
-        /// The picture's file.
-        path: PathBuf,
-        /// Error of the renderer.
-        cause: RenderError,
-    },
-    /// The picture cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
-
-impl Explained for DrawError {
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        match self {
-            DrawError::LeftOut(error) => Some(error),
-            #[cfg(feature = "pictures")]
-            DrawError::Render { .. } => None,
-            DrawError::Write(error) => Some(error),
-        }
-    }
-}
-
-fn save(
-    figure: &Figure,
-    path: &Path,
-    picture: PictureFormat,
-    scale: f32,
-    read: &FilesRead,
-) -> Result<(), DrawError> {
-    let written = match picture {
+fn save(figure: &Figure, path: &Path, picture: PictureFormat, scale: f32, read: &FilesRead) -> Result<()> {
+    match picture {
         PictureFormat::Svg => write::write_file(path, figure.svg().as_bytes(), read),
         PictureFormat::Png | PictureFormat::Pdf => {
             write::write_file(path, &rendered(figure, path, picture, scale)?, read)
         }
-    };
-    Ok(written?)
+    }
 }
 
 #[cfg(feature = "pictures")]
-fn rendered(figure: &Figure, path: &Path, picture: PictureFormat, scale: f32) -> Result<Vec<u8>, DrawError> {
+fn rendered(figure: &Figure, path: &Path, picture: PictureFormat, scale: f32) -> Result<Vec<u8>> {
     let bytes = if picture == PictureFormat::Png { figure.png(scale) } else { figure.pdf() };
-    bytes.map_err(|cause| DrawError::Render { path: path.to_owned(), cause })
+    bytes.map_err(|cause| crate::error::CommandError::Render { path: path.to_owned(), cause })
 }
 
 #[cfg(not(feature = "pictures"))]
-fn rendered(_: &Figure, path: &Path, picture: PictureFormat, _: f32) -> Result<Vec<u8>, DrawError> {
+fn rendered(_: &Figure, path: &Path, picture: PictureFormat, _: f32) -> Result<Vec<u8>> {
     picture.require(&path.display().to_string())?;
     Ok(Vec::new())
 }
@@ -179,12 +138,7 @@ pub fn plane(args: &DiagramArgs) -> Result<KMuPlane, InputError> {
 ///
 /// # Errors
 /// If the picture cannot be made or written.
-pub fn draw_diagram(
-    plane: &KMuPlane,
-    points: &[KMu],
-    file: &PictureFile,
-    scale: f32,
-) -> Result<(), DrawError> {
+pub fn draw_diagram(plane: &KMuPlane, points: &[KMu], file: &PictureFile, scale: f32) -> Result<()> {
     // The caption gives the coordinates.
     let label = |i: usize| if points.len() == 1 { String::new() } else { (i + 1).to_string() };
     let points: Vec<_> = points
@@ -206,7 +160,7 @@ pub fn draw_figures(
     figures: &[FigureId],
     picture: PictureFormat,
     scale: f32,
-) -> Result<Vec<PathBuf>, DrawError> {
+) -> Result<Vec<PathBuf>> {
     picture.require(&format!("--as {}", picture.extension()))?;
     write::make_directory(directory)?;
     figures

@@ -2,33 +2,12 @@
 
 use std::path::Path;
 
-use standfast::InputError;
-use standfast_cases::{AnswerFigure, Explained};
-use thiserror::Error;
+use standfast_cases::AnswerFigure;
 
 use crate::case_file;
+use crate::error::Result;
 use crate::files_read::FilesRead;
-use crate::write::{self, WriteError};
-
-/// Reason why a figure was not written.
-#[derive(Debug, Error)]
-pub enum FigureError {
-    /// It cannot be drawn.
-    #[error(transparent)]
-    Mechanics(#[from] InputError),
-    /// It cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
-
-impl Explained for FigureError {
-    fn help(&self) -> Option<String> {
-        match self {
-            FigureError::Mechanics(_) => None,
-            FigureError::Write(_) => Some("-o DIR puts the figures into another directory".into()),
-        }
-    }
-}
+use crate::write;
 
 /// Place of the figures of a case.
 #[derive(Debug, Clone, Copy)]
@@ -66,7 +45,7 @@ impl<'a> Figures<'a> {
         read: &FilesRead,
         figures: Vec<AnswerFigure>,
         drawn: &mut Vec<FigureFile>,
-    ) -> Result<(), FigureError> {
+    ) -> Result<()> {
         let directory = match self {
             Figures::Beside => case.parent().unwrap_or(Path::new("")),
             Figures::Into(directory) => {

@@ -22,6 +22,7 @@ pub mod batch;
 pub mod case_file;
 pub mod design;
 pub mod draw;
+pub mod error;
 pub mod features;
 pub mod figures;
 pub mod files_read;
@@ -44,10 +45,10 @@ use standfast_cases::{AssessmentView, Explained, coloured, point};
 use standfast_figures::FigureId;
 use standfast_sheet::SheetOptions;
 use standfast_tables::TableOptions;
-use thiserror::Error;
 
 use answer::PrintedAnswer;
 use args::{Cli, Command};
+use error::{CommandError, Result};
 use figures::Figures;
 use files_read::FilesRead;
 use format::Format;
@@ -60,16 +61,6 @@ pub enum Ended {
     /// It is done, and a criterion that was to be checked is not met.
     NotMet,
 }
-
-/// What the program says of any error.
-pub type Result<T> = std::result::Result<T, Box<dyn Explained>>;
-
-/// Why an answer was not printed.
-#[derive(Debug, Error)]
-#[error("cannot write to standard output: {0}")]
-struct PrintedError(io::Error);
-
-impl Explained for PrintedError {}
 
 /// Does what the command line says.
 ///
@@ -131,7 +122,7 @@ fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
 fn ended(PrintedAnswer { answer, undrawn, met }: PrintedAnswer, check: bool) -> Result<Ended> {
     print(&answer)?;
     match undrawn {
-        Some(error) => Err(error.into()),
+        Some(error) => Err(error),
         None if check && met == Some(false) => Ok(Ended::NotMet),
         None => Ok(Ended::Done),
     }
@@ -185,7 +176,7 @@ pub fn complain(text: &str) {
 /// Prints, without complaint if nobody reads.
 fn print(text: &str) -> Result<()> {
     match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(PrintedError(error).into()),
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(CommandError::Printed(error)),
         _ => Ok(()),
     }
 }

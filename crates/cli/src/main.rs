@@ -13,7 +13,7 @@ fn main() -> ExitCode {
         Ok(Ended::Done) => ExitCode::SUCCESS,
         Ok(Ended::NotMet) => ExitCode::from(3),
         Err(error) => {
-            standfast_cli::complain_of(error.as_ref());
+            standfast_cli::complain_of(&error);
             ExitCode::FAILURE
         }
     }

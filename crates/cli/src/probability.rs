@@ -5,18 +5,17 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use standfast_cases::random::{ChanceRequest, Effort, Probability, ProbabilityError, WeighedDraws, template};
-use standfast_cases::{CaseError, Explained};
-use standfast_tables::{PlainColumn, PlainValues, TableError, TableFormat, write_columns};
-use thiserror::Error;
+use standfast_cases::random::{ChanceRequest, Effort, Probability, WeighedDraws, template};
+use standfast_tables::{PlainColumn, PlainValues, TableFormat, write_columns};
 
 use crate::answer::PrintedAnswer;
 use crate::args::{ProbabilityArgs, RotationsArg};
-use crate::case_file::{self, CaseFileError};
+use crate::case_file;
+use crate::error::Result;
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::Format;
-use crate::write::{self, ExtensionError, Pending, WriteError};
+use crate::write::{self, ExtensionError, Pending};
 
 /// A file of draws, whose extension says how it is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,43 +41,11 @@ impl FromStr for DrawsFile {
     }
 }
 
-/// Reason why there are no probabilities.
-#[derive(Debug, Error)]
-pub enum ProbabilityCommandError {
-    /// The case file cannot be read.
-    #[error(transparent)]
-    File(#[from] CaseFileError),
-    /// The case makes no sense.
-    #[error(transparent)]
-    Case(#[from] CaseError),
-    /// There is no answer.
-    #[error(transparent)]
-    Probability(#[from] ProbabilityError),
-    /// The draws cannot be written.
-    #[error(transparent)]
-    Table(#[from] TableError),
-    /// The file of draws cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
-
-impl Explained for ProbabilityCommandError {
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        match self {
-            ProbabilityCommandError::File(error) => Some(error),
-            ProbabilityCommandError::Case(error) => Some(error),
-            ProbabilityCommandError::Probability(error) => Some(error),
-            ProbabilityCommandError::Table(error) => Some(error),
-            ProbabilityCommandError::Write(error) => Some(error),
-        }
-    }
-}
-
 /// Answers a case with random numbers, and writes its figures into a directory or else beside it.
 ///
 /// # Errors
 /// If the case file cannot be read or makes no sense, or the draws cannot be written.
-pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer, ProbabilityCommandError> {
+pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer> {
     let read = FilesRead::default();
     let case = case_file::parse(&args.case, &read)?;
     if args.template {
@@ -93,7 +60,7 @@ pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer, ProbabilityC
         threads: args.threads.map_or(plain.threads, NonZeroUsize::get),
     };
     if let Some(file) = &args.draws {
-        read.refuse(&file.path).map_err(WriteError::from)?;
+        read.refuse(&file.path)?;
     }
     let follow = args.rotations == RotationsArg::Simulate;
     let plainly = ChanceRequest { effort, years: args.years, follow, ..ChanceRequest::default() };
@@ -111,11 +78,7 @@ pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer, ProbabilityC
 }
 
 /// A row for each draw: the numbers, the weight and the mode, and of several sets of loads which.
-fn write_draws(
-    draws: WeighedDraws,
-    file: &DrawsFile,
-    read: &FilesRead,
-) -> Result<(), ProbabilityCommandError> {
+fn write_draws(draws: WeighedDraws, file: &DrawsFile, read: &FilesRead) -> Result<()> {
     let WeighedDraws { inputs, values, of, weights, happens, situations } = draws;
     let number = |((name, unit), values): ((String, Option<&'static str>), Vec<f64>)| PlainColumn {
         name,
@@ -142,5 +105,5 @@ fn write_draws(
     let pending = Pending::create(&file.path, read)?;
     let mut bytes = Vec::new();
     write_columns(&columns, file.format, &mut bytes)?;
-    Ok(pending.write_all_and_finish(&bytes)?)
+    pending.write_all_and_finish(&bytes)
 }

@@ -4,13 +4,12 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use standfast_cases::Explained;
-use standfast_sheet::{Paper, PrintError, Sheet, SheetError, SheetOptions};
-use thiserror::Error;
+use standfast_sheet::{Paper, Sheet, SheetOptions};
 
-use crate::case_file::{self, CaseFileError};
+use crate::case_file;
+use crate::error::Result;
 use crate::files_read::FilesRead;
-use crate::write::{self, ExtensionError, WriteError};
+use crate::write::{self, ExtensionError};
 
 /// Format of a sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,47 +44,14 @@ impl fmt::Display for SheetFile {
     }
 }
 
-/// Reason why a sheet was not made.
-#[derive(Debug, Error)]
-pub enum SheetCommandError {
-    /// The case file cannot be read, or is no case file.
-    #[error(transparent)]
-    File(#[from] CaseFileError),
-    /// The case makes no sense.
-    #[error(transparent)]
-    Sheet(#[from] SheetError),
-    /// The sheet cannot be printed.
-    #[error(transparent)]
-    Print(#[from] PrintError),
-    /// The sheet cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
-
-impl Explained for SheetCommandError {
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        Some(match self {
-            SheetCommandError::File(error) => error,
-            SheetCommandError::Sheet(error) => error,
-            SheetCommandError::Print(error) => error,
-            SheetCommandError::Write(error) => error,
-        })
-    }
-}
-
 /// Writes the calculation sheet of a case file.
 ///
 /// # Errors
 /// If the case file cannot be read or makes no sense, or the sheet cannot be printed or written.
-pub fn sheet(
-    case: &Path,
-    file: &SheetFile,
-    options: &SheetOptions,
-    paper: Paper,
-) -> Result<(), SheetCommandError> {
+pub fn sheet(case: &Path, file: &SheetFile, options: &SheetOptions, paper: Paper) -> Result<()> {
     let read = FilesRead::default();
     let case = case_file::parse(case, &read)?;
-    read.refuse(&file.path).map_err(WriteError::from)?;
+    read.refuse(&file.path)?;
     let sheet = Sheet::of_file(&case, options)?;
     match file.kind {
         Kind::Html => write::write_file(&file.path, sheet.html().as_bytes(), &read)?,

@@ -4,60 +4,27 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 use standfast_cases::motion::{Spectrum, SpectrumError, SpectrumRequest, spectrum_csv};
-use standfast_cases::{CaseError, Explained};
-use thiserror::Error;
 
 use crate::answer::PrintedAnswer;
 use crate::args::{SpectrumArgs, threads};
-use crate::case_file::{self, CaseFileError};
-use crate::figures::{FigureError, Figures};
+use crate::case_file;
+use crate::error::Result;
+use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::Format;
 use crate::progress::Motions;
-use crate::write::{self, WriteError};
-
-/// Reason why there is no spectrum.
-#[derive(Debug, Error)]
-pub enum SpectrumCommandError {
-    /// The case file cannot be read.
-    #[error(transparent)]
-    File(#[from] CaseFileError),
-    /// The case makes no sense.
-    #[error(transparent)]
-    Case(#[from] CaseError),
-    /// The case has no such spectrum.
-    #[error(transparent)]
-    Spectrum(#[from] SpectrumError),
-    /// The points cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-    /// The figure cannot be written.
-    #[error(transparent)]
-    Figure(#[from] FigureError),
-}
-
-impl Explained for SpectrumCommandError {
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        match self {
-            SpectrumCommandError::File(error) => Some(error),
-            SpectrumCommandError::Case(error) => Some(error),
-            SpectrumCommandError::Write(error) => Some(error),
-            SpectrumCommandError::Figure(error) => Some(error),
-            _ => None,
-        }
-    }
-}
+use crate::write;
 
 /// Finds the spectrum of a case file, draws it, and returns what to print.
 ///
 /// # Errors
 /// If a file cannot be read or written, or the case has no such spectrum.
-pub fn spectrum(args: &SpectrumArgs) -> Result<String, SpectrumCommandError> {
+pub fn spectrum(args: &SpectrumArgs) -> Result<String> {
     let read = FilesRead::default();
     let cases = case_file::parse(&args.case, &read)?.motions()?;
     if let Some(csv) = args.csv.as_ref().filter(|csv| csv.as_os_str() != "-") {
         // Before many motions are followed for nothing.
-        read.refuse(csv).map_err(WriteError::from)?;
+        read.refuse(csv)?;
     }
     let Some(case) = cases.into_iter().next() else { return Err(SpectrumError::NoShaking.into()) };
     let request = SpectrumRequest {
@@ -79,7 +46,7 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String, SpectrumCommandError> {
     let figures = Figures::asked(args.output.as_deref(), false);
     let mut printed = PrintedAnswer::of(&spectrum, &(), args.format, figures, (&args.case, &read));
     if let Some(error) = printed.undrawn {
-        return Err(error.into());
+        return Err(error);
     }
     if let Some(csv) = &args.csv {
         write::write_file(csv, spectrum_csv(&spectrum).as_bytes(), &read)?;

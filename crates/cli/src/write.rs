@@ -6,36 +6,11 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use standfast_cases::Explained;
 use thiserror::Error;
 
-use crate::files_read::{FilesRead, WouldReplace};
+use crate::error::{CommandError, Result};
+use crate::files_read::FilesRead;
 use unfinished::Unfinished;
-
-/// Reason why a file was not written.
-#[derive(Debug, Error)]
-pub enum WriteError {
-    /// The system does not write it.
-    #[error("cannot write {}: {cause}", path.display())]
-    System {
-        /// The file.
-        path: PathBuf,
-        /// Error of the system.
-        cause: io::Error,
-    },
-    /// It is a file that was read.
-    #[error(transparent)]
-    WouldReplace(#[from] WouldReplace),
-}
-
-impl Explained for WriteError {
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        match self {
-            WriteError::WouldReplace(error) => Some(error),
-            _ => None,
-        }
-    }
-}
 
 /// A file name whose extension does not say how the file is written.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -86,7 +61,7 @@ impl Pending {
     ///
     /// # Errors
     /// If it is one of those, its directory does not exist or cannot be written to, or `path` is a directory.
-    pub fn create(path: &Path, read: &FilesRead) -> Result<Pending, WriteError> {
+    pub fn create(path: &Path, read: &FilesRead) -> Result<Pending> {
         read.refuse(path)?;
         Pending::begin(path)
     }
@@ -95,12 +70,12 @@ impl Pending {
     ///
     /// # Errors
     /// As [`Pending::create`].
-    pub fn create_answer(path: &Path, read: &FilesRead) -> Result<Pending, WriteError> {
+    pub fn create_answer(path: &Path, read: &FilesRead) -> Result<Pending> {
         read.refuse_but_table(path)?;
         Pending::begin(path)
     }
 
-    fn begin(path: &Path) -> Result<Pending, WriteError> {
+    fn begin(path: &Path) -> Result<Pending> {
         let open = || -> io::Result<Target> {
             // A link to a file is followed, so that the file it points to is replaced and not the link.
             let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
@@ -113,7 +88,7 @@ impl Pending {
             }
             Ok(Target::Place(Unfinished::beside(&place)?, place))
         };
-        let target = open().map_err(|cause| WriteError::System { path: path.to_owned(), cause })?;
+        let target = open().map_err(|cause| CommandError::Write { path: path.to_owned(), cause })?;
         Ok(Pending { path: path.to_owned(), target })
     }
 
@@ -134,10 +109,10 @@ impl Pending {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn write_all_and_finish(mut self, bytes: &[u8]) -> Result<(), WriteError> {
+    pub fn write_all_and_finish(mut self, bytes: &[u8]) -> Result<()> {
         match self.write_all(bytes) {
             Ok(()) => self.finish(),
-            Err(cause) => Err(WriteError::System { path: self.path, cause }),
+            Err(cause) => Err(CommandError::Write { path: self.path, cause }),
         }
     }
 
@@ -145,10 +120,10 @@ impl Pending {
     ///
     /// # Errors
     /// If it cannot be moved there.
-    pub fn finish(self) -> Result<(), WriteError> {
+    pub fn finish(self) -> Result<()> {
         match self.target {
             Target::Place(file, place) => {
-                file.put(&place).map_err(|cause| WriteError::System { path: self.path, cause })
+                file.put(&place).map_err(|cause| CommandError::Write { path: self.path, cause })
             }
             Target::Device(_) => Ok(()),
         }
@@ -175,7 +150,7 @@ impl Write for Pending {
 ///
 /// # Errors
 /// If it is one of the files that were read, or cannot be written.
-pub fn write_file(path: &Path, bytes: &[u8], read: &FilesRead) -> Result<(), WriteError> {
+pub fn write_file(path: &Path, bytes: &[u8], read: &FilesRead) -> Result<()> {
     Pending::create(path, read)?.write_all_and_finish(bytes)
 }
 
@@ -183,6 +158,6 @@ pub fn write_file(path: &Path, bytes: &[u8], read: &FilesRead) -> Result<(), Wri
 ///
 /// # Errors
 /// If that is not possible.
-pub fn make_directory(path: &Path) -> Result<(), WriteError> {
-    fs::create_dir_all(path).map_err(|cause| WriteError::System { path: path.to_owned(), cause })
+pub fn make_directory(path: &Path) -> Result<()> {
+    fs::create_dir_all(path).map_err(|cause| CommandError::Write { path: path.to_owned(), cause })
 }

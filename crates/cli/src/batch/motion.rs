@@ -4,131 +4,40 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use standfast_cases::CaseFile;
-use standfast_cases::Explained;
 use standfast_cases::layout::paragraph;
 use standfast_cases::motion::{ColumnError, MotionRows, ROW_RESULTS, in_order};
 use standfast_cases::suggest::closest;
 use standfast_cases::sweep::heading;
 use standfast_tables::{Interface, OnError, TableFormat, WrittenColumn, column_warnings, written};
-use thiserror::Error;
 
 use crate::args::{BatchArgs, threads};
 use crate::case_file;
+use crate::error::{CommandError, Result};
 use crate::files_read::{FilePurpose, FilesRead};
 use crate::progress::Motions;
-use crate::write::{Pending, WriteError};
-
-/// Reason why a table of motions was not answered.
-#[derive(Debug, Error)]
-pub enum MotionTableError {
-    /// The table cannot be read.
-    #[error("cannot read {name}: {cause}")]
-    Read {
-        /// The table.
-        name: String,
-        /// Cause, in words.
-        cause: String,
-    },
-    /// A format that tables of motions do not have.
-    #[error("a table that varies a motion is read as CSV, and {name} is {format}")]
-    Format {
-        /// The file.
-        name: String,
-        /// Its format.
-        format: &'static str,
-    },
-    /// A format of the output that there is not.
-    #[error(transparent)]
-    Output(Box<super::BatchCommandError>),
-    /// An option that tables of motions do not have.
-    #[error("{option} does not go with a table of motions")]
-    Option {
-        /// The option.
-        option: &'static str,
-    },
-    /// A column that varies nothing it names.
-    #[error(transparent)]
-    Column(#[from] ColumnError),
-    /// No column varies anything.
-    #[error("no column of {name} varies anything of the case")]
-    Nothing {
-        /// The table.
-        name: String,
-    },
-    /// There is no result of this name.
-    #[error("there is no result {name}{like}; the results: {}", ROW_RESULTS.join(", "))]
-    NoResult {
-        /// The name.
-        name: String,
-        /// One like it.
-        like: String,
-    },
-    /// A row that makes no sense.
-    #[error("{name}, row {row}: {words}")]
-    Row {
-        /// The table.
-        name: String,
-        /// Counted from one, the header apart.
-        row: usize,
-        /// Fault of the row, in words.
-        words: String,
-    },
-    /// The file cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-}
-
-impl Explained for MotionTableError {
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        match self {
-            MotionTableError::Output(error) => Some(&**error),
-            MotionTableError::Column(error) => Some(error),
-            MotionTableError::Write(error) => Some(error),
-            _ => None,
-        }
-    }
-
-    fn help(&self) -> Option<String> {
-        let help = match self {
-            MotionTableError::Nothing { .. } => {
-                "call columns by what they vary, as in block.mu_s or motion.base.horizontal.file".into()
-            }
-            MotionTableError::Row { .. } => "--on-error null leaves the results of such rows empty".into(),
-            _ => return None,
-        };
-        Some(help)
-    }
-}
+use crate::write::Pending;
 
 /// Answers the rows of a table that vary a case of motion; returns what to print.
 ///
 /// # Errors
 /// If the table, a column or a row makes no sense, or a file cannot be read or written.
-pub fn motions(
-    args: &BatchArgs,
-    case: &Path,
-    file: CaseFile,
-    files: &FilesRead,
-) -> Result<String, MotionTableError> {
+pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead) -> Result<String> {
     let is_standard = args.input.as_os_str() == "-";
     let name = if is_standard { "standard input".to_owned() } else { args.input.display().to_string() };
     if !args.map.is_empty() {
-        return Err(MotionTableError::Option { option: "--map" });
+        return Err(CommandError::Option { option: "--map" });
     }
     let format = args.input_format.or_else(|| TableFormat::of(&args.input, "--input-format").ok());
     if let Some(format) = format.filter(|format| *format != TableFormat::Csv) {
-        return Err(MotionTableError::Format {
-            name: args.input.display().to_string(),
-            format: format.name(),
-        });
+        return Err(CommandError::Format { name: args.input.display().to_string(), format: format.name() });
     }
     let format = super::format(&args.output, args.output_format, "--output-format");
-    let format = format.map_err(|error| MotionTableError::Output(Box::new(error)))?;
+    let format = format?;
     let nulls = args.on_error == OnError::Null;
     let (header, records) = read(args, &name, nulls, files)?;
     if args.output != Path::new("-") {
         // Before many motions are followed for nothing.
-        files.refuse_but_table(&args.output).map_err(WriteError::from)?;
+        files.refuse_but_table(&args.output)?;
     }
     // Files that a column names need not lie beside the case.
     let named = |path: &str| header.iter().any(|column| heading(column).0 == path);
@@ -136,7 +45,7 @@ pub fn motions(
     let file = file.with_some_files(&read, &|id| !named(&id.to_string())).map_err(ColumnError::from)?;
     let rows = MotionRows::of(&file, &header)?;
     if rows.varied().next().is_none() {
-        return Err(MotionTableError::Nothing { name });
+        return Err(CommandError::NothingVaries { name });
     }
     let results = if args.columns.is_empty() { rows.results() } else { results(&args.columns)? };
     let threads = threads(args.threads);
@@ -148,7 +57,7 @@ pub fn motions(
     let mut head: Vec<&str> = header.iter().map(String::as_str).collect();
     head.extend(results.iter().map(|i| ROW_RESULTS[*i]));
     head.extend(nulls.then_some("problem"));
-    let unwritten = |cause: io::Error| WriteError::System { path: args.output.clone(), cause };
+    let unwritten = |cause: io::Error| CommandError::Write { path: args.output.clone(), cause };
     let (mut bad, mut first) = (0, None);
     let mut table: Vec<Vec<String>> = vec![Vec::new(); head.len()];
     for (i, (record, answer)) in records.iter().zip(answers).enumerate() {
@@ -165,7 +74,7 @@ pub fn motions(
                 cells.extend(results.iter().map(|_| String::new()));
                 cells.push(words);
             }
-            Err(words) => return Err(MotionTableError::Row { name, row: i + 1, words }),
+            Err(words) => return Err(CommandError::Row { name, row: i + 1, words }),
         }
         table.iter_mut().zip(cells).for_each(|(column, cell)| column.push(cell));
     }
@@ -211,8 +120,8 @@ fn read(
     name: &str,
     nulls: bool,
     files: &FilesRead,
-) -> Result<(Vec<String>, Vec<csv::StringRecord>), MotionTableError> {
-    let unread = |cause: String| MotionTableError::Read { name: name.to_owned(), cause };
+) -> Result<(Vec<String>, Vec<csv::StringRecord>)> {
+    let unread = |cause: String| CommandError::Read { name: name.to_owned(), cause };
     let bytes = if args.input.as_os_str() == "-" {
         files.read_standard_input(FilePurpose::Table)
     } else {
@@ -245,13 +154,13 @@ fn column(result: Option<&str>, cells: Vec<String>) -> WrittenColumn {
 }
 
 /// The places of the results of these names.
-fn results(names: &[String]) -> Result<Vec<usize>, MotionTableError> {
+fn results(names: &[String]) -> Result<Vec<usize>> {
     let place = |name: &String| {
         let found = ROW_RESULTS.iter().position(|result| *result == name.trim());
         found.ok_or_else(|| {
             let like =
                 closest(name, ROW_RESULTS).map_or_else(String::new, |l| format!("; did you mean {l}?"));
-            MotionTableError::NoResult { name: name.clone(), like }
+            CommandError::NoResult { name: name.clone(), like }
         })
     };
     names.iter().map(place).collect()

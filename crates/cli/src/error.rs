@@ -1,0 +1,193 @@
+//! What the program says where a command does not end as asked.
+
+use std::io;
+use std::path::PathBuf;
+
+use standfast::InputError;
+use standfast_cases::design::DesignError;
+use standfast_cases::motion::{ColumnError, MotionError, ROW_RESULTS, SpectrumError};
+use standfast_cases::random::ProbabilityError;
+use standfast_cases::{CaseError, Explained};
+use standfast_sheet::{PrintError, SheetError};
+use standfast_tables::TableError;
+use thiserror::Error;
+
+use crate::features::LeftOut;
+use crate::files_read::WouldReplace;
+
+/// Result of a command, or of a part of it.
+pub type Result<T, E = CommandError> = std::result::Result<T, E>;
+
+/// Reason why a command did not end as asked.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum CommandError {
+    /// A number that mechanics cannot take.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The case makes no sense.
+    #[error(transparent)]
+    Case(#[from] CaseError),
+    /// There is no design.
+    #[error(transparent)]
+    Design(#[from] DesignError),
+    /// There are no probabilities.
+    #[error(transparent)]
+    Probability(#[from] ProbabilityError),
+    /// The motion cannot be followed.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// The case has no such spectrum.
+    #[error(transparent)]
+    Spectrum(#[from] SpectrumError),
+    /// The table is wrong.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// A column of a table of motions varies nothing it names.
+    #[error(transparent)]
+    Column(#[from] ColumnError),
+    /// There is no sheet.
+    #[error(transparent)]
+    Sheet(#[from] SheetError),
+    /// The sheet cannot be printed.
+    #[error(transparent)]
+    Print(#[from] PrintError),
+    /// Something is asked for that this build leaves out.
+    #[error(transparent)]
+    LeftOut(#[from] LeftOut),
+    /// An output would replace what was read.
+    #[error(transparent)]
+    WouldReplace(#[from] WouldReplace),
+    /// A file cannot be read.
+    #[error("cannot read {name}: {cause}")]
+    Read {
+        /// The file.
+        name: String,
+        /// Cause, in words.
+        cause: String,
+    },
+    /// A case file is not text.
+    #[error("{name} is not UTF-8 text: line {line} has a byte that is no character")]
+    Encoding {
+        /// The case file.
+        name: String,
+        /// The first line with such a byte, counted from one.
+        line: usize,
+    },
+    /// There are no criteria to check.
+    #[error("--check finds no [criteria]{of} in {}", path.display())]
+    NothingToCheck {
+        /// The case file.
+        path: PathBuf,
+        /// Subject of the criteria, in words.
+        of: &'static str,
+        /// Criteria as an example.
+        example: &'static str,
+    },
+    /// The series has a name that tells no format.
+    #[error("cannot tell the format of {} from its extension", path.display())]
+    Extension {
+        /// The file.
+        path: PathBuf,
+    },
+    /// There is no boundary to be drawn.
+    #[error("there is no boundary to draw: the target is met up to both ends of the range in every column")]
+    NoBoundary,
+    /// A format that tables of motions do not have.
+    #[error("a table that varies a motion is read as CSV, and {name} is {format}")]
+    Format {
+        /// The file.
+        name: String,
+        /// Its format.
+        format: &'static str,
+    },
+    /// An option that tables of motions do not have.
+    #[error("{option} does not go with a table of motions")]
+    Option {
+        /// The option.
+        option: &'static str,
+    },
+    /// No column varies anything.
+    #[error("no column of {name} varies anything of the case")]
+    NothingVaries {
+        /// The table.
+        name: String,
+    },
+    /// There is no result of this name.
+    #[error("there is no result {name}{like}; the results: {}", ROW_RESULTS.join(", "))]
+    NoResult {
+        /// The name.
+        name: String,
+        /// One like it.
+        like: String,
+    },
+    /// A row that makes no sense.
+    #[error("{name}, row {row}: {words}")]
+    Row {
+        /// The table.
+        name: String,
+        /// Counted from one, the header apart.
+        row: usize,
+        /// Fault of the row, in words.
+        words: String,
+    },
+    /// A picture cannot be converted.
+    #[cfg(feature = "pictures")]
+    #[error("cannot draw {}: {cause}", path.display())]
+    Render {
+        /// The picture's file.
+        path: PathBuf,
+        /// Error of the renderer.
+        cause: standfast_figures::RenderError,
+    },
+    /// A file cannot be written.
+    #[error("cannot write {}: {cause}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Error of the system.
+        cause: io::Error,
+    },
+    /// A figure of an answer cannot be written.
+    #[error("{0}")]
+    Figure(Box<CommandError>),
+    /// The answer cannot be printed.
+    #[error("cannot write to standard output: {0}")]
+    Printed(io::Error),
+}
+
+impl Explained for CommandError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        Some(match self {
+            CommandError::Case(error) => error,
+            CommandError::Design(error) => error,
+            CommandError::Probability(error) => error,
+            CommandError::Table(error) => error,
+            CommandError::Column(error) => error,
+            CommandError::Sheet(error) => error,
+            CommandError::Print(error) => error,
+            CommandError::LeftOut(error) => error,
+            CommandError::WouldReplace(error) => error,
+            _ => return None,
+        })
+    }
+
+    fn help(&self) -> Option<String> {
+        Some(match self {
+            CommandError::Encoding { .. } => "save it as UTF-8".into(),
+            CommandError::NothingToCheck { example, .. } => format!("add for example\n[criteria]\n{example}"),
+            CommandError::Extension { .. } => {
+                "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx".into()
+            }
+            CommandError::NoBoundary => {
+                "--from and --to widen the range; -o FILE.csv writes the values".into()
+            }
+            CommandError::NothingVaries { .. } => {
+                "call columns by what they vary, as in block.mu_s or motion.base.horizontal.file".into()
+            }
+            CommandError::Row { .. } => "--on-error null leaves the results of such rows empty".into(),
+            CommandError::Figure(_) => "-o DIR puts the figures into another directory".into(),
+            _ => return None,
+        })
+    }
+}
