@@ -23,6 +23,24 @@ pub struct Check {
     pub met: bool,
 }
 
+/// A utilisation as it is read.
+pub(crate) fn used_words(utilisation: Option<f64>) -> String {
+    match utilisation {
+        Some(f64::INFINITY) => "infinite".to_owned(),
+        // A number that rounds to 1 is not to be read as met when it is not.
+        Some(utilisation) if utilisation.is_finite() && utilisation != 1.0 => {
+            apart(&[utilisation, 1.0])[0].clone()
+        }
+        Some(utilisation) => digits(utilisation),
+        None => "–".to_owned(),
+    }
+}
+
+/// "met" or "not met".
+pub(crate) fn met_word(met: bool) -> &'static str {
+    if met { "met" } else { "not met" }
+}
+
 /// The results that criteria on numbers ask for.
 const RESULTS: [(Key, ResultName); 9] = [
     (Key::LeastSliding, ResultName::SfSliding),
@@ -103,15 +121,7 @@ impl Check {
 
     /// The utilisation as it is read.
     pub fn utilisation_words(&self) -> String {
-        match self.utilisation {
-            // A number that rounds to 1 is not to be read as met when it is not.
-            Some(utilisation) if utilisation.is_finite() && utilisation != 1.0 => {
-                apart(&[utilisation, 1.0])[0].clone()
-            }
-            Some(f64::INFINITY) => "infinite".to_owned(),
-            Some(utilisation) => digits(utilisation),
-            None => "–".to_owned(),
-        }
+        used_words(self.utilisation)
     }
 
     /// Reason why it is not met: `SF_sliding is 1.165, not ≥ 1.2`.
@@ -125,7 +135,7 @@ impl Check {
 
     /// "met" or "not met".
     pub fn met_words(&self) -> &'static str {
-        if self.met { "met" } else { "not met" }
+        met_word(self.met)
     }
 
     /// Urgency of the check: modes that are not allowed first, then by utilisation.
@@ -135,5 +145,22 @@ impl Check {
             (None, true) => 0.0,
             (None, false) => f64::INFINITY,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_a_utilisation() {
+        let words = [Some(0.5), Some(1.0), Some(2.0), Some(f64::INFINITY), None].map(used_words);
+        assert_eq!(words, ["0.5", "1", "2", "infinite", "–"]);
+        // What rounds to 1 is told from it.
+        for just in [1.0 + 1e-9, 1.0 - 1e-9] {
+            assert_eq!(used_words(Some(just)).parse::<f64>().unwrap() > 1.0, just > 1.0);
+            assert_ne!(used_words(Some(just)), "1");
+        }
+        assert_eq!([true, false].map(met_word), ["met", "not met"]);
     }
 }

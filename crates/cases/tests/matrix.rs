@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use standfast_cases::couple::Variable;
 use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
 use standfast_cases::motion::{Follow, FollowedMotion, MotionRows, MotionView};
-use standfast_cases::random::{ChanceRequest, Effort, Method, Probability};
+use standfast_cases::random::{ChanceProblem, ChanceRequest, Effort, Happening, Method, Probability};
 use standfast_cases::sweep::{Factor, Sweep};
 use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Id, Key};
 
@@ -235,25 +235,39 @@ fn every_number_can_be_designed_or_is_refused_by_name() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// Every number is drawn, and the last of each case that can be is answered for as well.
 #[test]
 fn every_number_can_be_random_or_is_refused_by_name() {
     let mut wrong = Vec::new();
     for text in CASES.iter().filter(|text| !text.starts_with("[block]")) {
+        let mut last = None;
         for id in variables(&file(text)) {
             let law = format!("[random]\n\"{id}\" = {{ normal = {{ cov = 0.01 }} }}\n");
-            let effort = Effort { points: 64, ..Effort::default() };
-            let asked =
-                ChanceRequest { method: Some(Method::MonteCarlo), effort, ..ChanceRequest::default() };
             let parsed = CaseFile::read("case.toml", &format!("{text}{law}"), &record);
-            let found = parsed
-                .map_err(|error| error.to_string())
-                .and_then(|file| Probability::of(&file, asked).map_err(|error| error.to_string()));
+            let found = parsed.map_err(|error| error.to_string()).and_then(|file| {
+                let problems = ChanceProblem::of_file(&file).map_err(|error| error.to_string())?;
+                Ok((file, problems))
+            });
             match found {
-                Ok(answer) => assert_eq!(answer.random.len(), 1, "{id}"),
+                Ok((file, problems)) => {
+                    let drawn = problems[0].drawn(&[file.inputs().number(id).unwrap()]);
+                    assert_ne!(drawn.happens, Happening::NotABody, "{id} in\n{text}");
+                    if !id.table.is_of_motion() {
+                        last = Some(file);
+                        continue;
+                    }
+                    // Of the motion, which is not followed here.
+                    let refused = Probability::of(&file, ChanceRequest::default()).unwrap_err().to_string();
+                    assert!(refused.contains(&format!("`{id}`")), "{refused}");
+                }
                 Err(words) if words.contains(&format!("`{id}`")) => {}
                 Err(words) => wrong.push(format!("{id}: {words}\n{text}")),
             }
         }
+        let effort = Effort { points: 64, ..Effort::default() };
+        let asked = ChanceRequest { method: Some(Method::MonteCarlo), effort, ..ChanceRequest::default() };
+        let answer = Probability::of(&last.expect("a number that can be random"), asked).unwrap();
+        assert_eq!(answer.random.len(), 1);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

@@ -7,6 +7,7 @@ use standfast_model::MotionCriterion;
 use standfast_motion::{End, MotionOutcome};
 
 use super::FollowedMotion;
+use crate::criteria::{met_word, used_words};
 use crate::digits::{apart, digits};
 
 /// Value of a motion that a criterion is about.
@@ -79,18 +80,12 @@ impl MotionCheck {
 
     /// The utilisation as it is read.
     pub fn utilisation_words(&self) -> String {
-        match self.utilisation {
-            Some(f64::INFINITY) => "infinite".to_owned(),
-            // A number that rounds to 1 is not to be read as met when it is not.
-            Some(utilisation) if utilisation != 1.0 => apart(&[utilisation, 1.0])[0].clone(),
-            Some(utilisation) => digits(utilisation),
-            None => "–".to_owned(),
-        }
+        used_words(self.utilisation)
     }
 
     /// "met" or "not met".
     pub fn met_words(&self) -> &'static str {
-        if self.met { "met" } else { "not met" }
+        met_word(self.met)
     }
 
     /// Reason why it is not met: `slide is 0.1004 m, not ≤ 0.1 m`.
