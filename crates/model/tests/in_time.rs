@@ -84,3 +84,72 @@ fn a_base_beside_the_case() {
     assert_eq!(of(&moving, upwards()), [Some(3.0), Some(4.0)]);
     assert_eq!(of(&moving, GivenBase::default()), [Some(3.0), Some(2.0)]);
 }
+
+/// A body's loads at their peaks: each but its own weight, with what the case has of it times the greatest of its history; and when to stop.
+#[test]
+fn loads_at_their_peaks() {
+    let loads = "[[load]]\nname = \"wave\"\nforce = 30e3\nelevation = 4\nhistory = { shape = \"rect\", duration = 0.4, peak = 1.5 }\n\
+                 [[load]]\nname = \"anchor\"\nforce = 5e3\nelevation = 3\npermanent = true\n";
+    let text = format!("{BODY}{loads}[motion]\nt_max = 0.7\n");
+    let case = file(&text).motions().unwrap().remove(0);
+    let found: Vec<_> =
+        case.peaks.iter().map(|peak| (peak.name.as_str(), peak.permanent, peak.wrench)).collect();
+    // About the centre of mass, half way up; forces point to the left.
+    let wrench =
+        |force: f64, elevation: f64| standfast::Wrench { x: -force, p: 0.0, m: force * (elevation - 3.0) };
+    assert_eq!(found, [("wave", false, wrench(45e3, 4.0)), ("anchor", true, wrench(5e3, 3.0))]);
+    assert_eq!((case.problem.t_max, case.height, case.si, case.uplift), (Some(0.7), 6.0, true, false));
+    assert_eq!(file(&format!("{BODY}{loads}")).motions().unwrap()[0].problem.t_max, None);
+}
+
+/// A block in pure numbers: twice as high as its centre of mass, uniform where both corners are as far as the unit, else with a radius of
+/// gyration of its own; and beside nothing else.
+#[test]
+fn a_block_in_pure_numbers() {
+    let text = |b1: f64, b2: f64, more: &str| {
+        format!(
+            "[block]\nb1 = {b1}\nb2 = {b2}\nd = 3\nmu_s = 0.4\ngravity = 1\n{more}[motion.base]\nhorizontal = {{ shape = \"rect\", peak = 1, duration = 1 }}\n"
+        )
+    };
+    let case = file(&text(1.0, 1.0, "")).motions().unwrap().remove(0);
+    assert_eq!((case.height, case.si, case.problem.block.rho2), (6.0, false, 10.0 / 3.0));
+    for (b1, b2) in [(1.0, 1.2), (1.2, 1.0), (1.2, 1.2)] {
+        let refused = file(&text(b1, b2, "")).motions().unwrap_err().to_string();
+        assert!(refused.contains("rho2"), "{refused}");
+        assert_eq!(file(&text(b1, b2, "rho2 = 4\n")).motions().unwrap()[0].problem.block.rho2, 4.0);
+    }
+    for beside in ["[water]\nlevel = 1\ndensity = 1000\n", "[criteria]\nSF_sliding = 1.2\n"] {
+        let refused = file(&(text(1.0, 1.0, "") + beside)).motions().unwrap_err().to_string();
+        assert!(refused.contains("[block]") || refused.contains("`block`"), "{refused}");
+    }
+}
+
+/// A base is violent from five times gravity on.
+#[test]
+fn a_violent_base() {
+    for (gravity, peak, warned) in [(2.0, 8.0, false), (2.0, 11.0, true), (0.5, 3.0, true), (0.5, 2.4, false)]
+    {
+        let text = format!(
+            "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.4\ngravity = {gravity}\n[motion.base]\nhorizontal = {{ shape = \"rect\", peak = {peak}, duration = 1 }}\n"
+        );
+        let case = file(&text).motions().unwrap().remove(0);
+        assert_eq!(
+            case.warnings.iter().any(|warning| warning.name == "violent-base"),
+            warned,
+            "{gravity} {peak}"
+        );
+    }
+}
+
+/// Histories on springs are those of the springs, and of a motion where one is followed, which leaves the springs out and says so.
+#[test]
+fn histories_on_springs() {
+    let text = format!(
+        "{BODY}[ground]\nstiffness = 5e7\n[[load]]\nforce = 30e3\nelevation = 4\nhistory = {{ shape = \"rect\", duration = 0.4 }}\n"
+    );
+    let springs = file(&text);
+    assert!(!springs.is_in_time() && springs.first_instant().unwrap().is_none());
+    let case = springs.motions().unwrap().remove(0);
+    assert_eq!(case.problem.loads.len(), 1);
+    assert!(case.warnings.iter().any(|warning| warning.name == "ground-left-out"));
+}
