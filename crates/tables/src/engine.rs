@@ -16,7 +16,17 @@ const TEXT: usize = 1 << 17;
 /// As [`run`](crate::run), and if this build leaves out one of the formats.
 pub fn answer(
     input: TableInput<'_>,
-    output: impl Write + Send,
+    mut output: impl Write + Send,
+    options: &TableOptions,
+    progress: &dyn Progress,
+) -> Result<Summary, TableError> {
+    answer_into(input, &mut output, options, progress)
+}
+
+/// Answers into any output, so that what formats have of generic code is compiled here, once.
+fn answer_into(
+    input: TableInput<'_>,
+    output: &mut (dyn Write + Send),
     options: &TableOptions,
     progress: &dyn Progress,
 ) -> Result<Summary, TableError> {
@@ -36,7 +46,7 @@ pub fn answer(
 /// Text that stays text: its rows keep their bytes.
 fn text(
     input: TableInput<'_>,
-    mut output: impl Write + Send,
+    output: &mut (dyn Write + Send),
     options: &TableOptions,
     progress: &dyn Progress,
 ) -> Result<Summary, TableError> {

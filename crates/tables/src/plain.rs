@@ -37,10 +37,19 @@ impl PlainValues {
 ///
 /// # Errors
 /// If writing fails, there are more rows than a workbook has, or the format is one that this build does not have.
-pub fn write_columns<W: Write + Send>(
+pub fn write_columns(
     columns: &[PlainColumn],
     format: TableFormat,
-    output: W,
+    mut output: impl Write + Send,
+) -> Result<(), TableError> {
+    write_into(columns, format, &mut output)
+}
+
+/// Writes into any output, so that what formats have of generic code is compiled here, once.
+fn write_into(
+    columns: &[PlainColumn],
+    format: TableFormat,
+    output: &mut (dyn Write + Send),
 ) -> Result<(), TableError> {
     match format {
         TableFormat::Csv => text(columns, output).map_err(|error| TableError::Write(error.into())),
