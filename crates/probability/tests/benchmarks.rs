@@ -9,14 +9,15 @@ use standfast_probability::normal;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::{Effort, importance, monte_carlo, sobol};
 
-/// An event `g < 0` of which nothing is known but the function; its line is the last input, scanned.
-struct Event<G> {
-    g: G,
+/// An event `g < 0` of which nothing is known but the function; its line is the last input, scanned. One type of all, so that the methods are
+/// compiled for it once.
+struct Event<'a> {
+    g: Box<dyn Fn(&[f64]) -> f64 + Sync + 'a>,
     line: Distribution,
     inputs: usize,
 }
 
-impl<G: Fn(&[f64]) -> f64 + Sync> Outcomes for Event<G> {
+impl Outcomes for Event<'_> {
     fn count(&self) -> usize {
         1
     }
@@ -42,8 +43,8 @@ fn standard(n: usize) -> RandomVector {
     RandomVector::independent(vec![Law::normal(0.0, 1.0).unwrap().into(); n])
 }
 
-fn event<G: Fn(&[f64]) -> f64 + Sync>(inputs: &RandomVector, g: G) -> Event<G> {
-    Event { g, line: inputs.laws().last().unwrap().clone(), inputs: inputs.laws().len() }
+fn event<'a>(inputs: &RandomVector, g: impl Fn(&[f64]) -> f64 + Sync + 'a) -> Event<'a> {
+    Event { g: Box::new(g), line: inputs.laws().last().unwrap().clone(), inputs: inputs.laws().len() }
 }
 
 /// ∫ φ(x) f(x) dx by the trapezoidal rule, which for what is smooth on the whole line has all digits; no code of the crate.
