@@ -9,10 +9,13 @@ use standfast_probability::normal;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::{Effort, importance, monte_carlo, sobol};
 
+/// A function of the inputs.
+type Limit<'a> = dyn Fn(&[f64]) -> f64 + Sync + 'a;
+
 /// An event `g < 0` of which nothing is known but the function; its line is the last input, scanned. One type of all, so that the methods are
 /// compiled for it once.
 struct Event<'a> {
-    g: Box<dyn Fn(&[f64]) -> f64 + Sync + 'a>,
+    g: Box<Limit<'a>>,
     line: Distribution,
     inputs: usize,
 }
