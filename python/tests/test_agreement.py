@@ -47,7 +47,7 @@ def random_case(seed: int) -> str:
     if n.random() < 0.2:
         lines += ["[uplift]", f'right = "{n.uniform(1, 80)} kPa"', f"left = 0", f"grows = {n.choice(['true', 'false'])}"]
     if n.random() < 0.2:
-        lines += ["[earthquake]", f"horizontal = {n.uniform(-0.4, 0.4)}", f"vertical = {n.uniform(-0.2, 0.2)}"]
+        lines += ["[earthquake]", f'horizontal = "{n.uniform(-0.4, 0.4)} g"', f'vertical = "{n.uniform(-0.2, 0.2)} g"']
         lines += ["[added_mass]", f"sides = {n.choice([1, 2])}"] if has_wave or has_water else []
     factors = []
     for i in range(n.choice([0, 0, 0, 1, 2])):

@@ -45,7 +45,7 @@ CASES: dict[str, tuple[dict[str, Any], tuple[str, Any]]] = {
         {"body": BLOCK | {"friction": 0}, "load": [{"force": 1, "elevation": 1}]},
         ("departure_by", "any-share"),
     ),
-    "never leaves rest": ({"body": BLOCK, "earthquake": {"horizontal": 0, "vertical": 0.1, "vertical_fixed": True}}, ("departure", "never")),
+    "never leaves rest": ({"body": BLOCK, "earthquake": {"horizontal": 0, "vertical": "0.1 g", "vertical_fixed": True}}, ("departure", "never")),
     "a force of nothing": ({"body": BLOCK, "load": [{"force": 0, "elevation": 1}]}, ("SF_sliding", "infinite")),
     "weight beside the base": (
         {"body": BLOCK | {"buoyant_weight": 3e4, "weight_arm": 1.5}, "load": [{"force": 1, "elevation": 1}]},

@@ -41,7 +41,7 @@ BLOCK: dict[str, Any] = {
 VARIED: dict[Path, dict[str, tuple[float, float]]] = {
     GODA: {"wave.H13": (2, 7), "body.friction": (0.3, 0.8), "width": (9, 20), "wave.period": (6, 16)},
     QUAY: {"friction": (0.3, 0.8), "load[1].force": (0, 6e5), "criteria.SF_sliding": (1, 2)},
-    SHAKEN: {"earthquake.horizontal": (-0.5, 0.5), "earthquake.vertical": (-0.3, 0.3), "friction": (0.1, 1)},
+    SHAKEN: {"earthquake.horizontal [g]": (-0.5, 0.5), "earthquake.vertical [g]": (-0.3, 0.3), "friction": (0.1, 1)},
 }
 
 
@@ -179,10 +179,14 @@ def test_units() -> None:
         for name, values in plain.items():
             assert found[name] == pytest.approx(values, rel=1e-14, nan_ok=True), given
     columns = ["earthquake_horizontal"]
-    counted = assess_table(SHAKEN, {"earthquake.horizontal": [0.1, "0.1 g", "0.981 m/s2"]}, columns=columns)[columns[0]]
-    assert abs(counted) == pytest.approx([0.981] * 3) and counted[0] == counted[1]
+    counted = assess_table(SHAKEN, {"earthquake.horizontal": ["0.1 g", "0.981 m/s2"]}, columns=columns)[columns[0]]
+    assert abs(counted) == pytest.approx([0.981] * 2)
+    named = assess_table(SHAKEN, {"earthquake.horizontal [g]": np.array([0.1])}, columns=columns)[columns[0]]
+    assert named[0] == counted[0]
+    with pytest.raises(ValueError, match=r"it has no unit; expected .* `earthquake.horizontal \[g\]`"):
+        assess_table(SHAKEN, {"earthquake.horizontal": np.array([0.1])})
     for share in ("2 m/s2", "1.9 m/s²", "0.3 g"):
-        block = {"body": BLOCK["body"], "earthquake": {"horizontal": 0.7}}
+        block = {"body": BLOCK["body"], "earthquake": {"horizontal": "0.7 g"}}
         written = standfast.assess({**block, "earthquake": {"horizontal": share}})
         cell = assess_table(block, {"earthquake.horizontal": share}, columns=["SF_sliding", *columns])
         assert cell["SF_sliding"] == pytest.approx(written.SF_sliding, rel=1e-15)

@@ -202,7 +202,7 @@ const STATUE: &str = "[body]\nwidth = 0.9\nheight = 3.2\nmass = 7400\nfriction =
 fn an_earthquake_is_tried_both_ways() {
     let shaken = |offset: f64, horizontal: f64, vertical: f64, fixed: &str| {
         assess(&format!(
-            "{STATUE}centroid_offset = {offset}\n[earthquake]\nhorizontal = {horizontal}\nvertical = {vertical}\n{fixed}"
+            "{STATUE}centroid_offset = {offset}\n[earthquake]\nhorizontal = \"{horizontal} g\"\nvertical = \"{vertical} g\"\n{fixed}"
         ))
     };
     let fixed = "horizontal_fixed = true\nvertical_fixed = true\n";
@@ -251,7 +251,7 @@ fn the_worse_of_two_shakings_is_told_by_any_difference_beyond_rounding() {
     for (offset, other_side) in [(1e-4, true), (1e-6, true), (1e-8, true), (1e-12, false), (0.0, false)] {
         for side in [1.0, -1.0] {
             let text = format!(
-                "{STATUE}centroid_offset = {:?}\n[earthquake]\nhorizontal = {:?}\n",
+                "{STATUE}centroid_offset = {:?}\n[earthquake]\nhorizontal = \"{:?} g\"\n",
                 offset * side,
                 0.35 * side
             );
@@ -398,7 +398,7 @@ fn slips_of_forces_and_criteria_are_named() {
 fn loads_in_no_combination_are_named() {
     let text = |factors: &str| {
         format!(
-            "{QUAY}[earthquake]\nhorizontal = 0.01\n[added_mass]\nsides = \"right\"\n[[combination]]\nfactors = {{ {factors} }}\n"
+            "{QUAY}[earthquake]\nhorizontal = \"0.01 g\"\n[added_mass]\nsides = \"right\"\n[[combination]]\nfactors = {{ {factors} }}\n"
         )
     };
     let all = "surcharge = 1, bollard = 1, crane = 1, earthquake = 1";
@@ -414,7 +414,7 @@ fn loads_in_no_combination_are_named() {
 #[test]
 fn only_a_combination_with_the_earthquake_is_shaken() {
     let text = format!(
-        "{STATUE}[earthquake]\nhorizontal = 0.2\nvertical = 0.1\n[[load]]\nname = \"wind\"\nforce = 1e3\nelevation = 2\n\
+        "{STATUE}[earthquake]\nhorizontal = \"0.2 g\"\nvertical = \"0.1 g\"\n[[load]]\nname = \"wind\"\nforce = 1e3\nelevation = 2\n\
          [[combination]]\nfactors = {{ wind = 1 }}\n[[combination]]\nfactors = {{ earthquake = 0 }}\n\
          [[combination]]\nfactors = {{ earthquake = 1.5 }}\n"
     );
@@ -481,7 +481,7 @@ fn what_stays_where_it_is_is_said() {
 /// sooner. `design` asks of all of them, too.
 #[test]
 fn criteria_are_checked_under_every_acceleration() {
-    let text = "[body]\nwidth = 10\nheight = 10\nmass = 230e3\nfriction = 0.6\n[earthquake]\nhorizontal = 0.2\nvertical = 0.3\n\
+    let text = "[body]\nwidth = 10\nheight = 10\nmass = 230e3\nfriction = 0.6\n[earthquake]\nhorizontal = \"0.2 g\"\nvertical = \"0.3 g\"\n\
         [criteria]\nbearing_max = 400e3\nSF_sliding = 2.2\n";
     let assessment = assess(text);
     // By hand: N = m g (1 ± 0.3), t_e = 5 − 0.2 · 5/(1 ± 0.3), the whole base pressed.

@@ -119,7 +119,7 @@ fn alternatives_are_joined_under_the_same_draw() {
 fn both_signs_of_an_earthquake_are_one_event() {
     let push = PUSH.replace("200e3", "50e3") + "permanent = true\n";
     let text = format!(
-        "{BLOCK}{push}[earthquake]\nhorizontal = 0.25\n[criteria]\np_not_rest = 0.5\n[random]\n\
+        "{BLOCK}{push}[earthquake]\nhorizontal = \"0.25 g\"\n[criteria]\np_not_rest = 0.5\n[random]\n\
          friction = {{ normal = {{ mean = 0.5, sd = 0.1 }} }}\n\"load.push.force\" = {{ normal = {{ sd = 10e3 }} }}\n"
     );
     let found = answer(&text, ChanceRequest::default());

@@ -300,7 +300,9 @@ fn every_refusal_says_why() {
         assert!(!refused.contains("case.toml"), "{refused}");
     }
     let refused = refusal(SEISMIC, ranged("earthquake.horizontal", "rest", "0.1 gal", ""));
-    assert!(refused.contains("as 0.2 or \"0.2 g\""), "{refused}");
+    assert!(refused.contains("as \"0.2 g\": g, m/s2 or m/s²"), "{refused}");
+    let refused = refusal(SEISMIC, ranged("earthquake.horizontal", "rest", "0.1", ""));
+    assert!(refused.contains("it has no unit"), "{refused}");
     assert!(
         refusal(BLOCK, ranged("width", "rest", "9", "8 m")).contains("the range from 9 m to 8 m is empty")
     );
@@ -375,9 +377,9 @@ fn ranges_are_read_as_the_file_is() {
         let asked = DesignRequest { from, to, ..request("earthquake.horizontal", "rest", Extreme::Greatest) };
         design(SEISMIC, asked)["bracket"].clone()
     };
-    let counted = bracket("0.1", "0.6");
+    let counted = bracket("0.1 g", "0.6 g");
     near(number(&counted[0]), 0.1 * 9.81);
-    assert_eq!(counted, bracket("0.1 g", "0.6g"));
+    assert_eq!(counted, bracket("0.1g", "0.6g"));
     assert_eq!(counted, bracket("\"0.1 g\"", "5.886 m/s2"));
 }
 
@@ -459,7 +461,7 @@ fn the_boundary_of_two_quantities_is_proven_row_by_row() {
 /// Shaken by more than the friction holds, no height is low enough: rows without a value, and the set ends at a_h = μ g.
 #[test]
 fn where_nothing_meets_the_target_there_is_a_gap() {
-    let text = SEISMIC.replace("vertical = -0.1", "vertical = 0");
+    let text = SEISMIC.replace("vertical = \"-0.1 g\"", "vertical = 0");
     let asked = request("height", "factor=1", Extreme::Greatest);
     let (json, csv, caption) = boundary(&text, asked, "earthquake.horizontal", "0.2 g", "0.8 g");
     let limit = 0.5 * 9.81;

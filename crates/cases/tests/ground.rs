@@ -246,10 +246,10 @@ fn both_sides_and_combinations() {
         let eccentric = CAISSON.replace("friction", "centroid_offset = 1\nfriction");
         let shaken = |h: &str| {
             situation(&format!(
-                "{eccentric}{ground}[earthquake]\nhorizontal = {h}\nhorizontal_fixed = true\n"
+                "{eccentric}{ground}[earthquake]\nhorizontal = \"{h} g\"\nhorizontal_fixed = true\n"
             ))
         };
-        let both = situation(&format!("{eccentric}{ground}[earthquake]\nhorizontal = 0.2\n"));
+        let both = situation(&format!("{eccentric}{ground}[earthquake]\nhorizontal = \"0.2 g\"\n"));
         let factor = |found: &Value| found["ground"]["load_factor_ground"].as_f64().unwrap();
         let one = [shaken("0.2"), shaken("-0.2")];
         let least = factor(&one[0]).min(factor(&one[1]));

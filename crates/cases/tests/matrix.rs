@@ -5,9 +5,10 @@ use std::collections::BTreeSet;
 
 use standfast_cases::couple::Variable;
 use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
+use standfast_cases::key::Kind;
 use standfast_cases::motion::{Follow, FollowedMotion, MotionRows, MotionView};
 use standfast_cases::random::{ChanceProblem, ChanceRequest, Effort, Happening, Method, Probability};
-use standfast_cases::sweep::{Factor, Sweep};
+use standfast_cases::sweep::{Factor, Sweep, heading};
 use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Id, Key};
 
 const RECORD: &str = "time_s,a_cm_s2\n0,0\n0.1,300\n0.3,-420\n0.5,250\n0.7,0\n";
@@ -28,7 +29,7 @@ const CASES: [&str; 14] = [
      right = 2e3\n[[load]]\nforce = 60e3\nelevation = 4\n[[load]]\nname = \"crane\"\nforce = 9e3\ndirection = \"down\"\n\
      elevation = 5\ndistance = 1\npermanent = true\n[[pressure]]\nface = \"right\"\nelevation = [0, 3]\npressure = [8e3, 2e3]\n\
      scale = 1.1\npermanent = true\n",
-    "[body]\nwidth = 1\nheight = 2\nlength = 0.8\ndensity = 2400\nfriction = 0.4\n[earthquake]\nhorizontal = 0.3\nvertical = 0.1\n\
+    "[body]\nwidth = 1\nheight = 2\nlength = 0.8\ndensity = 2400\nfriction = 0.4\n[earthquake]\nhorizontal = \"0.3 g\"\nvertical = \"0.1 g\"\n\
      [added_mass]\nmass = 300\nelevation = 0.5\n",
     "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\nbuoyant_weight = 2318640\nweight_arm = 7.4\n[wave]\n\
      deep_water_height = 6.3\nperiod = 11.4\nsea_bottom_slope = 0.01\nwater_depth = 10.1\ndepth_above_berm = 5.6\n\
@@ -54,16 +55,23 @@ const CASES: [&str; 14] = [
      initial = { theta = 0.01, omega = 0.02, vx = 0.03, vy = 0.04, gap = 0.02 }\n",
     "[body]\nwidth = 0.6\nheight = 2.4\nmass = 2000\nfriction = 0.3\n[motion.base]\n\
      horizontal = { shape = \"file\", file = \"r.csv\", factor = 1.4, start = 0.1 }\n\
-     vertical = { shape = \"half-sine\", peak = 2, duration = 0.6 }\n",
+     vertical = { shape = \"half-sine\", peak = \"2 m/s2\", duration = 0.6 }\n",
     "[body]\nwidth = 0.6\nheight = 2.4\nmass = 2000\nfriction = 0.3\n[motion.base]\n\
      horizontal = { shape = \"file\", file = \"r.csv\", target_peak = \"0.6 g\" }\n\
-     vertical = { shape = \"sine\", peak = 2, duration = 0.6, period = 0.7 }\n",
+     vertical = { shape = \"sine\", peak = \"2 m/s2\", duration = 0.6, period = 0.7 }\n",
     "[block]\nb1 = 1\nb2 = 1.1\nd = 3\nrho2 = 3.4\nm_x = 1.1\nm_y = 1.05\nmu_s = 0.12\nmu_k = 0.11\nmu_impact = 0.03\ngravity = 1\n\
      [[block.load]]\nat = [0.2, 1]\ndirection = [-0.15, 0.1]\nhistory = { shape = \"triangle\", rise = 1, duration = 3, peak = 1.2 }\n\
      [motion.initial]\ntheta = 0.1\n",
     "[block]\nb1 = 1\nb2 = 1\nd = 0.3\nmu_s = 0.4\nmu_k = 0.35\ngravity = 1\n[[block.load]]\ndirection = [-0.7, 0]\n\
      history = { shape = \"triangle\", rise = 1, duration = 3 }\n",
 ];
+
+/// The name of a number as a column has it, with its unit where plain numbers need one.
+fn column_of(file: &CaseFile, id: Id) -> String {
+    let kind = id.key.info().kind;
+    let needs = matches!(kind, Kind::InGravity | Kind::Reached) && file.inputs().dimension(id).is_some();
+    if needs { format!("{id} [m/s2]") } else { id.to_string() }
+}
 
 /// A number one per cent larger; of zero a little more.
 fn more(file: &CaseFile, id: Id) -> f64 {
@@ -146,7 +154,7 @@ fn every_number_is_a_column_of_a_table() {
         let file = file(text);
         for id in variables(&file) {
             let value = more(&file, id).to_string();
-            let name = id.to_string();
+            let name = column_of(&file, id);
             if file.is_in_time() {
                 let answers = [Some(&name), None].map(|column| {
                     let columns: Vec<String> = column.into_iter().cloned().collect();
@@ -158,7 +166,8 @@ fn every_number_is_a_column_of_a_table() {
                 }
                 continue;
             }
-            let factor = Factor::find(&name, None, file.inputs()).unwrap();
+            let (bare, unit) = heading(&name);
+            let factor = Factor::find(bare, unit, file.inputs()).unwrap();
             let counted = if factor.counts_gravity() { file.inputs().gravity() } else { 1.0 };
             let sweep = Sweep::of(&file, vec![factor]).unwrap();
             let mut scratch = sweep.scratch();
@@ -216,12 +225,14 @@ fn every_number_can_be_designed_or_is_refused_by_name() {
         for id in variables(&file) {
             let present = file.inputs().number(id).unwrap();
             let [from, to] = if present == 0.0 { [0.0, 0.1] } else { [0.9 * present, 1.1 * present] };
+            let unit = if column_of(&file, id).ends_with("m/s2]") { " m/s2" } else { "" };
+            let with_unit = |value: f64| format!("{value}{unit}");
             let request = DesignRequest {
                 vary: id.to_string(),
                 target: "factor=0.001".parse().unwrap(),
                 extreme: Extreme::Least,
-                from: Some(from.min(to).to_string()),
-                to: Some(from.max(to).to_string()),
+                from: Some(with_unit(from.min(to))),
+                to: Some(with_unit(from.max(to))),
                 spelling: &Spelling::PROGRAM,
             };
             if let Err(error) = Design::of(&file, request) {

@@ -150,7 +150,7 @@ fn wrong_cases() {
     for (text, words) in [
         (format!("{body}{load}"), "a load that varies has no history"),
         (
-            format!("{body}{load}{history}[earthquake]\nhorizontal = 0.1\n{base}"),
+            format!("{body}{load}{history}[earthquake]\nhorizontal = \"0.1 g\"\n{base}"),
             "counts the same shaking twice",
         ),
         (
@@ -309,15 +309,13 @@ fn the_animation_follows_the_motion() {
 fn at_the_first_instant_the_peaks_act() {
     let body = "[body]\nwidth = 1\nheight = 2\nmass = 5000\nfriction = 0.5\n";
     let base = "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"0.3 g\", duration = 1 }\n\
-                vertical = { shape = \"triangle\", peak = -1.5, rise = 0.2, duration = 0.5 }\n";
+                vertical = { shape = \"triangle\", peak = \"-1.5 m/s2\", rise = 0.2, duration = 0.5 }\n";
     let first = |text: &str| CaseFile::parse("case.toml", text).unwrap().first_instant().unwrap();
     let instant = first(&format!("{body}{base}")).unwrap();
     let note = &instant.note;
     assert!(note.contains("[earthquake]") && note.contains("standfast simulate"), "{note}");
     let case = instant.file.case().unwrap();
-    let expected = format!("{body}[earthquake]\nhorizontal = 2.941995\nvertical = 1.5\n")
-        .replace("2.941995", "\"2.941995 m/s2\"")
-        .replace("1.5\n", "\"1.5 m/s2\"\n");
+    let expected = format!("{body}[earthquake]\nhorizontal = \"2.941995 m/s2\"\nvertical = \"1.5 m/s2\"\n");
     let other = CaseFile::parse("case.toml", &expected).unwrap().case().unwrap();
     assert_eq!(case, other);
     let wave = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
@@ -379,14 +377,14 @@ fn slips_are_named_in_both_kinds_of_case() {
         format!("[block]\nb1 = 0.2\nb2 = 0.2\nd = 0.6\nrho2 = 0.13\nmu_s = 0.6\ngravity = 9.81\n{motion}");
     let named = |warnings: &[standfast_cases::motion::MotionWarning]| {
         let find = |name| warnings.iter().find(|w| w.name == name).map(|w| w.words.clone());
-        ["violent-base", "coarse-record", "lossless-impact"]
+        ["strong-earthquake", "coarse-record", "lossless-impact"]
             .map(|name| find(name).unwrap_or_else(|| panic!("{name} is not in {warnings:?}")))
     };
     let body = &motions(&body, &file).unwrap()[0];
     let block = &motions(&block, &file).unwrap()[0];
     let words = named(&body.warnings);
     assert_eq!(words, named(&block.warnings));
-    assert!(words[0].contains("8.2 times gravity"), "{words:?}");
+    assert!(words[0].contains("reaches 8.155 g"), "{words:?}");
     // 0.1 s over √(0.2 m/9.81 m/s²).
     assert!(words[1].contains("0.100 apart, 0.70 of"), "{words:?}");
     assert!(words[2].contains("0.9995"), "{words:?}");
@@ -499,7 +497,7 @@ fn shaken_water_is_never_left_out() {
 /// An [earthquake] beside a base that moves is refused, and so is it in every face that answers such a case.
 #[test]
 fn shaken_once_only() {
-    let text = "[body]\nwidth = 1\nheight = 2\nmass = 5000\nfriction = 0.5\n[earthquake]\nhorizontal = 0.1\n[motion.base]\n\
+    let text = "[body]\nwidth = 1\nheight = 2\nmass = 5000\nfriction = 0.5\n[earthquake]\nhorizontal = \"0.1 g\"\n[motion.base]\n\
         horizontal = { shape = \"half-sine\", peak = \"0.3 g\", duration = 1 }\n";
     let file = CaseFile::parse("case.toml", text).unwrap();
     for error in [file.motions().map(|_| ()), file.case().map(|_| ()), file.first_instant().map(|_| ())] {

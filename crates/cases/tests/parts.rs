@@ -120,7 +120,7 @@ fn an_object_of_a_length() {
     let case = |length: &str, times: f64| {
         format!(
             "[body]\nwidth = 3\nheight = 5\nmass = {}\nfriction = 0.5\n{length}[water]\nleft = 2\nright = 1\ndensity = 1000\n\
-             [uplift]\nleft = 1e3\nright = 3e3\n[earthquake]\nhorizontal = 0.1\n[added_mass]\nsides = 2\n\
+             [uplift]\nleft = 1e3\nright = 3e3\n[earthquake]\nhorizontal = \"0.1 g\"\n[added_mass]\nsides = 2\n\
              [[pressure]]\nface = \"right\"\nelevation = [0, 4]\npressure = [9e3, 1e3]\n\
              [[pressure]]\nface = \"top\"\ndistance = [0, 2]\npressure = [9e3, 1e3]\n\
              [[load]]\nforce = {}\nelevation = 2\n",
@@ -362,4 +362,37 @@ fn the_crest_of_parts_is_where_their_decimals_have_it() {
     assert!(error(&above).contains("crest"));
     let above = above.replace("[water]\nlevel = 0.8000000000000007\ndensity = 1030\n", "");
     assert!(error(&above).contains("above the crest"));
+}
+
+/// One caisson, its weight given in full with water about it, or less its buoyancy: a factor on the weight is one on m g, a factor
+/// on the water one on the buoyancy, and every result is the same; by hand, sliding is μ(f m g − f_w ρ g A − U)/P.
+#[test]
+fn a_factor_on_the_weight_is_one_in_air_however_the_weight_is_given() {
+    let body =
+        |more: &str| format!("[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\n{more}");
+    let wave = "[wave]\ndeep_water_height = 6.3\nperiod = 11.4\nsea_bottom_slope = 0.01\nwater_depth = 10.1\ndepth_above_berm = 5.6\n\
+         base_depth = 7.1\ncrest_height = 3.4\nberm_width = 8\nangle_deg = 15\nwater_density = 1030\ncaisson_width = 15\n";
+    let weight = 346050.0 * 9.81;
+    let displaced = 1030.0 * 9.81 * 15.0 * 7.1;
+    for (factors, of_weight, of_water) in [
+        ("wave = 1", 1.0, 1.0),
+        ("weight = 0.9, wave = 1", 0.9, 1.0),
+        ("weight = 1.05, water = 1.1, wave = 1.3", 1.05, 1.1),
+    ] {
+        let combination = format!("[[combination]]\nfactors = {{ {factors} }}\n");
+        for arm in [7.5, 7.2] {
+            let buoyant = (weight - displaced).to_string();
+            // Of a body whose centre of mass is off the middle, the displaced rectangle's is not.
+            let offset = (7.5 - arm) * (weight - displaced) / weight;
+            let centre = format!("centroid_offset = {}\n", -offset);
+            let given = body(&format!("buoyant_weight = {buoyant}\nweight_arm = {arm}\n{centre}"));
+            let wet = format!("{}[water]\nlevel = 7.1\n{wave}{combination}", body(&centre));
+            let (buoyant, wet) = (format!("{given}{wave}{combination}"), wet);
+            same(&wet, &buoyant, 1.0);
+            let found = assess(&buoyant);
+            let [p, u] = [ResultName::P, ResultName::U].map(|result| number(&found, result));
+            let by_hand = 0.6 * (of_weight * weight - of_water * displaced - u) / p;
+            assert!((number(&found, ResultName::SfSliding) / by_hand - 1.0).abs() < 1e-12, "{factors}");
+        }
+    }
 }

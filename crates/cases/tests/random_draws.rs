@@ -294,12 +294,12 @@ fn earthquakes() {
     });
 }
 
-/// A plain number of an acceleration is a share of g, in a law as behind its key.
+/// An acceleration in a law has its unit, as behind its key.
 #[test]
-fn accelerations_in_laws_are_shares_of_g() {
+fn accelerations_in_laws_have_their_unit() {
     let law = |law: &str| {
         let text = format!(
-            "[body]\nwidth = 3\nheight = 4\nmass = 50e3\nfriction = 0.3\n[earthquake]\nhorizontal = 0.25\n[random]\n\
+            "[body]\nwidth = 3\nheight = 4\nmass = 50e3\nfriction = 0.3\n[earthquake]\nhorizontal = \"0.25 g\"\n[random]\n\
              earthquake.horizontal = {law}\n"
         );
         let request = standfast_cases::random::ChanceRequest::default();
@@ -310,8 +310,8 @@ fn accelerations_in_laws_are_shares_of_g() {
     };
     // It slides beyond 0.3 g: Φ(−1).
     let by_hand = standfast_probability::normal::above(1.0);
-    let own = "{ normal = { sd = 0.05 } }";
-    let shares = "{ normal = { mean = 0.25, sd = 0.05 } }";
+    let own = "{ normal = { sd = \"0.05 g\" } }";
+    let shares = "{ normal = { mean = \"0.25 g\", sd = \"0.05 g\" } }";
     let said = "{ normal = { mean = \"2.4525 m/s2\", sd = \"0.4905 m/s2\" } }";
     for law in [own, shares, said].map(law) {
         assert!((law / by_hand - 1.0).abs() < 1e-9, "{law} {by_hand}");
@@ -325,7 +325,7 @@ fn a_random_shaking_goes_to_both_sides() {
     let answer = |own: &str| {
         let text = format!(
             "[body]\nwidth = 3\nheight = 7\nmass = 50e3\nfriction = 0.9\ncentroid_offset = 0.3\n[earthquake]\nhorizontal = {own}\n\
-             [random]\nearthquake.horizontal = {{ lognormal = {{ mean = 0.3, cov = 0.3 }} }}\n"
+             [random]\nearthquake.horizontal = {{ lognormal = {{ mean = \"0.3 g\", cov = 0.3 }} }}\n"
         );
         let request = standfast_cases::random::ChanceRequest::default();
         let found =
@@ -338,7 +338,7 @@ fn a_random_shaking_goes_to_both_sides() {
     let by_hand = |share: f64| {
         standfast_probability::normal::above(((share / 0.3).ln() + 0.5 * variance) / variance.sqrt())
     };
-    for own in ["0", "0.3"] {
+    for own in ["0", "\"0.3 g\""] {
         for ((situation, found), (expected, side)) in
             answer(own).zip([(by_hand(1.2 / 3.5), "left"), (by_hand(1.8 / 3.5), "right")])
         {

@@ -98,7 +98,7 @@ fn random_cases(count: usize) -> impl Iterator<Item = Case> {
 fn caisson(friction: f64) -> (Body, Situation) {
     let body = Body::new(15.0, 10.5, 346_050.0).expect("a body");
     let buoyant = Wrench { x: 0.0, p: 2318.6e3, m: 0.0 };
-    let weight = Load::permanent(LoadSource::BuoyantWeight, Weight, buoyant);
+    let weight = Load::permanent(LoadSource::Other, Weight, buoyant);
     (body, Situation::new(body, friction, G).expect("a body on a base").with(weight))
 }
 

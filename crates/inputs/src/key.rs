@@ -402,11 +402,11 @@ pub enum Kind {
     Measured(Dimension, Range),
     /// A number without unit.
     Plain(Range),
-    /// An acceleration; a number without unit, or with the unit g, counts the acceleration of gravity.
+    /// An acceleration with its unit; g counts the acceleration of gravity of the case.
     InGravity,
     /// One of so many numbers without unit in a list.
     OneOf(usize, Range),
-    /// Peak of a history: an acceleration of the base of a body, else a number without unit.
+    /// Peak of a history: an acceleration of the base of a body with its unit, else a number without unit.
     Reached,
     /// Numbers without unit in a list.
     Plains,
@@ -721,9 +721,9 @@ listed! {
         .silent("uplift: there all the time");
 
     Horizontal =
-        key(Earthquake, "horizontal", InGravity, "a_h", "acceleration of the base, to the right", "0.2    # of g, or \"2 m/s2\"")
+        key(Earthquake, "horizontal", InGravity, "a_h", "acceleration of the base, to the right", "\"0.2 g\"    # or \"2 m/s2\"")
         .gives(&[Quantity::Acceleration]);
-    Vertical = key(Earthquake, "vertical", InGravity, "a_v", "acceleration of the base, upwards", "-0.1    # of g, or \"-1 m/s2\"")
+    Vertical = key(Earthquake, "vertical", InGravity, "a_v", "acceleration of the base, upwards", "\"-0.1 g\"    # or \"-1 m/s2\"")
         .silent("acceleration of the base, upwards: none").gives(&[Quantity::Acceleration]);
     HorizontalFixed =
         key(Earthquake, "horizontal_fixed", Truth, "", "whether the base moves to the side given only", "true")

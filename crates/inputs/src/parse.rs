@@ -19,7 +19,7 @@ use crate::inputs::{Inputs, Value, dimension};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::random::{self, RANDOM, Random, RandomProblem};
 use crate::record::{ReadFile, RecordFile};
-use crate::units::{Dimension, Extent, in_gravity, split_text};
+use crate::units::{Dimension, Extent, UnitError, in_gravity, split_text};
 pub use option::read;
 
 /// A case file: what it says, and where it says it.
@@ -444,11 +444,17 @@ impl Field<'_> {
                 Value::Number(self.in_range(number, range)?)
             }
             Kind::Reached => {
+                if self.dimension().is_some() {
+                    self.bare_acceleration(number)?;
+                }
                 let number = number.map_or_else(|| self.reached(), Ok)?;
                 Value::Number(self.in_range(number, Range::Finite)?)
             }
             Kind::InGravity => match number {
-                Some(share) => Value::InGravity(self.in_range(share, Range::Finite)?),
+                Some(number) => {
+                    self.bare_acceleration(Some(number))?;
+                    Value::Number(self.in_range(number, Range::Finite)?)
+                }
                 None => match self.value.get_ref().as_str().and_then(in_gravity) {
                     Some(share) => Value::InGravity(self.in_range(share, Range::Finite)?),
                     None => Value::Number(self.in_range(self.measured()?, Range::Finite)?),
@@ -552,6 +558,19 @@ impl Field<'_> {
 
     fn dimension(&self) -> Option<Dimension> {
         dimension(self.id, self.units)
+    }
+
+    /// Refuses an acceleration without unit, which one would take for g and another for m/s²; zero is zero in both.
+    fn bare_acceleration(&self, number: Option<f64>) -> Result<(), PlacedProblem> {
+        match number {
+            Some(number) if number.is_finite() && number != 0.0 => Err(self.problem(Problem::Unit {
+                key: self.id.key,
+                dimension: self.dimension(),
+                written: self.written(self.value),
+                error: UnitError::Missing,
+            })),
+            _ => Ok(()),
+        }
     }
 
     /// A number with its unit.
@@ -662,18 +681,24 @@ mod tests {
         );
     }
 
-    /// An acceleration in g counts the gravity of the case, as a bare number does.
+    /// An acceleration in g counts the gravity of the case.
     #[test]
     fn a_share_of_gravity_may_have_its_unit() {
         let shaken = |value: &str| {
             let text = format!(
                 "gravity = 9.8\n[body]\nwidth = 1\nheight = 2\nmass = 5e3\nfriction = 0.6\n[earthquake]\nhorizontal = {value}\n"
             );
-            CaseText::parse("t.toml", &text).unwrap().inputs().clone()
+            let read = CaseText::parse("t.toml", &text);
+            read.map(|file| file.inputs().number(Key::Horizontal)).map_err(|error| error.to_string())
         };
-        assert_eq!(shaken("\"0.25 g\""), shaken("0.25"));
-        assert_eq!(shaken("\"-0.25g\"").number(Key::Horizontal), Some(-0.25 * 9.8));
-        assert_eq!(shaken("\"0.25 m/s2\"").number(Key::Horizontal), Some(0.25));
+        assert_eq!(shaken("\"0.25 g\""), Ok(Some(0.25 * 9.8)));
+        assert_eq!(shaken("\"-0.25g\""), Ok(Some(-0.25 * 9.8)));
+        assert_eq!(shaken("\"0.25 m/s2\""), Ok(Some(0.25)));
+        assert_eq!(shaken("0"), Ok(Some(0.0)));
+        for bare in ["0.25", "-1", "\"0.25\""] {
+            let error = shaken(bare).unwrap_err();
+            assert!(error.contains("has no unit"), "{error}");
+        }
     }
 
     /// Numbers are listed table by table, whatever the order of the file.

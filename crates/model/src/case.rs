@@ -38,7 +38,7 @@ use standfast::loads::{
 };
 use standfast::section::{Part, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
-use standfast::{Ball, Body, InputError, Scalar, Situation};
+use standfast::{Ball, Body, InputError, Scalar, Situation, Wrench};
 
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub(crate) use history::HistoryOf;
@@ -126,7 +126,7 @@ pub enum Acting {
 pub enum Weight<T = f64> {
     /// m g; water under the base is a load of its own.
     Total,
-    /// W', from which buoyancy is taken off already.
+    /// W', from which buoyancy is taken off already: that is a load of its own, too, the difference from m g.
     Buoyant {
         /// W', N per metre run.
         force: T,
@@ -195,7 +195,7 @@ impl Case {
     /// Part that water takes in the weight, in words.
     pub fn weight_words(&self) -> &'static str {
         match (self.weight, &self.water) {
-            (Weight::Buoyant { .. }, _) => "buoyant weight, as given",
+            (Weight::Buoyant { .. }, _) => "total weight, and buoyancy as the buoyant weight says",
             (Weight::Total, Some(_)) => "total weight with explicit pressures",
             (Weight::Total, None) => "total weight, no still water",
         }
@@ -327,19 +327,14 @@ impl<T: Scalar> Case<T> {
 
     /// All loads of the case but for alternatives to the one that acts, and what each is of.
     fn loads(&self, acting: Acting, earthquake: Option<Earthquake<T>>) -> Vec<(LoadOrigin, Load<T>)> {
-        let weight = match self.weight.clone() {
-            Weight::Total => Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight),
-            Weight::Buoyant { force, arm } => {
-                let action = Action::vertical(&self.body, force, arm);
-                Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, action)
-            }
-        };
+        let weight = Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight);
         let mut loads = vec![(LoadOrigin::Table(Table::Body), weight)];
         let mut add = |of, more: Vec<Load<T>>| loads.extend(more.into_iter().map(|load| (of, load)));
         let over_time = |load: Load<T>, history: &Option<standfast::History>| match history {
             Some(history) => load.over_time(history.clone()),
             None => load,
         };
+        add(LoadOrigin::Table(Table::Water), self.lift().into_iter().collect());
         if let Some(water) = &self.water {
             add(LoadOrigin::Table(Table::Water), water.loads(&self.body, self.gravity.clone()));
             if let Some(section) = &self.section {
@@ -368,6 +363,27 @@ impl<T: Scalar> Case<T> {
             }
         }
         loads
+    }
+
+    /// Buoyancy under a weight that is given less it: what lacks to m g, and to its moment about O.
+    fn lift(&self) -> Option<Load<T>> {
+        let Weight::Buoyant { force, arm } = self.weight.clone() else { return None };
+        let weight = self.body.mass() * self.gravity.clone();
+        let centre = self.body.heel_distance();
+        let lift = weight.clone() - force.clone();
+        let action = match (lift == T::of(0.0), arm == centre) {
+            (true, true) => return None,
+            (true, false) => {
+                let turns = force * (arm - centre);
+                Action::from(Wrench { x: T::of(0.0), p: T::of(0.0), m: -turns })
+            }
+            (false, true) => Action::vertical(&self.body, -lift, centre),
+            (false, false) => {
+                let at = (weight * centre - force * arm) / lift.clone();
+                Action::vertical(&self.body, -lift, at)
+            }
+        };
+        Some(Load::permanent(LoadSource::Buoyancy, LoadKind::Weight, action))
     }
 
     /// Factor of a combination on a load: one that it does not name acts as it is if it is permanent, and else not.

@@ -9,7 +9,6 @@ pub fn load_words(load: &Load) -> String {
     }
     let words = match load.source {
         LoadSource::Weight => "weight m g",
-        LoadSource::BuoyantWeight => "buoyant weight",
         LoadSource::Buoyancy => "buoyancy",
         LoadSource::StillWater => "still water on the sides",
         LoadSource::WaterOnLeft if lifts(load) => "water under the overhang at the left",

@@ -1,11 +1,10 @@
 //! Slips that may be in a case in time whose values are possible.
 
-use standfast_motion::{History, Impact, MotionProblem};
+use standfast_motion::{Impact, MotionProblem};
 
+use crate::digits::digits;
 use crate::motion::MotionWarning;
-
-/// A base shaken by more than this share of gravity may have been given in another unit.
-const VIOLENT: f64 = 5.0;
+use crate::warning::SHAKING;
 
 /// Points of a history further apart than this share of √(B/g) may leave out what moves the body.
 const COARSE: f64 = 0.05;
@@ -18,10 +17,14 @@ pub(crate) fn slips(problem: &MotionProblem, step: Option<f64>) -> Vec<MotionWar
     let mut slips = Vec::new();
     let gravity = problem.gravity;
     for (key, history) in [("horizontal", &problem.base.horizontal), ("vertical", &problem.base.vertical)] {
-        if let Some(peak) = history.as_ref().map(History::peak).filter(|peak| *peak > VIOLENT * gravity) {
-            let words =
-                format!("the {key} acceleration of the base reaches {:.1} times gravity", peak / gravity);
-            slips.push(MotionWarning { name: "violent-base", words });
+        let share = history.as_ref().map_or(0.0, |history| history.peak() / gravity);
+        if share > 0.0 && !SHAKING.contains(share) {
+            let name = if share > 1.0 { "strong-earthquake" } else { "weak-earthquake" };
+            let words = format!(
+                "the {key} acceleration of the base reaches {} g; peaks from {SHAKING} g are usual: see its unit",
+                digits(share)
+            );
+            slips.push(MotionWarning { name, words });
         }
     }
     let time = (problem.block.b1.max(problem.block.b2) / gravity).sqrt();

@@ -10,9 +10,8 @@ use standfast::{Slip, wave};
 use crate::digits::{apart, digits};
 use crate::key::{Id, Key, Table};
 use crate::units::Extent;
-use search::{
-    BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, OBJECT, SHAKING, STIFFNESS, STRENGTH, UNIT_WEIGHT, WATER,
-};
+pub(crate) use search::SHAKING;
+use search::{BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, OBJECT, STIFFNESS, STRENGTH, UNIT_WEIGHT, WATER};
 
 /// A warning about a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -97,8 +96,17 @@ pub enum Warning {
         /// In SI units.
         value: f64,
     },
-    /// The base is shaken with more than the acceleration of gravity.
+    /// The base is shaken with more than the ground ever is.
     StrongEarthquake {
+        /// Along the base, or vertically.
+        key: Key,
+        /// m/s².
+        acceleration: f64,
+        /// The acceleration in multiples of that of gravity.
+        share: f64,
+    },
+    /// The base is shaken so little that nobody feels it.
+    WeakEarthquake {
         /// Along the base, or vertically.
         key: Key,
         /// m/s².
@@ -172,6 +180,7 @@ impl Warning {
             Warning::SmallBearing { .. } => "small-bearing",
             Warning::UnusualGround { .. } => "unusual-ground",
             Warning::StrongEarthquake { .. } => "strong-earthquake",
+            Warning::WeakEarthquake { .. } => "weak-earthquake",
             Warning::WaveHeightRatio { .. } => "wave-height-ratio",
             Warning::BuoyantAboveWeight { .. } => "buoyant-above-weight",
             Warning::BuoyantBesideDisplacement { .. } => "buoyant-beside-displacement",
@@ -291,12 +300,12 @@ impl fmt::Display for Warning {
                     "{key} = {value} {unit}; {usual} {unit} is usual, and a number without unit is in {plain}"
                 )
             }
-            Warning::StrongEarthquake { key, acceleration, share } => write!(
+            Warning::StrongEarthquake { key, acceleration, share }
+            | Warning::WeakEarthquake { key, acceleration, share } => write!(
                 f,
-                "{key} = {} m/s² is {} g; the ground is seldom shaken with more than {SHAKING} g, and a number without \
-                 unit counts g",
+                "{key} = {} m/s² is {} g; peaks from {SHAKING} g are usual: see its unit",
                 digits(*acceleration),
-                beyond(*share, SHAKING.copysign(*share))
+                beyond(*share, SHAKING.limit(share.abs()).copysign(*share))
             ),
             Warning::WaveHeightRatio { maximum, significant } => write!(
                 f,

@@ -35,17 +35,21 @@ fn lines_of_time() {
         ]
     );
     // The last line need not end.
-    let last =
-        format!("{BODY}[motion.base]\nhorizontal = {{ shape = \"half-sine\", peak = 3, duration = 1 }}");
+    let last = format!(
+        "{BODY}[motion.base]\nhorizontal = {{ shape = \"half-sine\", peak = \"3 m/s2\", duration = 1 }}"
+    );
     let lines = file(&last).lines_in_time().join("|");
-    assert_eq!(lines, "[motion.base]|horizontal = { shape = \"half-sine\", peak = 3, duration = 1 }");
+    assert_eq!(
+        lines,
+        "[motion.base]|horizontal = { shape = \"half-sine\", peak = \"3 m/s2\", duration = 1 }"
+    );
     assert_eq!(file(BODY).lines_in_time(), Vec::<&str>::new());
 }
 
 /// The sentence on the first instant says how the peaks act, and without its end nothing of a motion that is followed.
 #[test]
 fn the_first_instant_in_words() {
-    let base = "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = 3, duration = 1 }\n";
+    let base = "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"3 m/s2\", duration = 1 }\n";
     let first = file(&format!("{BODY}{base}")).first_instant().unwrap().unwrap();
     assert!(
         first.note.ends_with("the motion in time is what `standfast simulate` follows"),
@@ -72,8 +76,8 @@ fn a_base_beside_the_case() {
     let sideways = || GivenBase { horizontal: given(&shaken), vertical: None };
     let upwards = || GivenBase { horizontal: None, vertical: given(&shaken) };
     let moving = format!(
-        "{BODY}[motion.base]\nhorizontal = {{ shape = \"half-sine\", peak = 3, duration = 1 }}\n\
-         vertical = {{ shape = \"half-sine\", peak = 2, duration = 1 }}\n"
+        "{BODY}[motion.base]\nhorizontal = {{ shape = \"half-sine\", peak = \"3 m/s2\", duration = 1 }}\n\
+         vertical = {{ shape = \"half-sine\", peak = \"2 m/s2\", duration = 1 }}\n"
     );
     let limited = format!("{BODY}[motion]\nt_max = 3\n");
     for text in [BODY, &limited] {
@@ -124,20 +128,26 @@ fn a_block_in_pure_numbers() {
     }
 }
 
-/// A base is violent from five times gravity on.
+/// A base is shaken beyond what grounds are from three times gravity on, and less than anybody feels under a hundredth of it.
 #[test]
-fn a_violent_base() {
-    for (gravity, peak, warned) in [(2.0, 8.0, false), (2.0, 11.0, true), (0.5, 3.0, true), (0.5, 2.4, false)]
-    {
+fn strong_and_weak_shaking() {
+    let (strong, weak) = (Some("strong-earthquake"), Some("weak-earthquake"));
+    for (gravity, peak, warned) in [
+        (2.0, 6.0, None),
+        (2.0, 6.1, strong),
+        (0.5, 1.4, None),
+        (0.5, 1.6, strong),
+        (2.0, 0.021, None),
+        (2.0, 0.019, weak),
+        (2.0, 0.0, None),
+    ] {
         let text = format!(
             "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.4\ngravity = {gravity}\n[motion.base]\nhorizontal = {{ shape = \"rect\", peak = {peak}, duration = 1 }}\n"
         );
         let case = file(&text).motions().unwrap().remove(0);
-        assert_eq!(
-            case.warnings.iter().any(|warning| warning.name == "violent-base"),
-            warned,
-            "{gravity} {peak}"
-        );
+        let found =
+            case.warnings.iter().map(|warning| warning.name).find(|name| name.ends_with("-earthquake"));
+        assert_eq!(found, warned, "{gravity} {peak}");
     }
 }
 

@@ -237,7 +237,7 @@ impl<'a> Machine<'a> {
         }
         let slide = self.slide();
         let last = self.events.last().map_or(0.0, |event| event.t);
-        let resting = self.mode == Mode::Rest;
+        let resting = end == End::AtRest;
         let since = self.events.iter().rposition(|event| event.state != Mode::Rest);
         let t_rest =
             resting.then(|| self.events.get(since.map_or(0, |i| i + 1)).map_or(0.0, |event| event.t));
@@ -266,6 +266,7 @@ impl<'a> Machine<'a> {
             t_rest,
             t_rest_is_bound: self.t_rest_is_bound,
             t_final: last.max(self.forcing.end().min(self.t_max)),
+            loads_end: self.forcing.end(),
             work: self.work,
             friction_loss: self.friction_loss,
             impact_loss: self.impact_loss,

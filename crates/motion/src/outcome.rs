@@ -155,6 +155,8 @@ pub struct MotionOutcome {
     pub t_rest_is_bound: bool,
     /// The last event, or the end of the loads if that is later.
     pub t_final: f64,
+    /// The last change of the loads, whether the motion was followed so far or not.
+    pub loads_end: f64,
     /// Work of the loads, the weight left out, per mass.
     pub work: f64,
     /// Energy that friction took.
@@ -183,9 +185,14 @@ impl MotionOutcome {
         self.end == End::Overturned
     }
 
-    /// True if the body rests at the end.
+    /// True if the body rests at the end, and nothing later moves it; of one that rests when the time is up nobody knows.
     pub fn at_rest(&self) -> bool {
-        self.events.last().is_some_and(|event| event.state == Mode::Rest)
+        self.end == End::AtRest
+    }
+
+    /// True if the time was up while loads still went on.
+    pub fn is_cut_off(&self) -> bool {
+        self.end == End::Time && self.t_final < self.loads_end
     }
 
     /// Residual of the balance of energy: kinetic + potential + losses − work.

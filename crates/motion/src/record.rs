@@ -36,10 +36,11 @@ pub enum RecordUnit {
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
 impl RecordUnit {
-    const NAMED: [(&'static str, RecordUnit); 9] = [
+    const NAMED: [(&'static str, RecordUnit); 10] = [
         ("g", RecordUnit::Gravity),
         ("m_s2", RecordUnit::MetrePerSecondSquared),
         ("cm_s2", RecordUnit::CentimetrePerSecondSquared),
+        ("gal", RecordUnit::CentimetrePerSecondSquared),
         ("n", RecordUnit::Newton),
         ("kn", RecordUnit::Kilonewton),
         ("mn", RecordUnit::Meganewton),
@@ -476,9 +477,19 @@ impl<'a> Columns<'a> {
         Ok(Columns { names, time, value })
     }
 
+    /// The unit that the heading of the values names: behind a line below (`a_g`), in brackets (`acc [m/s²]`), or alone (`g`).
     fn unit(&self) -> RecordUnit {
-        let name = self.names[self.value].to_lowercase();
-        let known = RecordUnit::NAMED.iter().filter(|(unit, _)| name.ends_with(&format!("_{unit}")));
+        let heading = self.names[self.value].to_lowercase();
+        let bracketed = heading.strip_suffix([']', ')']).and_then(|heading| heading.rsplit_once(['[', '(']));
+        let name = match bracketed {
+            Some((_, unit)) => unit.trim().replace('/', "_").replace('²', "2").replace('^', ""),
+            None => heading.clone(),
+        };
+        let is_named = |unit: &str, of: RecordUnit| match bracketed {
+            Some(_) => name == unit,
+            None => name.ends_with(&format!("_{unit}")) || (of.is_acceleration() && name == unit),
+        };
+        let known = RecordUnit::NAMED.iter().filter(|(unit, of)| is_named(unit, *of));
         let unit = known.max_by_key(|(unit, _)| unit.len()).map(|(_, unit)| *unit);
         unit.unwrap_or(if name == "share" { RecordUnit::Share } else { RecordUnit::Unnamed })
     }

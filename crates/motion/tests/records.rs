@@ -44,6 +44,20 @@ fn csv_with_units() {
     assert_eq!((two.values, two.unit), (vec![2.0, 4.0], RecordUnit::Kilonewton));
     let three = Record::parse("a.csv", "a_cm_s2\n1\n2\n3\n", None, Some(0.25)).unwrap();
     assert_eq!((three.times, three.unit), (vec![0.0, 0.25, 0.5], RecordUnit::CentimetrePerSecondSquared));
+    for (heading, unit) in [
+        ("g", RecordUnit::Gravity),
+        ("acc [g]", RecordUnit::Gravity),
+        ("acc (G)", RecordUnit::Gravity),
+        ("a [m/s²]", RecordUnit::MetrePerSecondSquared),
+        ("a (cm/s^2)", RecordUnit::CentimetrePerSecondSquared),
+        ("Gal", RecordUnit::CentimetrePerSecondSquared),
+        ("force [kN/m]", RecordUnit::KilonewtonPerMetre),
+        ("n", RecordUnit::Unnamed),
+        ("swing", RecordUnit::Unnamed),
+        ("force [kip]", RecordUnit::Unnamed),
+    ] {
+        assert_eq!(read(&format!("time_s,{heading}\n0,0\n1,1\n"), None).unit, unit, "{heading}");
+    }
 }
 
 /// Every error has the file, the line and the value.

@@ -13,7 +13,7 @@ use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Key};
 use standfast_sheet::{Sheet, SheetOptions};
 
 const RACK: &str = "title = \"Server rack\"\n[body]\nwidth = 0.6\nheight = 2\nmass = 900\nfriction = 0.4\n\
-    [earthquake]\nhorizontal = 0.25\n[[load]]\nname = \"push\"\nforce = 300\nelevation = 1.5\ntogether = true\n\
+    [earthquake]\nhorizontal = \"0.25 g\"\n[[load]]\nname = \"push\"\nforce = 300\nelevation = 1.5\ntogether = true\n\
     [criteria]\nSF_sliding = 1.2\n";
 
 fn text(html: &Html) -> String {

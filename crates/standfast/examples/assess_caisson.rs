@@ -25,10 +25,11 @@ fn outcome() -> Result<Outcome, InputError> {
         caisson_width: 15.0,
     };
     let wave = goda(&sea, &Heights::DeepWater(6.3), &section, &Choices::default())?;
-    // The weight less the water displaced, at mid-width.
-    let weight = Action::vertical(&body, 2_318_640.0, 7.5);
+    // The water displaced, at mid-width.
+    let buoyancy = Action::vertical(&body, -1_076_110.5, 7.5);
     let situation = Situation::new(body, 0.6, 9.81)?
-        .with(Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, weight))
+        .with_weight()
+        .with(Load::permanent(LoadSource::Buoyancy, LoadKind::Weight, buoyancy))
         .with_all(wave.loads(&body, section.base_depth));
     situation.outcome()
 }

@@ -49,9 +49,7 @@ pub enum LoadKind {
 pub enum LoadSource {
     /// m g.
     Weight,
-    /// W', from which buoyancy is taken off already.
-    BuoyantWeight,
-    /// Still water under the base.
+    /// Still water under the base, or the part of the weight that it bears.
     Buoyancy,
     /// Still water on the sides.
     StillWater,

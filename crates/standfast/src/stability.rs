@@ -150,7 +150,7 @@ impl Margins {
 /// Overturning by gross moments: the whole weight against all pressures of water under the base and the horizontal force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrossOverturning {
-    /// U_s, N/m: buoyancy that is among the loads; zero where the weight is given less buoyancy.
+    /// U_s, N/m: buoyancy that is among the loads; zero where there is none.
     pub buoyancy: f64,
     /// M_s, N·m/m: its moment about the heel.
     pub buoyancy_moment: f64,

@@ -209,7 +209,7 @@ fn goda() -> Situation {
     let body = Body::new(15.0, 10.5, 346.05e3).unwrap();
     let weight =
         Action::Force { at: standfast::loads::BodyPoint { x: 0.0, y: 0.0 }, right: 0.0, up: -2318.64e3 };
-    let weight = Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, weight);
+    let weight = Load::permanent(LoadSource::Other, LoadKind::Weight, weight);
     let push = Action::horizontal(-940.61e3, 4849.6 / 940.68);
     Situation::new(body, 0.6, 9.81)
         .unwrap()

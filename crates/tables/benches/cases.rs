@@ -62,10 +62,11 @@ fn direct([h_13, h_max, period, friction]: [f64; 4]) -> Outcome {
     };
     let heights = Heights::Local { significant: h_13, maximum: h_max };
     let goda = goda(&sea, &heights, &section, &Choices::default()).expect("waves");
-    let weight = Action::vertical(&body, 2_318_640.0, 7.5);
+    let buoyancy = Action::vertical(&body, -1_076_110.5, 7.5);
     Situation::new(body, friction, 9.81)
         .expect("a situation")
-        .with(Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, weight))
+        .with_weight()
+        .with(Load::permanent(LoadSource::Buoyancy, LoadKind::Weight, buoyancy))
         .with_all(goda.loads(&body, section.base_depth))
         .outcome()
         .expect("an outcome")

@@ -205,10 +205,11 @@ impl CaseRows {
         factor.parse(text).map_err(|error| format!("{error}; expected {}", factor.expected()))
     }
 
-    /// The value that a number in a column stands for.
+    /// The value that a number in a column stands for, or what is wrong with it.
     #[cfg(feature = "memory")]
-    pub(crate) fn value(&self, place: usize, number: f64) -> f64 {
-        self.sweep.factors()[place].value(number)
+    pub(crate) fn value(&self, place: usize, number: f64) -> Result<f64, String> {
+        let factor = &self.sweep.factors()[place];
+        factor.value(number).map_err(|error| format!("{error}; expected {}", factor.expected()))
     }
 
     /// The unit that numbers in a column are in, where that is not the one of their values.

@@ -177,12 +177,14 @@ impl Task {
         }
     }
 
-    /// The value that a number in the column at a place of the problem's stands for.
+    /// The value that a number in the column at a place of the problem's stands for, or what is wrong with it.
     #[cfg(feature = "memory")]
-    pub(crate) fn value(&self, place: usize, number: f64) -> f64 {
+    pub(crate) fn value(&self, place: usize, number: f64) -> Result<f64, RowFault> {
         match &self.rows {
-            Rows::Points(_) => number,
-            Rows::Case(rows) => rows.value(place, number),
+            Rows::Points(_) => Ok(number),
+            Rows::Case(rows) => {
+                rows.value(place, number).map_err(|problem| RowFault::Case { columns: vec![place], problem })
+            }
         }
     }
 

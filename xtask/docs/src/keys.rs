@@ -113,7 +113,7 @@ fn takes(kind: Kind) -> String {
         }
         Kind::Plain(range) => range.words().to_owned(),
         Kind::InGravity => format!(
-            "a number of g, the same as in `\"0.2 g\"`, or an acceleration in {}",
+            "a number with its unit: g, or an acceleration in {}",
             Dimension::Acceleration.understood()
         ),
         Kind::OneOf(2, _) => "two numbers, to the right and upwards".to_owned(),

@@ -116,10 +116,9 @@ pub(super) fn fault(problem: &Problem) -> String {
 
 fn expected(variable: &Variable) -> String {
     match (variable.id().key.info().kind, variable.dimension()) {
-        (Kind::InGravity, Some(dimension)) => format!(
-            "expected a multiple of the acceleration of gravity, as 0.2 or \"0.2 g\", or a number with a unit: {}",
-            dimension.understood()
-        ),
+        (Kind::InGravity, Some(dimension)) => {
+            format!("expected a number with its unit, as \"0.2 g\": g, {}", dimension.understood())
+        }
         (_, Some(dimension)) => {
             format!("expected a number in SI units, or with a unit: {}", dimension.understood())
         }

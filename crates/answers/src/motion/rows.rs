@@ -374,11 +374,11 @@ mod tests {
         let case = |width: &str, mass: &str, peak: &str| {
             format!(
                 "[body]\nwidth = {width}\nheight = 2\nmass = {mass}\nfriction = 0.4\n[motion.base]\n\
-                 horizontal = {{ shape = \"half-sine\", peak = {peak}, duration = 0.7 }}\n\
+                 horizontal = {{ shape = \"half-sine\", peak = \"{peak} m/s2\", duration = 0.7 }}\n\
                  [[load]]\nforce = \"6 kN/m\"\nelevation = \"1 m\"\nhistory = {{ shape = \"half-sine\", duration = \"0.5 s\" }}\n"
             )
         };
-        let columns = columns(&["body.width", "motion.base.horizontal.peak"]);
+        let columns = columns(&["body.width", "motion.base.horizontal.peak [m/s2]"]);
         let table = rows(&case("1", "1000", "3"), &columns).unwrap();
         assert!(table.notes().iter().any(|note| note.contains("body.mass")), "{:?}", table.notes());
         for (cell, width, mass) in [("1.5 m", "1.5", "1500"), ("0.8", "0.8", "800"), ("1", "1", "1000")] {

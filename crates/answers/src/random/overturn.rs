@@ -157,13 +157,13 @@ fn varies_not(problem: &ChanceProblem, over: &ValueRange) -> Result<(), Probabil
     }
 }
 
-/// A peak as it is written: a number is a share of g, as under [earthquake].
+/// A peak as it is written, with its unit, as under [earthquake].
 fn peak(text: &str, gravity: f64) -> Result<f64, String> {
-    let share = text.parse::<f64>().ok().or_else(|| in_gravity(text)).map(|share| share * gravity);
+    let share = in_gravity(text).map(|share| share * gravity);
     let value = share.or_else(|| Dimension::Acceleration.parse(text).ok());
     value
         .filter(|value| *value > 0.0 && value.is_finite())
-        .ok_or_else(|| format!("\"{text}\" is no peak above zero, as 0.2, \"0.2 g\" or \"2 m/s2\""))
+        .ok_or_else(|| format!("\"{text}\" is no peak above zero with its unit, as \"0.2 g\" or \"2 m/s2\""))
 }
 
 /// A body that was drawn.

@@ -279,11 +279,16 @@ impl Resolve<'_> {
                     (RandomProblem::Value { what, written, expected }, parameter.span.clone())
                 })
             }
-            (Written::Number(_), Quantity::Key(variable), Names::Case(file, ..))
-                if variable.key().info().kind == Kind::InGravity =>
+            (Written::Number(number), Quantity::Key(variable), _)
+                if variable.key().info().kind == Kind::InGravity && *number != 0.0 =>
             {
-                // A share of g, as behind the key itself.
-                Ok(self.plain(named, parameter)? * file.inputs().gravity())
+                // As behind the key itself.
+                let what = format!("`{}` of `{}`", parameter.name, named.name);
+                let expected = format!("an acceleration with its unit, \"{number} g\" or \"{number} m/s2\"");
+                Err((
+                    RandomProblem::Value { what, written: number.to_string(), expected },
+                    parameter.span.clone(),
+                ))
             }
             _ => self.plain(named, parameter),
         }

@@ -16,6 +16,8 @@ use crate::units::{Dimension, Unit, UnitError, in_gravity};
 pub struct Factor {
     variable: Variable,
     unit: Counted,
+    /// True if plain numbers have to have a unit, and none is said: of the acceleration of a base.
+    unsaid: bool,
 }
 
 /// Unit that a plain number counts.
@@ -25,7 +27,7 @@ enum Counted {
     Si,
     /// Another unit.
     Unit(Unit),
-    /// The acceleration of gravity: this one, unless it varies as well.
+    /// The acceleration of gravity: that of the case, `None` if it varies as well.
     Gravity(Option<f64>),
     /// The standard acceleration of gravity.
     StandardGravity,
@@ -94,8 +96,8 @@ pub fn heading(column: &str) -> (&str, Option<&str>) {
 
 impl Factor {
     /// The number of a case that is called `name`, as in [`Variable::find`], and besides one that the file leaves to what is
-    /// taken for it, or a bound of the criteria. Plain numbers are in `unit`, or in that of the case file: SI, but for
-    /// accelerations of the base, which count g.
+    /// taken for it, or a bound of the criteria. Plain numbers are in `unit`, or in SI units; those of accelerations of the base
+    /// need one, as in the case file.
     ///
     /// # Errors
     /// If there is no such number, or the unit is not one of it.
@@ -119,6 +121,7 @@ impl Factor {
         };
         let gravity = variable.id().key.info().kind == Kind::InGravity;
         let of_base = variable.id().key.info().kind == Kind::Reached && variable.dimension().is_some();
+        let unsaid = unit.is_none();
         let unit = match (unit, variable.dimension()) {
             (None | Some("g"), _) if gravity => Counted::Gravity(Some(inputs.gravity())),
             (Some("g"), _) if of_base => Counted::StandardGravity,
@@ -131,7 +134,7 @@ impl Factor {
                 Counted::Unit(known.ok_or_else(wrong)?)
             }
         };
-        Ok(Factor { variable, unit })
+        Ok(Factor { variable, unit, unsaid: unsaid && (gravity || of_base) })
     }
 
     /// The numbers of a case that can vary: those that its file has, and those that it leaves to what is taken for them.
@@ -175,13 +178,18 @@ impl Factor {
     }
 
     /// The value that a plain number stands for: in SI units, or in multiples of the acceleration of gravity.
-    pub fn value(&self, number: f64) -> f64 {
+    ///
+    /// # Errors
+    /// If it has to have a unit: an acceleration of the base that is not zero.
+    pub fn value(&self, number: f64) -> Result<f64, UnitError> {
         // "-0.0" is zero, as it is in a file.
-        0.0 + match self.unit {
-            Counted::Si | Counted::Gravity(_) => number,
-            Counted::Unit(unit) => unit.si(number),
-            Counted::StandardGravity => number * STANDARD_GRAVITY,
-        }
+        Ok(0.0
+            + match self.unit {
+                _ if self.unsaid && number != 0.0 => return Err(UnitError::Missing),
+                Counted::Si | Counted::Gravity(_) => number,
+                Counted::Unit(unit) => unit.si(number),
+                Counted::StandardGravity => number * STANDARD_GRAVITY,
+            })
     }
 
     /// The unit of plain numbers, where that is not the one of the values.
@@ -198,7 +206,7 @@ impl Factor {
     /// If it is neither.
     pub fn parse(&self, text: &str) -> Result<f64, UnitError> {
         match (text.trim().parse::<f64>(), self.unit, self.variable.dimension()) {
-            (Ok(number), _, _) => Ok(self.value(number)),
+            (Ok(number), _, _) => self.value(number),
             (_, Counted::Gravity(gravity), Some(dimension)) => {
                 match (in_gravity(text), dimension.parse(text)) {
                     (Some(share), _) => Ok(0.0 + share),
@@ -223,9 +231,14 @@ impl Factor {
 
     /// Values that it takes, in words.
     pub fn expected(&self) -> String {
+        let name = self.variable.id();
         match self.unit {
             Counted::Gravity(None) => {
-                "a number, which counts g, or one with that unit, as gravity varies as well".to_owned()
+                format!("a number with the unit g, as gravity varies as well; or the name `{name} [g]`")
+            }
+            _ if self.unsaid => {
+                let units = Dimension::Acceleration.understood();
+                format!("a number with its unit, g, {units}; or the unit behind the name, as `{name} [g]`")
             }
             Counted::Gravity(Some(_)) => {
                 let units = Dimension::Acceleration.understood();
@@ -304,10 +317,11 @@ fn known(name: &str) -> Option<String> {
 mod tests {
     use super::Factor;
     use crate::sweep::Sweep;
+    use crate::units::UnitError;
     use standfast_model::CaseFile;
 
     const SHAKEN: &str =
-        "[body]\nwidth = 1\nheight = 2\nmass = 4800\nfriction = 0.7\n[earthquake]\nhorizontal = 0.2\n";
+        "[body]\nwidth = 1\nheight = 2\nmass = 4800\nfriction = 0.7\n[earthquake]\nhorizontal = \"0.2 g\"\n";
 
     /// A text in m/s² is the share of g whose product is that acceleration: as near as a float comes.
     #[test]
@@ -315,7 +329,10 @@ mod tests {
         let file = CaseFile::parse("case.toml", SHAKEN).unwrap();
         let factor = Factor::find("earthquake.horizontal", None, file.inputs()).unwrap();
         assert_eq!(factor.parse("0.25 g"), Ok(0.25));
-        assert_eq!(factor.parse("0.25"), Ok(0.25));
+        assert_eq!(factor.parse("0.25"), Err(UnitError::Missing));
+        assert_eq!(factor.parse("0"), Ok(0.0));
+        let named = Factor::find("earthquake.horizontal", Some("g"), file.inputs()).unwrap();
+        assert_eq!((named.parse("0.25"), named.value(0.25)), (Ok(0.25), Ok(0.25)));
         for hundredths in -300..300 {
             let acceleration = f64::from(hundredths) / 100.0;
             let share = factor.parse(&format!("{acceleration} m/s2")).unwrap();

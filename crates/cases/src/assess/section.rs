@@ -214,7 +214,7 @@ fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
     let centre = (body.centroid_offset(), body.centroid_height());
     let (at, is_inside) = match &load.action {
         Action::Pressure { .. } => return None,
-        Action::Force { at, .. } => ((at.x, at.y), load.source == LoadSource::BuoyantWeight),
+        Action::Force { at, .. } => ((at.x, at.y), load.source == LoadSource::Buoyancy),
         _ => (centre, true),
     };
     let wrench = situation.wrench_of(load);

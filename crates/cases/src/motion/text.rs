@@ -61,7 +61,15 @@ pub fn verdict(followed: &FollowedMotion) -> String {
     let (outcome, s) = (&followed.outcome, seconds(followed));
     let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t)) + s;
     let moves = outcome.events.iter().find(|event| event.state != Mode::Rest);
-    let Some(first) = moves else { return "The body stays at rest.".to_owned() };
+    let goes_on = || format!("the loads go on to t = {}{s}", number(outcome.loads_end));
+    let Some(first) = moves else {
+        return match outcome.is_cut_off() {
+            true => {
+                format!("The body stays at rest until t = {}{s}; {}.", number(outcome.t_final), goes_on())
+            }
+            false => "The body stays at rest.".to_owned(),
+        };
+    };
     let begins = match first.why {
         Why::Start => "From the start the body".to_owned(),
         _ => format!("At t = {}{s} the body leaves rest: it", number(first.t)),
@@ -72,7 +80,12 @@ pub fn verdict(followed: &FollowedMotion) -> String {
             format!("It comes to rest at t = {}{s}.", number(outcome.t_rest.unwrap_or(outcome.t_final)))
         }
         End::Overturned => format!("It overturns at t = {}.", at(last)),
-        End::Time => format!("It still moves at t = {}, when the time is up.", at(last)),
+        End::Time => {
+            let moves =
+                if last.is_some_and(|event| event.state == Mode::Rest) { "rests" } else { "still moves" };
+            let more = if outcome.is_cut_off() { format!("; {}", goes_on()) } else { String::new() };
+            format!("It {moves} at t = {}, when the time is up{more}.", at(last))
+        }
         End::NoContinuation => {
             format!(
                 "At t = {} no state satisfies all conditions, and the motion is not followed further.",

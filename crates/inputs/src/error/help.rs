@@ -40,15 +40,19 @@ impl Problem {
             Problem::MissingKey { key: Key::AngularFrequency, .. } => "or give `period`".into(),
             Problem::MissingKey { key, .. } => format!("add for example\n{}", line(*key)),
             Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
-            Problem::Unit { key, dimension, error, .. } => {
+            Problem::Unit { key, dimension, written, error } => {
                 let dimension = (*dimension)?;
-                let (also, bare) = match key.info().kind {
-                    Kind::InGravity => ("g, ", "g"),
-                    _ => ("", dimension.si()),
-                };
+                let is_shaking = matches!(key.info().kind, Kind::InGravity | Kind::Reached);
+                let also = if is_shaking { "g, " } else { "" };
                 let units = format!("the units understood here: {also}{}", dimension.understood());
                 match error {
-                    UnitError::Missing => format!("{units}; a number without quotes is in {bare}"),
+                    UnitError::Missing if is_shaking => {
+                        let number = written.trim_matches(['"', '\'']);
+                        format!("write \"{number} g\" or \"{number} m/s2\", whichever is meant")
+                    }
+                    UnitError::Missing => {
+                        format!("{units}; a number without quotes is in {}", dimension.si())
+                    }
                     UnitError::Unknown(unit) if *key == Key::Gravity && unit == "g" => {
                         format!("{units}; this key says what g is, for example {}", line(*key))
                     }
@@ -304,9 +308,8 @@ fn known(table: Table, name: &str) -> String {
 pub fn expected_type(kind: Kind) -> &'static str {
     match kind {
         Kind::Text | Kind::File => "a text in quotes",
-        Kind::Measured(..) | Kind::InGravity | Kind::Reached => {
-            "a number, or a text with a number and its unit"
-        }
+        Kind::Measured(..) => "a number, or a text with a number and its unit",
+        Kind::InGravity | Kind::Reached => "a text with a number and its unit, as \"0.2 g\"",
         Kind::Plain(_) => "a number without unit or quotes",
         Kind::OneOf(2, _) => "a list of two numbers, x and y",
         Kind::OneOf(..) => "a list of three numbers",

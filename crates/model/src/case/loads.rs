@@ -249,6 +249,9 @@ impl Reader<'_> {
         let factors = factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?;
         let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table));
         let mut names: Vec<&str> = tables.filter_map(Table::in_combination).collect();
+        if self.inputs.get(Key::BuoyantWeight).is_some() {
+            names.extend(Table::Water.in_combination());
+        }
         let own = names.len();
         let named =
             forces.iter().map(|force| &force.name).chain(pressures.iter().map(|pressure| &pressure.name));

@@ -13,7 +13,7 @@ use crate::key::{Id, Key};
 use crate::units::Extent;
 
 /// Usual range of a value, both ends included.
-pub(super) struct Usual {
+pub(crate) struct Usual {
     from: f64,
     to: f64,
 }
@@ -22,7 +22,7 @@ pub(super) struct Usual {
 const ROUNDING: f64 = 1e-12;
 
 impl Usual {
-    fn contains(&self, value: f64) -> bool {
+    pub(crate) fn contains(&self, value: f64) -> bool {
         (self.from * (1.0 - ROUNDING)..=self.to * (1.0 + ROUNDING)).contains(&value)
     }
 
@@ -59,8 +59,9 @@ pub(super) const HEIGHTS: Usual = Usual { from: 1.4, to: 2.2 };
 /// The largest friction between a body and its base.
 pub(super) const FRICTION: f64 = 1.0;
 
-/// The largest acceleration of the ground, in multiples of that of gravity.
-pub(super) const SHAKING: f64 = 1.0;
+/// Peak accelerations of a base that is shaken, in multiples of that of gravity: from one that hardly anybody feels to more than any
+/// that was recorded on the ground.
+pub(crate) const SHAKING: Usual = Usual { from: 0.01, to: 3.0 };
 
 /// Distance from the body's edge that a force on it may have by rounding, m.
 const SLACK: f64 = 1e-6;
@@ -231,8 +232,15 @@ impl Case {
         let horizontal = earthquake.horizontal();
         for (key, acceleration) in [(Key::Horizontal, horizontal), (Key::Vertical, earthquake.vertical())] {
             let share = acceleration / self.gravity;
-            if share.abs() > SHAKING {
-                warnings.push(Warning::StrongEarthquake { key, acceleration, share });
+            match share.abs() {
+                0.0 => {}
+                much if much > SHAKING.to => {
+                    warnings.push(Warning::StrongEarthquake { key, acceleration, share })
+                }
+                little if !SHAKING.contains(little) => {
+                    warnings.push(Warning::WeakEarthquake { key, acceleration, share })
+                }
+                _ => {}
             }
         }
         // W' says that there is water, too; waves come with one or the other.
@@ -275,7 +283,7 @@ mod tests {
     const BLOCK: &str = "[body]\nwidth = 10\nheight = 10\nmass = 230e3\nfriction = 0.6\n";
     const FORCE: &str = "[[load]]\nforce = 1e5\nelevation = 3\n";
     const WATER_TABLE: &str = "[water]\nlevel = 6\ndensity = 1000\n";
-    const SHAKEN: &str = "[earthquake]\nhorizontal = 0.2\n";
+    const SHAKEN: &str = "[earthquake]\nhorizontal = \"0.2 g\"\n";
     const SEA: &str = "[wave]\nH13 = 3\nHmax = 5.4\nperiod = 10\nsea_bottom_slope = 0.01\nwater_depth = 9\n\
         depth_above_berm = 5.5\nbase_depth = 6\ncrest_height = 4\nberm_width = 5\nangle_deg = 0\nwater_density = 1030\n";
 
@@ -350,16 +358,18 @@ mod tests {
     #[test]
     fn an_earthquake() {
         let name = "strong-earthquake";
-        let shaken = format!("{BLOCK}{SHAKEN}vertical = 0.1\n");
-        let horizontal = ["horizontal = 1", "horizontal = -1.0", "horizontal = \"9.8 m/s2\""];
-        limits(
-            &shaken,
-            "horizontal = 0.2",
-            name,
-            &horizontal,
-            &["horizontal = 1.01", "horizontal = \"-25 m/s2\""],
-        );
-        limits(&shaken, "vertical = 0.1", name, &["vertical = -1"], &["vertical = -1.01", "vertical = 1.01"]);
+        let shaken = format!("{BLOCK}{SHAKEN}vertical = \"0.1 g\"\n");
+        let [horizontal, vertical] = ["horizontal = \"0.2 g\"", "vertical = \"0.1 g\""];
+        let usual = [
+            "horizontal = \"3 g\"",
+            "horizontal = \"-0.01 g\"",
+            "horizontal = \"29 m/s2\"",
+            "horizontal = 0",
+        ];
+        limits(&shaken, horizontal, name, &usual, &["horizontal = \"3.01 g\"", "horizontal = \"-30 m/s2\""]);
+        limits(&shaken, vertical, name, &["vertical = \"-3 g\""], &["vertical = \"-3.01 g\""]);
+        let weak = ["horizontal = \"0.009 g\"", "horizontal = \"-0.09 m/s2\""];
+        limits(&shaken, horizontal, "weak-earthquake", &usual, &weak);
 
         // In water its share has to be said, whatever says that there is water.
         let name = "earthquake-without-added-mass";
@@ -369,7 +379,10 @@ mod tests {
         for wet in [&format!("{BLOCK}{WATER_TABLE}{SHAKEN}"), &format!("{sea}{SHAKEN}"), &weight] {
             assert_eq!(names(wet), [name], "{wet}");
             assert_eq!(names(&format!("{wet}[added_mass]\nmass = 20e3\n")), [""; 0], "{wet}");
-            assert_eq!(names(&wet.replace("horizontal = 0.2", "horizontal = 0\nvertical = 0.1")), [""; 0]);
+            assert_eq!(
+                names(&wet.replace("horizontal = \"0.2 g\"", "horizontal = 0\nvertical = \"0.1 g\"")),
+                [""; 0]
+            );
         }
         let still = format!("{BLOCK}{WATER_TABLE}{SHAKEN}");
         assert_eq!(names(&still.replace(level, "left = 0\nright = 0.01")), [name]);
@@ -481,8 +494,8 @@ mod tests {
                 ["water.density = 1.03 kg/m³", "950 to 1100 kg/m³", ""],
             ),
             (
-                format!("{BLOCK}{SHAKEN}vertical = -2\n"),
-                ["earthquake.vertical = -19.62 m/s² is -2 g", "more than 1 g", ""],
+                format!("{BLOCK}{SHAKEN}vertical = \"-4 g\"\n"),
+                ["earthquake.vertical = -39.24 m/s² is -4 g", "peaks from 0.01 to 3 g", ""],
             ),
             (
                 sea.replace("Hmax = 5.4", "Hmax = 9"),

@@ -158,7 +158,8 @@ pub(super) fn slides_only(problem: &MotionProblem) -> Option<MotionOutcome> {
             return None;
         }
     }
-    let mut end = times[times.len() - 1];
+    let loads_end = times[times.len() - 1];
+    let mut end = loads_end;
     if found.slip.is_some() {
         // Friction alone ends it.
         let s = found.slip.map_or(0.0, Slip::sign);
@@ -194,6 +195,7 @@ pub(super) fn slides_only(problem: &MotionProblem) -> Option<MotionOutcome> {
         t_rest: Some(since),
         t_rest_is_bound: false,
         t_final: end,
+        loads_end,
         work: found.work,
         friction_loss: constant.slips * found.way,
         impact_loss: 0.0,

@@ -176,13 +176,11 @@ fn one(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, i: usize, compo
 /// The numbers that the formulas of a load's parts need.
 fn given(steps: &mut SheetSteps, case: &Case, load: &Load) {
     match load.source {
-        LoadSource::BuoyantWeight => {
+        LoadSource::Buoyancy | LoadSource::StillWater => {
             if let Weight::Buoyant { force, arm } = case.weight {
                 steps.know("W_g", force, KILONEWTON);
                 steps.know("t_g", arm, METRE);
             }
-        }
-        LoadSource::Buoyancy | LoadSource::StillWater => {
             if let Some(water) = &case.water {
                 steps.know("h_l", water.left(), METRE);
                 steps.know("h_r", water.right(), METRE);
@@ -305,7 +303,9 @@ fn formulas(
     let [force, elevation, distance] = force_symbols(case, &component.load);
     match component.load.source {
         LoadSource::Weight => [None, some("m g"), None],
-        LoadSource::BuoyantWeight => [None, some("W_g"), Some(moment_of_v("t_g"))],
+        LoadSource::Buoyancy if matches!(case.weight, Weight::Buoyant { .. }) => {
+            [None, less("(m g − W_g)"), some("W_g (b_1 − t_g)")]
+        }
         LoadSource::Buoyancy => pressure("h_l", "h_r", "ρ_w g "),
         LoadSource::StillWater => {
             let moment = format!("ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C)){side}");

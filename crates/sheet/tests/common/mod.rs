@@ -101,9 +101,9 @@ fn more() -> Vec<(String, String)> {
                 crest_height = 3.4\nangle_deg = 25\nwater_density = 1030\n";
     let caisson = "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\n[water]\nlevel = 7.1\n";
     let list = [
-        ("earthquake in water", format!("{body}[water]\nlevel = 5\ndensity = 1000\n[earthquake]\nhorizontal = -0.3\nvertical = 0.1\n[added_mass]\nsides = 2\n")),
-        ("one side", format!("{body}[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = 0.2\n[added_mass]\nsides = \"right\"\n")),
-        ("added mass given", format!("{body}[earthquake]\nhorizontal = 0.2\n[added_mass]\nmass = 20e3\n")),
+        ("earthquake in water", format!("{body}[water]\nlevel = 5\ndensity = 1000\n[earthquake]\nhorizontal = \"-0.3 g\"\nvertical = \"0.1 g\"\n[added_mass]\nsides = 2\n")),
+        ("one side", format!("{body}[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = \"0.2 g\"\n[added_mass]\nsides = \"right\"\n")),
+        ("added mass given", format!("{body}[earthquake]\nhorizontal = \"0.2 g\"\n[added_mass]\nmass = 20e3\n")),
         ("pressures, scaled", format!("{body}[[pressure]]\nname = \"left\"\nface = \"left\"\nelevation = [0, 2, 2, 7]\npressure = [3e3, 1e3, 9e3, -2e3]\nscale = 1.3\n\
             [[pressure]]\nface = \"top\"\ndistance = [1, 6]\npressure = [4e3, 2e3]\npermanent = true\n\
             [[pressure]]\nface = \"base\"\ndistance = [0, 1, 2, 3, 4, 5, 6]\npressure = [1, 2, 3, 5, 8, 13, 21]\n")),
@@ -113,8 +113,8 @@ fn more() -> Vec<(String, String)> {
             [[combination]]\nname = \"one `of` two\"\nfactors = {{ lift = 1.5, push = 1.35, weight = 0.9 }}\n[[combination]]\nfactors = {{ push = 1.1 }}\n\
             [criteria]\nSF_sliding = 1.3\nSF_overturning = 1.4\nbearing_max = \"200 kPa\"\ncontact_share = 0.5\neccentricity = \"1 m\"\nload_factor = 1.2\n\
             modes_not = [\"RO\", \"SL\"]\n")),
-        ("all in a combination", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nuplift = false\n[uplift]\nleft = 1e3\nright = 2e3\n[earthquake]\nhorizontal = 0.05\n\
-            vertical = 0.02\n[added_mass]\nsides = 2\n[[combination]]\nfactors = {{ weight = 0.95, water = 1.05, uplift = 1.2, wave = 0.5, earthquake = 0.7 }}\n\
+        ("all in a combination", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nuplift = false\n[uplift]\nleft = 1e3\nright = 2e3\n[earthquake]\nhorizontal = \"0.05 g\"\n\
+            vertical = \"0.02 g\"\n[added_mass]\nsides = 2\n[[combination]]\nfactors = {{ weight = 0.95, water = 1.05, uplift = 1.2, wave = 0.5, earthquake = 0.7 }}\n\
             [criteria]\nload_factor = 1.2\n")),
         ("crushing, rests", format!("{body}[ground]\nstrength = 500e3\n[[load]]\nforce = 100e3\nelevation = 5\n[criteria]\nground_factor = 1.3\n\
             effective_pressure_max = \"400 kPa\"\n")),
@@ -154,7 +154,7 @@ fn more() -> Vec<(String, String)> {
         ("lifted off sand", format!("{body}[ground]\nfriction_angle_deg = 40\nunit_weight = 1e4\n[[load]]\nforce = 2e6\ndirection = \"up\"\ndistance = 3\n")),
         ("no standing pressure", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nlambda = [0, 1, 0.5]\n")),
         ("in air, in a combination", format!("{body}[[load]]\nname = \"push\"\nforce = 90e3\nelevation = 3\n[[combination]]\nfactors = {{ push = 1.5 }}\n")),
-        ("shaken up and down", format!("{body}[earthquake]\nhorizontal = 0.2\nvertical = 0.3\n[criteria]\nbearing_max = \"250 kPa\"\nSF_sliding = 2.2\n")),
+        ("shaken up and down", format!("{body}[earthquake]\nhorizontal = \"0.2 g\"\nvertical = \"0.3 g\"\n[criteria]\nbearing_max = \"250 kPa\"\nSF_sliding = 2.2\n")),
         ("never and at once", format!("{body}[criteria]\nload_factor = 1.5\nSF_sliding = 1.2\n[[load]]\nforce = 0\nelevation = 1\n")),
         ("uplift", format!("{body}[uplift]\nleft = 20e3\nright = 60e3\ngrows = true\n[[load]]\nforce = 100e3\nelevation = 5\ndirection = \"right\"\n")),
         ("drum in water", "[body]\nshape = \"cylinder\"\nwidth = 2.4\nheight = 3\ndensity = 2400\nfriction = 0.6\ncentroid_offset = 0.05\n[water]\nlevel = 1.5\n\
@@ -162,7 +162,7 @@ fn more() -> Vec<(String, String)> {
             [[pressure]]\nface = \"top\"\ndistance = [0.5, 2]\npressure = [5e3, 1e3]\nscale = 1.5\n".to_owned()),
         ("drum on its rim", "[body]\nshape = \"cylinder\"\nwidth = 2\nheight = 3\nmass = \"10 t\"\nfriction = 0.6\n[[load]]\nforce = \"30 kN\"\nelevation = 2.5\n\
             direction = \"right\"\n[criteria]\nbearing_max = \"300 kPa\"\n".to_owned()),
-        ("tank of a length", format!("{body}length = 4\n[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = 0.1\n[added_mass]\nsides = 2\n\
+        ("tank of a length", format!("{body}length = 4\n[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = \"0.1 g\"\n[added_mass]\nsides = 2\n\
             [uplift]\nleft = 1e3\nright = 2e3\n[[pressure]]\nname = \"fill\"\nface = \"left\"\nelevation = [0, 7]\npressure = [3e3, 0]\nscale = 0.5\n\
             [[combination]]\nfactors = {{ fill = 1.5, earthquake = 0.5, weight = 0.9 }}\n")),
         ("parts in water", "[body]\nfriction = 0.6\nwidth_scale = 1.1\n[water]\nleft = 6\nright = 4\ndensity = 1000\n[[part]]\nname = \"`foot`\"\nleft = 3\nwidth = 9\nbottom = 0\n\

@@ -170,7 +170,14 @@ fn floats(
     if !is_text {
         let numbers = cast(column, &DataType::Float64)?.as_primitive::<Float64Type>().clone();
         wrong.extend((0..numbers.len()).filter(|row| numbers.is_null(*row)).map(null));
-        return Ok(numbers.unary(|number| task.value(place, number)));
+        let values = numbers.iter().enumerate().map(|(row, number)| match task.value(place, number?) {
+            Ok(value) => Some(value),
+            Err(reason) => {
+                wrong.push(Fault { row, wrong: reason });
+                None
+            }
+        });
+        return Ok(values.collect());
     }
     let texts = cast(column, &DataType::Utf8)?;
     let texts = texts.as_string::<i32>().iter().enumerate();
