@@ -9,7 +9,9 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use standfast::Mode;
-use standfast_cases::motion::{BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit};
+use standfast_cases::motion::{
+    BlockCase, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, StrengthAsked,
+};
 use standfast_cases::{CaseFile, Document, report};
 
 use crate::watch::patiently;
@@ -129,19 +131,24 @@ pub(crate) fn cases(
     Ok((cases, known.into_inner().unwrap_or_else(PoisonError::into_inner)))
 }
 
-/// Follows the motion of a case; `options` are whether its sensitivity is asked for, and all events.
+/// Follows the motion of a case; `options` are whether its strength is looked for (`None`: where its records are short), and all events.
 #[pyfunction]
 pub(crate) fn simulate(
     py: Python<'_>,
     case: MotionCase,
     base: (Option<Samples<'_>>, Option<Samples<'_>>),
-    options: (bool, bool),
+    options: (Option<bool>, bool),
 ) -> PyResult<MotionAnswer> {
     let base = given_base(base)?;
-    let (sensitivity, all) = options;
+    let (strength, all) = options;
+    let strength = match strength {
+        None => StrengthAsked::IfShort(Factors::Rungs),
+        Some(true) => StrengthAsked::Always(Factors::Rungs),
+        Some(false) => StrengthAsked::No,
+    };
     patiently(py, move || {
         let (cases, files) = cases(case, &base)?;
-        let answers = FollowedMotion::of_all(cases, &Follow { sensitivity, ..Follow::default() });
+        let answers = FollowedMotion::of_all(cases, &Follow { divergence: true, strength, series: false });
         let answers = answers.map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok(MotionAnswer { answers, files, all })
     })?

@@ -42,9 +42,10 @@ pub(crate) fn met_word(met: bool) -> &'static str {
 }
 
 /// The results that criteria on numbers ask for.
-const RESULTS: [(Key, ResultName); 9] = [
+const RESULTS: [(Key, ResultName); 10] = [
     (Key::LeastSliding, ResultName::SfSliding),
     (Key::LeastOverturning, ResultName::SfOverturning),
+    (Key::LeastOverturningGross, ResultName::SfOverturningGross),
     (Key::GreatestBearing, ResultName::BearingMax),
     (Key::LeastContact, ResultName::ContactShare),
     (Key::GreatestEccentricity, ResultName::Eccentricity),

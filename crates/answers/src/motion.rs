@@ -17,6 +17,7 @@ mod criteria;
 mod rows;
 mod series;
 mod spectrum;
+mod strength;
 
 pub(crate) use criteria::worst_checks;
 pub use criteria::{MotionCheck, MotionValue};
@@ -26,17 +27,21 @@ pub use spectrum::{
     Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, SpectrumSteps,
     in_order,
 };
+pub use strength::{Strength, StrengthAsked};
 
 use standfast_model::{BlockCase, CaseFile, MotionWarning};
-use standfast_motion::{Keep, MotionError, MotionOutcome, sensitivity, simulate};
+use standfast_motion::divergence::Divergence;
+use standfast_motion::{Keep, MotionError, MotionOutcome, simulate};
 
 use crate::error::CaseError;
 
 /// Request for more than the motion itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Follow {
-    /// True if it is run once more with inputs changed a little.
-    pub sensitivity: bool,
+    /// True if it is run once more with inputs changed a little, to see how far the two part.
+    pub divergence: bool,
+    /// When it is run under stronger and weaker loads.
+    pub strength: StrengthAsked,
     /// True if the whole motion is kept, for its [series](series_csv) and its figures.
     pub series: bool,
 }
@@ -48,8 +53,10 @@ pub struct FollowedMotion {
     pub case: BlockCase,
     /// Outcome for the body.
     pub outcome: MotionOutcome,
-    /// The larger change of slide, in B, and of max |θ| for a relative change of friction and of d, if it was asked for.
-    pub sensitivity: Option<f64>,
+    /// How far it parts from the motion of almost the same body, if that was asked for.
+    pub divergence: Option<Divergence>,
+    /// How much stronger or weaker loads have to be for another verdict, if that was asked for and there is one.
+    pub strength: Option<Strength>,
     /// Warnings of possible slips, and of values outside the range of the model.
     pub warnings: Vec<MotionWarning>,
 }
@@ -60,11 +67,15 @@ impl FollowedMotion {
     /// # Errors
     /// If the problem is refused.
     pub fn of(case: BlockCase, follow: &Follow) -> Result<FollowedMotion, MotionError> {
-        let outcome = simulate(&case.problem, Keep { steps: follow.series })?;
-        let sensitivity = if follow.sensitivity { Some(sensitivity(&case.problem)?) } else { None };
+        let mut outcome = simulate(&case.problem, Keep { steps: follow.series || follow.divergence })?;
+        let divergence = follow.divergence.then(|| Divergence::of(&case.problem, &outcome)).transpose()?;
+        let strength = Strength::of(&case, &outcome, follow.strength)?;
+        if !follow.series {
+            outcome.steps = Vec::new();
+        }
         let mut warnings = case.warnings.clone();
         warnings.extend(found(&case, &outcome));
-        Ok(FollowedMotion { case, outcome, sensitivity, warnings })
+        Ok(FollowedMotion { case, outcome, divergence, strength, warnings })
     }
 
     /// Follows the motion in every situation of a file; the worst first: by what is used of the criteria, overturned, past balance, by the

@@ -83,9 +83,10 @@ pub enum SweepResult {
 }
 
 /// The names of criteria, which are those of the keys that ask for them.
-const CRITERIA: [&str; 14] = [
+const CRITERIA: [&str; 15] = [
     "SF_sliding",
     "SF_overturning",
+    "SF_overturning_gross",
     "bearing_max",
     "contact_share",
     "eccentricity",

@@ -9,6 +9,7 @@ mod json;
 mod loads;
 mod sea;
 mod section;
+mod summary;
 mod text;
 pub mod verdict;
 
@@ -18,6 +19,7 @@ use standfast::InputError;
 
 use crate::document::{AnswerFigure, Document};
 use crate::interface::Interface;
+use crate::summary::Summary;
 pub use acting::situation_title;
 pub use loads::{left_out, share};
 pub use standfast_answers::assess::{
@@ -79,6 +81,10 @@ pub fn shown<'a>(assessment: &'a Assessment, view: &AssessmentView) -> Vec<&'a A
 /// together, and the section.
 impl Document for Assessment {
     type View = AssessmentView;
+
+    fn summary(&self) -> Option<Summary> {
+        Some(summary::summary(self))
+    }
 
     fn text(&self, view: &AssessmentView) -> String {
         text::render(self, view)

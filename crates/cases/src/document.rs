@@ -3,6 +3,8 @@
 use standfast::InputError;
 use standfast_figures::Figure;
 
+use crate::summary::Summary;
+
 /// Answer that is written down.
 ///
 /// ```
@@ -19,7 +21,12 @@ pub trait Document {
     /// View of the answer: how much of it is shown, where there is a choice.
     type View: Default;
 
-    /// The answer for reading, in lines of at most 88 characters.
+    /// The top of the answer; `None` of one that is a curve or a table.
+    fn summary(&self) -> Option<Summary> {
+        None
+    }
+
+    /// The answer for reading, in lines of at most 88 characters, its summary first.
     fn text(&self, view: &Self::View) -> String;
 
     /// The answer as one JSON document at full precision, in SI units, or those of a `[block]`; `figures` are the files of its figures, where

@@ -37,6 +37,7 @@ pub mod motion;
 pub mod point;
 pub mod random;
 mod report;
+mod summary;
 
 pub use assess::{Assessed, Assessment, AssessmentView, UpToError, check_up_to};
 pub use document::{AnswerFigure, Document};
@@ -48,6 +49,7 @@ pub use standfast_inputs::{
     ReadFile, RecordFile, Value, key, suggest, units,
 };
 pub use standfast_model::{Acting, Bound, Case, CaseFile, Criterion, Warning, case, couple};
+pub use summary::Summary;
 
 use standfast_inputs::{explained, record};
 

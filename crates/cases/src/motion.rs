@@ -3,16 +3,19 @@
 mod figures;
 pub(crate) mod json;
 mod spectrum;
+mod summary;
 mod text;
 
 use standfast::InputError;
 
 use crate::document::{AnswerFigure, Document};
 pub use crate::record::ReadFile;
+use crate::summary::Summary;
 pub use spectrum::spectrum_csv;
 pub use standfast_answers::motion::*;
 pub use standfast_model::{BlockCase, FirstInstant, GivenBase, LoadPeak, MotionCriterion, MotionWarning};
 pub use standfast_motion::record::{Record, RecordUnit};
+pub use standfast_motion::strength::Factors;
 pub use standfast_motion::{MotionError, MotionOutcome, Position};
 pub use text::{Rows, energy_rows, event_rows, number_rows, uniqueness, verdict};
 
@@ -28,9 +31,17 @@ pub struct MotionView {
 impl Document for [FollowedMotion] {
     type View = MotionView;
 
+    fn summary(&self) -> Option<Summary> {
+        summary::summary(self)
+    }
+
     fn text(&self, view: &MotionView) -> String {
-        let texts: Vec<_> = self.iter().map(|followed| text::render(followed, view.all)).collect();
-        texts.join("\n")
+        let texts: Vec<_> =
+            self.iter().map(|followed| text::render(followed, view.all, self.len() == 1)).collect();
+        let title = self.first().and_then(|worst| worst.case.title.as_ref());
+        let title = title.map_or(String::new(), |title| format!("{title}\n\n"));
+        let top = self.summary().map_or(String::new(), |summary| summary.text() + "\n");
+        title + &top + &texts.join("\n")
     }
 
     fn json(&self, _: &MotionView, figures: &[String]) -> String {

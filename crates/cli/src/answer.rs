@@ -7,7 +7,7 @@ use standfast_cases::Document;
 use crate::error::CommandError;
 use crate::figures::{self, Figures};
 use crate::files_read::FilesRead;
-use crate::format::Format;
+use crate::format::{Format, Shown};
 
 /// An answer to print, and why a figure of it could not be written, if it could not: the answer is not lost with it.
 #[derive(Debug)]
@@ -30,7 +30,7 @@ impl PrintedAnswer {
     pub fn of<D: Document + ?Sized>(
         answer: &D,
         view: &D::View,
-        format: Format,
+        shown: impl Into<Shown>,
         figures: Figures<'_>,
         (case, read): (&Path, &FilesRead),
     ) -> PrintedAnswer {
@@ -42,12 +42,16 @@ impl PrintedAnswer {
         } else {
             None
         };
-        let answer = match format {
-            Format::Text => {
+        let answer = match shown.into() {
+            Shown::Whole(Format::Text) => {
                 let gap = if drawn.is_empty() && undrawn.is_none() { "" } else { "\n" };
                 answer.text(view) + gap + &figures::said(&drawn)
             }
-            Format::Json => answer.json(view, &figures::files(drawn)),
+            Shown::Whole(Format::Json) => answer.json(view, &figures::files(drawn)),
+            Shown::Brief => {
+                answer.summary().map_or_else(|| answer.text(view), |summary| summary.text())
+                    + &figures::said(&drawn)
+            }
         };
         PrintedAnswer { answer, undrawn, met: None }
     }

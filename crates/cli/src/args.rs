@@ -308,6 +308,9 @@ pub struct AssessArgs {
     /// End with exit code 3 if a criterion of the case is not met
     #[arg(long)]
     pub check: bool,
+    /// Print the top of the answer alone: criteria, what happens, how near another answer is; figures only where --output says so
+    #[arg(long, conflicts_with = "format")]
+    pub brief: bool,
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -401,8 +404,15 @@ pub struct SimulateArgs {
     /// The step of time of --series
     #[arg(long, value_name = "DT", requires = "series", value_parser = time_step)]
     pub dt: Option<f64>,
-    /// Run once more with friction and height changed a little, and say how much that changes
+    /// Find how much stronger or weaker the loads have to be for another verdict, whatever it takes: 46 motions, or N between 0.8 and
+    /// 1.2 times the loads; without it where no record is as long as 20,000 points
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "46", conflicts_with = "no_strength")]
+    pub strength: Option<NonZeroUsize>,
+    /// Leave that out
     #[arg(long)]
+    pub no_strength: bool,
+    /// Changes nothing: how far the motion parts from that of almost the same body is always said
+    #[arg(long, hide = true)]
     pub sensitivity: bool,
     /// Show every event
     #[arg(long)]
@@ -410,6 +420,9 @@ pub struct SimulateArgs {
     /// End with exit code 3 if a criterion of the motion is not met
     #[arg(long)]
     pub check: bool,
+    /// Print the top of the answer alone: criteria, what happens, how near another answer is; figures only where --output says so
+    #[arg(long, conflicts_with = "format")]
+    pub brief: bool,
     /// How to print the answer; json is always complete
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -9,7 +9,7 @@ use crate::case_file;
 use crate::error::{CommandError, Result};
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
-use crate::format::Format;
+use crate::format::Shown;
 
 /// Assesses a case file, and writes its diagrams.
 ///
@@ -19,7 +19,7 @@ pub fn assess(
     path: &Path,
     figures: Figures,
     view: &AssessmentView,
-    format: Format,
+    shown: Shown,
     check: bool,
 ) -> Result<PrintedAnswer> {
     let read = FilesRead::default();
@@ -32,6 +32,6 @@ pub fn assess(
             example: "SF_sliding = 1.2\nSF_overturning = 1.2",
         });
     }
-    let printed = PrintedAnswer::of(&assessment, view, format, figures, (path, &read));
+    let printed = PrintedAnswer::of(&assessment, view, shown, figures, (path, &read));
     Ok(PrintedAnswer { met: assessment.met(), ..printed })
 }

@@ -11,3 +11,25 @@ pub enum Format {
     /// One JSON document, at full precision
     Json,
 }
+
+/// Part of an answer that is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shown {
+    /// All of it.
+    Whole(Format),
+    /// Its top, for reading.
+    Brief,
+}
+
+impl Shown {
+    /// The top where `brief` asks for it, else all in a format.
+    pub fn of(brief: bool, format: Format) -> Shown {
+        if brief { Shown::Brief } else { Shown::Whole(format) }
+    }
+}
+
+impl From<Format> for Shown {
+    fn from(format: Format) -> Shown {
+        Shown::Whole(format)
+    }
+}

@@ -51,7 +51,7 @@ use args::{Cli, Command};
 use error::{CommandError, Result};
 use figures::Figures;
 use files_read::FilesRead;
-use format::Format;
+use format::{Format, Shown};
 
 /// End of a command that did what it was asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -114,8 +114,12 @@ pub fn run(cli: Cli) -> Result<Ended> {
 
 fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
     let view = AssessmentView { up_to: args.up_to, all: args.all, ..AssessmentView::default() };
-    let figures = Figures::asked(args.output.as_deref(), args.no_figures);
-    ended(assess::assess(&args.case, figures, &view, args.format, args.check)?, args.check)
+    let figures =
+        Figures::asked(args.output.as_deref(), args.no_figures || (args.brief && args.output.is_none()));
+    ended(
+        assess::assess(&args.case, figures, &view, Shown::of(args.brief, args.format), args.check)?,
+        args.check,
+    )
 }
 
 /// Prints an answer, which may have figures that could not be written and criteria that are not met.

@@ -4,7 +4,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 use standfast_cases::motion::{
-    Follow, FollowedMotion, MotionOutcome, MotionView, Position, SERIES, series, series_csv,
+    Factors, Follow, FollowedMotion, MotionOutcome, MotionView, Position, SERIES, StrengthAsked, series,
+    series_csv,
 };
 use standfast_tables::{TableFormat, WrittenColumn, written};
 
@@ -15,7 +16,7 @@ use crate::case_file;
 use crate::error::{CommandError, Result};
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
-use crate::format::Format;
+use crate::format::{Format, Shown};
 use crate::write;
 
 /// Follows the motion of a case file, and writes its figures into a directory or else beside it.
@@ -39,7 +40,18 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
         series_format(series)?;
     }
     let to_stdout = args.series.as_ref().is_some_and(|series| series.as_os_str() == "-");
-    let follow = Follow { sensitivity: args.sensitivity, series: !args.no_figures || args.series.is_some() };
+    let no_figures = args.no_figures || (args.brief && args.output.is_none());
+    if args.sensitivity {
+        eprintln!("note: --sensitivity changes nothing; the divergence of the motion is always said");
+    }
+    let strength = match args.strength {
+        _ if args.no_strength => StrengthAsked::No,
+        // 46 is the number of rungs, which are denser near 1.
+        Some(count) if count.get() == 46 => StrengthAsked::Always(Factors::Rungs),
+        Some(count) => StrengthAsked::Always(Factors::Even(count.get())),
+        None => StrengthAsked::IfShort(Factors::Rungs),
+    };
+    let follow = Follow { divergence: true, strength, series: !no_figures || args.series.is_some() };
     let answers = FollowedMotion::of_all(cases, &follow)?;
     // The worst by the criteria is the first.
     let met = answers.first().and_then(FollowedMotion::met);
@@ -48,9 +60,15 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
     if let (true, Some(dt), Some(worst)) = (to_stdout, args.dt, worst) {
         return Ok(PrintedAnswer { met, ..PrintedAnswer::plain(series_csv(worst, dt)) });
     }
-    let figures = Figures::asked(args.output.as_deref(), args.no_figures);
+    let figures = Figures::asked(args.output.as_deref(), no_figures);
     let view = MotionView { all: args.all };
-    let mut printed = PrintedAnswer::of(&answers[..], &view, args.format, figures, (&args.case, &read));
+    let mut printed = PrintedAnswer::of(
+        &answers[..],
+        &view,
+        Shown::of(args.brief, args.format),
+        figures,
+        (&args.case, &read),
+    );
     if let (Some(series), Some(dt), Some(worst)) = (&args.series, args.dt, worst) {
         write::write_file(series, &series_bytes(worst, dt, series)?, &read)?;
         if args.format == Format::Text {

@@ -772,7 +772,9 @@ listed! {
 
     LeastSliding = key(Criteria, "SF_sliding", Plain(Positive), "", "at least: safety factor against sliding", "1.2");
     LeastOverturning = key(Criteria, "SF_overturning", Plain(Positive), "",
-        "at least: safety factor against overturning, the lesser of both corners", "1.2");
+        "at least: safety factor against overturning, net: water under the base taken off the weight; the lesser of both corners", "1.2");
+    LeastOverturningGross = key(Criteria, "SF_overturning_gross", Plain(Positive), "",
+        "at least: safety factor against overturning by gross moments, water under the base turning the body; the lesser of both corners", "1.5");
     GreatestBearing = key(Criteria, "bearing_max", Measured(Dimension::Pressure, Positive), "",
         "at most: bearing pressure, the larger of both edges", "\"400 kPa\"");
     LeastContact = key(Criteria, "contact_share", Plain(Share), "", "at least: share of the base that is pressed", "0.667");

@@ -44,8 +44,14 @@ pub enum MotionCriterion {
 }
 
 /// Criteria on a number that has to be at least the bound; all others have to be at most that.
-const AT_LEAST: [Key; 5] =
-    [Key::LeastSliding, Key::LeastOverturning, Key::LeastContact, Key::LeastGround, Key::LeastLoadFactor];
+const AT_LEAST: [Key; 6] = [
+    Key::LeastSliding,
+    Key::LeastOverturning,
+    Key::LeastOverturningGross,
+    Key::LeastContact,
+    Key::LeastGround,
+    Key::LeastLoadFactor,
+];
 
 impl Criterion {
     /// The criteria of a case.

@@ -31,6 +31,7 @@
 #![allow(clippy::needless_range_loop, reason = "a coefficient is called by its power")]
 
 mod decide;
+pub mod divergence;
 mod error;
 mod forcing;
 mod impact;
@@ -42,6 +43,7 @@ mod roots;
 mod series;
 mod situated;
 pub mod spectrum;
+pub mod strength;
 
 pub use error::MotionError;
 pub use machine::{Keep, simulate};
@@ -50,26 +52,6 @@ pub use problem::{ActingLoad, BaseMotion, Impact, Initial, LoadInTime, MotionPro
 
 pub use situated::{is_own_weight, shaken_water};
 pub use standfast::history::{History, HistoryError, Piece};
-
-/// Sensitivity of the slide, in B, and of the largest |θ| to friction and the height of C: the larger of their changes
-/// over a relative change of 1e-7 of μ_s, μ_k and d.
-///
-/// # Errors
-/// As [`simulate`].
-pub fn sensitivity(problem: &MotionProblem) -> Result<f64, MotionError> {
-    const CHANGE: f64 = 1e-7;
-    let one = simulate(problem, Keep::default())?;
-    let mut changed = problem.clone();
-    let block = &mut changed.block;
-    for number in [&mut block.mu_s, &mut block.mu_k, &mut block.d] {
-        *number *= 1.0 + CHANGE;
-    }
-    let length = block.b1.max(block.b2);
-    let two = simulate(&changed, Keep::default())?;
-    let slide = (two.slide - one.slide).abs() / length;
-    let turn = (two.max_theta - one.max_theta).abs();
-    Ok(slide.max(turn) / CHANGE)
-}
 
 /// The examples of the README are tests.
 #[cfg(doctest)]

@@ -36,8 +36,10 @@ pub fn summary(assessment: &Assessment) -> Markup {
             @if assessment.all_checks().is_empty() {
                 (table(assessment))
                 p.note {
-                    "The case file asks for nothing under [criteria]. Common practice asks for " (TARGET) " at least of both \
-                     safety factors."
+                    "The case file asks for nothing under [criteria]."
+                    @if assessment.case.wave.is_some() {
+                        " Common practice asks for " (TARGET) " at least of both safety factors."
+                    }
                 }
             } @else {
                 (criteria(assessment))

@@ -185,7 +185,7 @@ class MotionAnswer:
 _MotionCase = tuple[str, str, str, dict[str, str]]
 _Steps = tuple[float, float, int] | None
 
-def simulate(case: _MotionCase, base: tuple[_RecordOf, _RecordOf], options: tuple[bool, bool]) -> MotionAnswer: ...
+def simulate(case: _MotionCase, base: tuple[_RecordOf, _RecordOf], options: tuple[bool | None, bool]) -> MotionAnswer: ...
 
 class _Spectrum(Protocol):
     """`_spectrum._Asked`."""

@@ -42,7 +42,7 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
     let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { digits(factor) };
     let gross = gross(assessed);
-    let goda = if gross.is_some() { "(W' t − M_U)/M_p, Goda's" } else { "(W' t − M_U)/M_p" };
+    let goda = if gross.is_some() { "(W' t − M_U)/M_p, net" } else { "(W' t − M_U)/M_p" };
     let mut rows = vec![
         row!["sliding", "μ(W' − U)/P", factor(sliding)],
         row!["overturning", goda, factor(overturning_about_heel)],
@@ -107,7 +107,7 @@ pub fn two_factors(reduced: &Reduced) -> &'static str {
     }
 }
 
-/// Overturning by gross moments, where it tells something else than Goda's factor: water presses under the base.
+/// Overturning by gross moments, where it tells something else than the net factor: water presses under the base.
 fn gross(assessed: &Assessed) -> Option<&GrossOverturning> {
     let Outcome { full, actions, stability, gross, .. } = &assessed.outcome;
     let wet = gross.buoyancy != 0.0 || actions.uplift > 0.0;
@@ -142,7 +142,7 @@ fn gross_words(gross: &GrossOverturning, assessed: &Assessed) -> String {
         }
     };
     format!(
-        "Goda's factor takes water under the base off the moment of the weight; by gross moments it turns the body: \
+        "The net factor takes water under the base off the moment of the weight; by gross moments it turns the body: \
          {formula}{buoyancy}."
     )
 }

@@ -18,6 +18,7 @@ use crate::json::{SCHEMA, number_or_word, optional_number_or_word, written};
 use crate::motion::{self, MotionValue};
 use crate::point::{PointDocument, RelationDocument};
 use crate::results::{self, ResultName, ResultValue};
+use crate::summary::Summary;
 use crate::units::Extent;
 use standfast_model::Bound;
 
@@ -33,6 +34,8 @@ struct Document<'a> {
     weight_counted_as: &'static str,
     water: Option<Water>,
     wave: Option<Wave>,
+    /// What is asked first, in sentences.
+    summary: Summary,
     warnings: Vec<Warning>,
     /// True if all criteria are met; null where there is none.
     met: Option<bool>,
@@ -313,6 +316,7 @@ pub(super) fn render(assessment: &Assessment, view: &AssessmentView, files: &[St
             density: water.density(),
         }),
         wave: case.wave.as_ref().map(Wave::of),
+        summary: super::summary::summary(assessment),
         warnings: case
             .warnings()
             .iter()

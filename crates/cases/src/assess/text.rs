@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use standfast::Mode;
+
 use super::{
     AnyCheck, Assessed, Assessment, AssessmentView, GOVERNING, acting, checks, coordinates, ground, loads,
     sea, verdict,
@@ -14,7 +16,8 @@ use standfast_model::Warning;
 pub(super) fn render(assessment: &Assessment, view: &AssessmentView) -> String {
     let case = &assessment.case;
     let mut text = heading(case);
-    text += "Body\n";
+    text += &super::summary::summary(assessment).text();
+    text += "\nBody\n";
     text += &loads::body(case);
     text += &warnings(case, |warning| !warning.is_about_waves());
     if let Some(wave) = &case.wave {
@@ -143,7 +146,8 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView) -> String {
         text += "\nBecause\n";
         text += &describe::relations(&because, 2);
     }
-    if let Some(motion) = assessed.motion() {
+    // Of a body at rest all of it is zero but the weight.
+    if let Some(motion) = assessed.motion().filter(|_| assessed.mode() != Some(Mode::Rest)) {
         text += "\nAt onset\n";
         text += &describe::real_motion(motion, &Scale::of(case));
         if assessed.earthquake.is_some() {

@@ -1,5 +1,6 @@
 //! Sentences on the body under the full load at once, and while it rises: those of every face.
 
+use standfast::loads::LoadSource;
 use standfast::{Boundary, Departure, Mode, Response, Verdict};
 
 use super::{Assessed, AssessmentView, BaseResponse, predicate};
@@ -29,15 +30,60 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
     sentences
 }
 
-/// The lesser safety factor of a body at rest, which is never said to rest without it; `None` for one that moves, or that no
+/// The least safety factor of a body at rest, which is never said to rest without it; `None` for one that moves, or that no
 /// load pushes.
 pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
+    let (factor, against) = least_factor(assessed).filter(|_| assessed.mode() == Some(Mode::Rest))?;
+    Some(format!("with a safety factor of {} against {against}", digits(factor)))
+}
+
+/// The least of the safety factors: against sliding, against overturning, and of ground that can fail; what it is against. `None` of a body
+/// that no load pushes, or that is lifted.
+pub fn least_factor(assessed: &Assessed) -> Option<(f64, &'static str)> {
     let stability = &assessed.outcome.stability;
-    let (sliding, overturning) = (stability.sliding, stability.overturning());
-    let (factor, against) =
-        if overturning < sliding { (overturning, "overturning") } else { (sliding, "sliding") };
-    let rests = assessed.mode() == Some(Mode::Rest) && factor.is_finite();
-    rests.then(|| format!("with a safety factor of {} against {against}", digits(factor)))
+    let turning = if is_object(assessed) { "the onset of rocking" } else { "overturning" };
+    let ground = assessed.ground.as_ref().and_then(|ground| ground.factor);
+    let factors = [
+        (stability.sliding, "sliding"),
+        (stability.overturning(), turning),
+        (ground.unwrap_or(f64::INFINITY), "failure of the ground"),
+    ];
+    let least = factors.into_iter().reduce(|least, next| if next.0 < least.0 { next } else { least });
+    least.filter(|(factor, _)| factor.is_finite() && !assessed.outcome.full.is_lifted())
+}
+
+/// True of an object on a floor that is shaken: it begins to rock where its factor against overturning is 1, and need not overturn.
+pub fn is_object(assessed: &Assessed) -> bool {
+    assessed.earthquake.is_some()
+        && assessed.situation.loads().iter().all(|load| {
+            matches!(
+                load.source,
+                LoadSource::Weight
+                    | LoadSource::HorizontalInertia
+                    | LoadSource::VerticalInertia
+                    | LoadSource::Force
+            )
+        })
+}
+
+/// The variable loads in a row, as they stand in a sentence.
+pub fn risen_loads(assessed: &Assessed) -> String {
+    let mut names: Vec<String> = Vec::new();
+    for component in assessed.components().into_iter().filter(|component| !component.load.permanent) {
+        let name = match component.load.source {
+            LoadSource::WavePressure | LoadSource::WaveUplift => "the wave".to_owned(),
+            LoadSource::HorizontalInertia | LoadSource::VerticalInertia | LoadSource::ShakenWater => {
+                "the earthquake".to_owned()
+            }
+            // A name of its own as it is, if it does not read as a common noun.
+            _ if component.name.starts_with(|c: char| c.is_uppercase() || c.is_numeric()) => component.name,
+            _ => format!("the {}", component.name),
+        };
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    super::summary::in_a_row(&names)
 }
 
 fn lifted(full: &Response, extent: Extent) -> String {
@@ -124,40 +170,30 @@ pub fn path(assessed: &Assessed) -> Vec<String> {
     const NONE: &str = "No variable load acts; nothing rises.";
     match assessed.outcome.departure {
         Departure::Never if !assessed.rises() => vec![NONE.to_owned()],
-        departure if !assessed.rises() => vec![NONE.to_owned(), leaving(&departure)],
-        departure => vec![rising(assessed), leaving(&departure), difference(assessed)],
+        departure if !assessed.rises() => vec![NONE.to_owned(), leaving(&departure, "")],
+        departure => vec![leaving(&departure, &risen_loads(assessed)), difference(assessed)],
     }
 }
 
-/// Sentence on the loads that rise, alone or together.
-fn rising(assessed: &Assessed) -> String {
-    let variable = assessed.components().into_iter().filter(|component| !component.load.permanent);
-    let names: Vec<_> = variable.map(|component| component.name).collect();
-    match names.as_slice() {
-        [one] => format!("One load rises alone: {one}."),
-        names => format!("The variable loads rise together, by one factor: {}.", names.join("; ")),
-    }
-}
-
-/// Sentence on the departure from rest as the loads rise.
-fn leaving(departure: &Departure) -> String {
+/// Sentence on the departure from rest as the loads, in words, rise.
+fn leaving(departure: &Departure, loads: &str) -> String {
     match *departure {
-        Departure::Never => "No multiple of the variable loads moves the body.".to_owned(),
+        Departure::Never => format!("No multiple of {loads} moves the body."),
         Departure::AtOnce { verdict, permanent: true } => {
             format!("The permanent loads alone move the body: it {}.", predicate(verdict))
         }
         Departure::AtOnce { verdict, permanent: false } => {
-            format!(
-                "Any share of the variable load, however small, moves the body: it {}.",
-                predicate(verdict)
-            )
+            format!("Any share of {loads}, however small, moves the body: it {}.", predicate(verdict))
         }
         Departure::At { factor, verdict } => {
-            let into = verdict.map_or("no consistent mode", Verdict::symbol);
-            format!(
-                "The body first leaves rest at {} % of the variable load, into {into}.",
-                digits(100.0 * factor)
-            )
+            let rises =
+                if loads.contains(" and ") || loads.ends_with("loads") { "rise together" } else { "rises" };
+            let goes = match verdict {
+                Some(Verdict::BearingFailure) => "the ground fails (BF)".to_owned(),
+                Some(verdict) => format!("the body {}", predicate(Some(verdict))),
+                None => "the body moves, in no consistent mode".to_owned(),
+            };
+            format!("As {loads} {rises}, {goes} from {} % on.", digits(100.0 * factor))
         }
     }
 }
@@ -188,7 +224,7 @@ fn difference(assessed: &Assessed) -> String {
             "At once, the full load leaves the body at rest; rising, it has moved it before, at {} %.",
             digits(100.0 * factor)
         ),
-        _ if rests => "At once or rising, the full load leaves the body at rest.".to_owned(),
+        _ if rests => "The body stays at rest under the full load, applied suddenly or slowly.".to_owned(),
         Departure::At { factor, verdict } if verdict == full => format!(
             "At once and rising, the body takes up the same mode, {}; rising, it moves from {} % on.",
             symbol(full),

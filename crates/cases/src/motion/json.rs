@@ -4,6 +4,11 @@ use super::{FollowedMotion, MotionCheck, MotionCriterion, MotionValue, MotionWar
 use crate::json::optional_number_or_word;
 use serde::Serialize;
 use standfast::Mode;
+use standfast_answers::motion::Strength;
+use standfast_motion::divergence::Divergence;
+use standfast_motion::strength::{Change, VerdictStrength};
+
+use crate::summary::Summary;
 
 /// Every key is there in every answer, as docs/simulate.schema.json has them: `null`, or an empty list, where there is no such thing.
 #[derive(Serialize)]
@@ -11,6 +16,7 @@ struct Document<'a> {
     schema: u32,
     title: Option<&'a str>,
     situation: Option<&'a str>,
+    summary: Summary,
     end: &'static str,
     slide: f64,
     max_slide: f64,
@@ -34,7 +40,9 @@ struct Document<'a> {
     potential: f64,
     energy_residual: f64,
     unique: bool,
+    divergence: Option<DivergenceEntry>,
     sensitivity: Option<f64>,
+    strength: Option<StrengthEntry>,
     met: Option<bool>,
     criteria: Vec<CriterionEntry>,
     events: Vec<EventEntry>,
@@ -74,6 +82,94 @@ impl From<MotionCheck> for CriterionEntry {
 }
 
 #[derive(Serialize)]
+struct DivergenceEntry {
+    value: f64,
+    t: f64,
+    of: &'static str,
+}
+
+impl From<Divergence> for DivergenceEntry {
+    fn from(Divergence { value, t, of, .. }: Divergence) -> DivergenceEntry {
+        DivergenceEntry { value, t, of: of.word() }
+    }
+}
+
+#[derive(Serialize)]
+struct StrengthEntry {
+    onset: Option<f64>,
+    overturning: VerdictEntry,
+    slide: Option<VerdictEntry>,
+    range: [f64; 2],
+    tried: Vec<TriedEntry>,
+}
+
+/// A verdict over the factors that were tried; of a slide with the bound.
+#[derive(Serialize)]
+struct VerdictEntry {
+    required: Option<f64>,
+    verdict: bool,
+    up: Option<ChangeEntry>,
+    down: Option<ChangeEntry>,
+    share: [f64; 3],
+    windows: bool,
+}
+
+#[derive(Serialize)]
+struct ChangeEntry {
+    factor: f64,
+    from: f64,
+    to: f64,
+}
+
+#[derive(Serialize)]
+struct TriedEntry {
+    factor: f64,
+    overturned: bool,
+    max_theta: f64,
+    slide: f64,
+}
+
+impl StrengthEntry {
+    fn of(strength: &Strength) -> StrengthEntry {
+        let tried = strength.tried.iter().map(|tried| TriedEntry {
+            factor: tried.factor,
+            overturned: tried.overturned,
+            max_theta: tried.max_theta,
+            slide: tried.slide,
+        });
+        let tried: Vec<TriedEntry> = tried.collect();
+        let ends = [tried.first(), tried.last()].map(|end| end.map_or(1.0, |tried| tried.factor));
+        StrengthEntry {
+            onset: strength.onset,
+            overturning: VerdictEntry::of(&strength.overturning, None),
+            slide: strength.slide.as_ref().map(|(bound, verdict)| VerdictEntry::of(verdict, Some(*bound))),
+            range: ends,
+            tried,
+        }
+    }
+}
+
+impl VerdictEntry {
+    fn of(found: &VerdictStrength, required: Option<f64>) -> VerdictEntry {
+        let change = |change: Option<Change>| {
+            let rising = |change: Change| [change.factor.min(change.same), change.factor.max(change.same)];
+            change.map(|change| {
+                let [from, to] = rising(change);
+                ChangeEntry { factor: change.factor, from, to }
+            })
+        };
+        VerdictEntry {
+            required,
+            verdict: found.verdict,
+            up: change(found.up),
+            down: change(found.down),
+            share: found.share,
+            windows: found.windows,
+        }
+    }
+}
+
+#[derive(Serialize)]
 struct EventEntry {
     t: f64,
     why: &'static str,
@@ -106,6 +202,7 @@ fn document(followed: &FollowedMotion) -> Document<'_> {
         schema: 1,
         title: case.title.as_deref(),
         situation: case.situation.as_deref(),
+        summary: super::summary::of(followed, 1),
         end: outcome.end.word(),
         slide: outcome.slide,
         max_slide: outcome.max_slide,
@@ -129,7 +226,10 @@ fn document(followed: &FollowedMotion) -> Document<'_> {
         potential: outcome.potential,
         energy_residual: outcome.energy_residual(),
         unique: outcome.unique,
-        sensitivity: followed.sensitivity,
+        divergence: followed.divergence.map(DivergenceEntry::from),
+        // A name of before, with the number of now.
+        sensitivity: followed.divergence.map(|divergence| divergence.value),
+        strength: followed.strength.as_ref().map(StrengthEntry::of),
         met: followed.met(),
         criteria: followed.checks().into_iter().map(CriterionEntry::from).collect(),
         events: events.collect(),

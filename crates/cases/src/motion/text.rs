@@ -6,8 +6,10 @@ use standfast::Mode;
 use standfast_motion::{End, Event, MotionOutcome, Why};
 
 use super::FollowedMotion;
+use super::summary::near;
 use crate::assess::met_words;
-use crate::layout::{columns, paragraph, row, significant};
+use crate::layout::{columns, digits, paragraph, row, significant};
+use crate::summary::sentence;
 
 /// So many events are shown one by one.
 const SHOWN: usize = 24;
@@ -15,17 +17,16 @@ const SHOWN: usize = 24;
 /// Rows of words, numbers and units.
 pub type Rows = Vec<Vec<String>>;
 
-/// The answer in words, then in numbers, in the units of the case; `all` shows every event.
-pub(super) fn render(followed: &FollowedMotion, all: bool) -> String {
+/// The answer in words, then in numbers, in the units of the case; `all` shows every event. Of one motion alone the words stand in its summary.
+pub(super) fn render(followed: &FollowedMotion, all: bool, alone: bool) -> String {
     let case = &followed.case;
     let mut text = String::new();
-    if let Some(title) = &case.title {
-        let _ = writeln!(text, "{title}\n");
-    }
     if let Some(situation) = &case.situation {
         let _ = writeln!(text, "Under {situation}:\n");
     }
-    let _ = writeln!(text, "{}\n", verdict(followed));
+    if !alone {
+        let _ = writeln!(text, "{}", paragraph(&verdict(followed), 0));
+    }
     text += &columns(&number_rows(followed), 2, &[1]);
     let _ = write!(text, "\nEvents\n{}", events(followed, all));
     let _ = write!(
@@ -35,8 +36,8 @@ pub(super) fn render(followed: &FollowedMotion, all: bool) -> String {
         columns(&energy_rows(followed), 2, &[1])
     );
     let _ = writeln!(text, "\n{}", uniqueness(followed));
-    if let Some(sensitivity) = followed.sensitivity {
-        let _ = writeln!(text, "{}", predictable(sensitivity));
+    if let Some(near) = near(followed).filter(|_| !alone) {
+        text += &paragraph(&near, 0);
     }
     for warning in &followed.warnings {
         let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
@@ -53,7 +54,37 @@ fn seconds(followed: &FollowedMotion) -> &'static str {
 }
 
 fn number(x: f64) -> String {
-    significant(x, 7)
+    digits(x)
+}
+
+/// A slide, zero where it is rounding.
+fn slid(followed: &FollowedMotion, slide: f64) -> f64 {
+    let block = &followed.case.problem.block;
+    if slide.abs() < 1e-12 * (block.b1 + block.b2) { 0.0 } else { slide }
+}
+
+/// How far the body got, behind the verdict; nothing of one that rests, or that is gone.
+pub(super) fn far(followed: &FollowedMotion) -> String {
+    let (outcome, case) = (&followed.outcome, &followed.case);
+    let slide = slid(followed, outcome.slide);
+    let moved = outcome.events.iter().any(|event| event.state != Mode::Rest);
+    if !moved || outcome.overturned() {
+        return String::new();
+    }
+    let mut parts = Vec::new();
+    if slide != 0.0 {
+        let metres = if case.si { " m" } else { "" };
+        let way = if slide < 0.0 { "left" } else { "right" };
+        parts.push(format!("it has slid {}{metres} to the {way}", number(slide.abs())));
+    }
+    if outcome.max_theta > 0.0 {
+        parts.push(format!(
+            "it turned by {}° at most, {} % of the angle at which it tips over",
+            significant(outcome.max_theta.to_degrees(), 3),
+            significant(100.0 * followed.of_balance(), 3)
+        ));
+    }
+    if parts.is_empty() { String::new() } else { format!(" {}.", sentence(&parts.join("; "))) }
 }
 
 /// Outcome for the body, in a sentence.
@@ -139,10 +170,14 @@ pub fn number_rows(followed: &FollowedMotion) -> Rows {
         vec![words.to_owned(), number(value) + unit, more]
     };
     vec![
-        row("slide, to the right", outcome.slide, m, String::new()),
+        {
+            let slide = slid(followed, outcome.slide);
+            let way = if slide < 0.0 { "to the left" } else { "to the right" };
+            row("slide", slide.abs(), m, when(slide, || way.to_owned()))
+        },
         row(
             "largest slide",
-            outcome.max_slide,
+            slid(followed, outcome.max_slide),
             m,
             when(outcome.max_slide, || format!("at t = {}{s}", number(outcome.t_max_slide))),
         ),
@@ -151,8 +186,10 @@ pub fn number_rows(followed: &FollowedMotion) -> Rows {
             outcome.max_theta,
             rad,
             when(outcome.max_theta, || {
-                let share = significant(followed.of_balance(), 4);
-                format!("at t = {}{s}, {share} of that of balance", number(outcome.t_max_theta))
+                let share = significant(100.0 * followed.of_balance(), 3);
+                let degrees = significant(outcome.max_theta.to_degrees(), 3);
+                let at = number(outcome.t_max_theta);
+                format!("{degrees}°, {share} % of the angle at which it tips over; at t = {at}{s}")
             }),
         ),
         row("θ at the end", outcome.theta, rad, String::new()),
@@ -176,7 +213,7 @@ fn events_shown(followed: &FollowedMotion, all: bool, how: &str) -> Rows {
         let others = event.consistent.without(Some(event.state));
         let also = if others.is_empty() { String::new() } else { format!(" (or {others})") };
         vec![
-            format!("t = {}{s}", number(event.t)),
+            format!("t = {}{s}", significant(event.t, 7)),
             event.why.words().to_owned(),
             format!("{}{also}", event.state.symbol()),
         ]
@@ -203,7 +240,7 @@ pub fn energy_rows(followed: &FollowedMotion) -> Rows {
         row("lost at impacts", outcome.impact_loss),
         row("gained as motion", outcome.kinetic),
         row("gained as height", outcome.potential),
-        vec!["what the balance lacks".to_owned(), lacks(outcome)],
+        vec!["unaccounted for".to_owned(), lacks(outcome)],
     ]
 }
 
@@ -213,26 +250,15 @@ fn lacks(outcome: &MotionOutcome) -> String {
         [outcome.work, outcome.friction_loss, outcome.impact_loss, outcome.kinetic, outcome.potential];
     let largest = terms.into_iter().fold(0.0, |most: f64, term| most.max(term.abs()));
     let lacks = outcome.energy_residual();
-    if lacks.abs() <= 1e-12 * largest { "nothing".to_owned() } else { format!("{lacks:.1e}") }
+    if lacks.abs() <= 1e-12 * largest { "0".to_owned() } else { format!("{lacks:.1e}") }
 }
 
 /// Sentence on the uniqueness of the answer.
 pub fn uniqueness(followed: &FollowedMotion) -> String {
     if followed.outcome.unique {
-        return "At every event one state only satisfies all conditions.".to_owned();
+        return "The motion is unique.".to_owned();
     }
-    "At an event several states satisfy all conditions: the answer is not unique. The one that goes on is the first of rest, slide, \
+    "The motion is not unique: at an event several states satisfy all conditions. It goes on with the first of rest, slide, \
      slide-rock, rock, flight."
         .to_owned()
-}
-
-fn predictable(sensitivity: f64) -> String {
-    let size = significant(sensitivity, 3);
-    if sensitivity > 1e5 {
-        format!(
-            "Sensitivity {size}: not predictable in detail; a single motion is no answer, many of them are."
-        )
-    } else {
-        format!("Sensitivity {size}: so much more than friction and height change slide and θ, relatively.")
-    }
 }

@@ -129,7 +129,8 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
         formula => steps.add(about, "", [key, formula], stability.overturning(), NONE, key),
     }
     gross(steps, assessed, components);
-    if !case.criteria.is_empty() {
+    // That is practice for breakwaters.
+    if !case.criteria.is_empty() || case.wave.is_none() {
         return;
     }
     let met = |factor: f64| if factor >= TARGET { "met" } else { "not met" };
@@ -164,7 +165,7 @@ fn gross(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component]) 
         return steps.told(about, key, gross.overturning(), NONE, words, key);
     }
     steps.note(
-        "Goda’s factor takes the moments of buoyancy and uplift off that of the weight. By gross moments the weight resists in \
+        "The net factor takes the moments of buoyancy and uplift off that of the weight. By gross moments the weight resists in \
          full, and all water under the base turns the body. Both factors are 1 where the resultant passes the corner.",
     );
     let (arm, sign) = if actions.heel == Corner::O { ("b_1", "+") } else { ("b_2", "−") };

@@ -55,6 +55,7 @@ fn quantity(key: Key) -> (&'static str, SheetUnit) {
     match key {
         Key::LeastSliding => ("SF_sliding", NONE),
         Key::LeastOverturning => ("SF_overturning", NONE),
+        Key::LeastOverturningGross => ("SF_overturning_gross", NONE),
         Key::GreatestBearing => ("p_max", KILOPASCAL),
         Key::LeastContact => ("ψ", NONE),
         Key::GreatestEccentricity => ("ε", METRE),
@@ -70,6 +71,7 @@ fn letters(key: Key) -> &'static str {
     match key {
         Key::LeastSliding => "s",
         Key::LeastOverturning => "o",
+        Key::LeastOverturningGross => "g",
         Key::GreatestBearing => "p",
         Key::LeastContact => "c",
         Key::GreatestEccentricity => "e",

@@ -1,0 +1,82 @@
+//! How near to another verdict a motion is: by the strength of its loads.
+
+use standfast_model::{BlockCase, MotionCriterion};
+use standfast_motion::strength::{Factors, Strengths, Tried, VerdictStrength, onset};
+use standfast_motion::{History, MotionError, MotionOutcome};
+
+/// When the strength of a motion is looked for: some fifty motions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StrengthAsked {
+    /// Never.
+    #[default]
+    No,
+    /// Where the longest record, or list of points, is short enough to wait for.
+    IfShort(Factors),
+    /// Whatever it takes.
+    Always(Factors),
+}
+
+/// Points of a record from which on its strength is looked for only where it is asked for.
+const LONG: usize = 20_000;
+
+/// Strength of the loads of a motion at which it has another verdict.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Strength {
+    /// The factor at which the body begins to move; `None` where no factor moves it, or where it does not begin at rest.
+    pub onset: Option<f64>,
+    /// Whether it overturns.
+    pub overturning: VerdictStrength,
+    /// Whether it slides too far, where a criterion says how far that is: the bound, and the verdict.
+    pub slide: Option<(f64, VerdictStrength)>,
+    /// The motions that were tried, their factors rising.
+    pub tried: Vec<Tried>,
+}
+
+impl Strength {
+    /// The strength of a case whose motion is `outcome`; `None` where it is not asked for, nothing goes with time, or the motion has no
+    /// verdict.
+    ///
+    /// # Errors
+    /// If a problem is refused.
+    pub(super) fn of(
+        case: &BlockCase,
+        outcome: &MotionOutcome,
+        asked: StrengthAsked,
+    ) -> Result<Option<Strength>, MotionError> {
+        let factors = match asked {
+            StrengthAsked::No => return Ok(None),
+            StrengthAsked::IfShort(_) if histories(case).any(|history| history.times().len() >= LONG) => {
+                return Ok(None);
+            }
+            StrengthAsked::IfShort(factors) | StrengthAsked::Always(factors) => factors,
+        };
+        let varies = histories(case).any(|history| history.times().last() != Some(&f64::INFINITY));
+        if !varies || !Tried::of(1.0, outcome).ended {
+            return Ok(None);
+        }
+        let problem = &case.problem;
+        let strengths = Strengths::of(problem, outcome, factors)?;
+        let overturning = strengths.verdict(|tried| tried.overturned)?;
+        let bound = case.criteria.iter().find_map(|criterion| match criterion {
+            MotionCriterion::Slide(bound) => Some(*bound),
+            _ => None,
+        });
+        let slide = bound.map(|bound| {
+            let within = |tried: &Tried| tried.ended && !tried.overturned && tried.slide <= bound;
+            strengths.verdict(|tried| !within(tried)).map(|verdict| (bound, verdict))
+        });
+        Ok(Some(Strength {
+            onset: onset(problem)?,
+            overturning,
+            slide: slide.transpose()?,
+            tried: strengths.tried,
+        }))
+    }
+}
+
+fn histories(case: &BlockCase) -> impl Iterator<Item = &History> {
+    let base = &case.problem.base;
+    let of_base = [&base.horizontal, &base.vertical].into_iter().flatten();
+    of_base.chain(case.problem.loads.iter().map(|load| &load.history))
+}

@@ -1,0 +1,163 @@
+//! Top of the answer in time: criteria, what becomes of the body, how near another answer is.
+
+use standfast_answers::motion::Strength;
+use standfast_motion::divergence::Divergence;
+use standfast_motion::strength::{Tried, VerdictStrength};
+
+use super::FollowedMotion;
+use super::text::{far, verdict};
+use crate::layout::{digits, significant};
+use crate::summary::{Summary, criteria, once};
+
+/// Relative spread of inputs of which nothing else is known.
+const SPREAD: f64 = 1e-3;
+
+/// The top of the answers to a case, which is that of the worst.
+pub(super) fn summary(answers: &[FollowedMotion]) -> Option<Summary> {
+    answers.first().map(|worst| of(worst, answers.len()))
+}
+
+/// The top of one of so many answers.
+pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
+    let checks: Vec<(bool, String)> = worst
+        .checks()
+        .iter()
+        .map(|check| {
+            let required = check.criterion.required(check.si);
+            (check.met, format!("{} is {}, {required} is asked", check.criterion.name(), check.value_words()))
+        })
+        .collect();
+    let place = worst.case.situation.as_ref().filter(|_| count > 1);
+    let place = place.map_or(String::new(), |name| format!("Under {name}, the worst of {count}: "));
+    let names = worst.warnings.iter().map(|warning| warning.name);
+    Summary {
+        criteria: criteria(&checks),
+        happens: format!("{place}{}{}", verdict(worst), far(worst)),
+        near: near(worst),
+        warnings: once(names),
+    }
+}
+
+/// How near another answer is; `None` where it was not looked for.
+pub(super) fn near(followed: &FollowedMotion) -> Option<String> {
+    let strength = followed.strength.as_ref().map(|strength| stronger(followed, strength));
+    let divergence = followed.divergence.as_ref().map(|divergence| parts(followed, divergence));
+    let words: Vec<String> =
+        [strength, divergence].into_iter().flatten().filter(|words| !words.is_empty()).collect();
+    (!words.is_empty()).then(|| words.join(" "))
+}
+
+/// What drives the motion, in a word.
+fn drive(followed: &FollowedMotion) -> &'static str {
+    let base = &followed.case.problem.base;
+    if base.horizontal.is_some() || base.vertical.is_some() { "shaking" } else { "load" }
+}
+
+/// Sentences on the strength at which the verdict changes.
+fn stronger(followed: &FollowedMotion, strength: &Strength) -> String {
+    let drive = drive(followed);
+    let mut sentences = Vec::new();
+    match strength.onset {
+        Some(onset) if onset > 0.0 => {
+            sentences.push(format!("It begins to move at {} of this {drive}.", significant(onset, 3)));
+        }
+        None if followed.outcome.max_theta == 0.0 && followed.outcome.max_slide == 0.0 => {
+            sentences.push(format!("No multiple of this {drive} moves it."));
+        }
+        _ => {}
+    }
+    let overturns = ["overturns it", "leaves it standing"];
+    sentences.push(change(&strength.overturning, strength, drive, overturns, |tried| tried.overturned));
+    if let Some((bound, verdict)) = &strength.slide {
+        let metres = if followed.case.si { " m" } else { "" };
+        let too_far = format!("slides it beyond {}{metres}", digits(*bound));
+        let within = format!("keeps it within {}{metres}", digits(*bound));
+        let holds = |tried: &Tried| !(tried.ended && !tried.overturned && tried.slide <= *bound);
+        sentences.push(change(verdict, strength, drive, [&too_far, &within], holds));
+    }
+    let undecided = [Some(&strength.overturning), strength.slide.as_ref().map(|(_, verdict)| verdict)];
+    if undecided.into_iter().flatten().any(|verdict| is_open(followed, verdict)) {
+        sentences.push("One motion does not decide this.".to_owned());
+    }
+    sentences.join(" ")
+}
+
+/// True if what is known of the inputs does not decide a verdict by one motion.
+fn is_open(followed: &FollowedMotion, verdict: &VerdictStrength) -> bool {
+    let nearest = [verdict.up, verdict.down].into_iter().flatten().map(|change| (change.factor - 1.0).abs());
+    let nearest = nearest.fold(f64::INFINITY, f64::min);
+    let parted = followed.divergence.as_ref().is_some_and(|found| found.value * nearest > 1.0);
+    let near = |change: &Option<standfast_motion::strength::Change>| {
+        change.is_some_and(|change| (change.factor - 1.0).abs() <= 0.05)
+    };
+    nearest.is_finite() && (parted || (near(&verdict.up) && near(&verdict.down)))
+}
+
+/// The sentence on one verdict: `other` says what a motion with the verdict does, and what one without.
+fn change(
+    verdict: &VerdictStrength,
+    strength: &Strength,
+    drive: &str,
+    does: [&str; 2],
+    holds: impl Fn(&Tried) -> bool,
+) -> String {
+    let other = if verdict.verdict { does[1] } else { does[0] };
+    let count = strength.tried.len();
+    let (from, to) = (strength.tried[0].factor, strength.tried[count - 1].factor);
+    let nearest = match (verdict.up, verdict.down) {
+        (Some(up), Some(down)) if 1.0 - down.factor < up.factor - 1.0 => Some(down),
+        (Some(up), _) => Some(up),
+        (None, down) => down,
+    };
+    let Some(nearest) = nearest else {
+        return format!(
+            "None of {count} factors from {} to {} on this {drive} {other}.",
+            digits(from),
+            digits(to)
+        );
+    };
+    let off = nearest.factor - 1.0;
+    let size = significant(100.0 * off.abs(), 2);
+    let way = if off > 0.0 { "stronger" } else { "weaker" };
+    let head = format!("A {drive} {size} % {way} {other}");
+    let differ = |tried: &&Tried| holds(tried) != verdict.verdict;
+    if verdict.windows {
+        let near: Vec<&Tried> =
+            strength.tried.iter().filter(|tried| (tried.factor - 1.0).abs() <= 0.2 + 1e-9).collect();
+        let others = near.iter().filter(|tried| differ(tried)).count();
+        let does = if others == 1 { "does" } else { "do" };
+        return format!("{head}, as {does} {others} of {} within 20 %.", near.len());
+    }
+    let behind: Vec<&Tried> =
+        strength.tried.iter().filter(|tried| (tried.factor - 1.0) * off < 0.0).collect();
+    let (side, end) = if off > 0.0 {
+        ("weaker", format!("down to {}", digits(from)))
+    } else {
+        ("stronger", format!("up to {}", digits(to)))
+    };
+    format!("{head}; none of {} {side} ones, {end}, does.", behind.len())
+}
+
+/// Sentence on how far two motions part whose inputs differ a little.
+fn parts(followed: &FollowedMotion, divergence: &Divergence) -> String {
+    let outcome = &followed.outcome;
+    if outcome.max_theta == 0.0 && outcome.max_slide == 0.0 {
+        return String::new();
+    }
+    let value = significant(divergence.value, 2);
+    match divergence.value * SPREAD > 1.0 {
+        true => format!(
+            "Divergence {value}: of inputs known to 0.1 % one motion does not decide what becomes of the body."
+        ),
+        false => {
+            let percent = significant(100.0 * divergence.value * SPREAD, 2);
+            let unit = match divergence.of {
+                standfast_motion::divergence::Diverging::Theta => "of the angle of balance",
+                standfast_motion::divergence::Diverging::Slide => "of half the width",
+            };
+            format!(
+                "Divergence {value}: 0.1 % more friction and height change the motion by about {percent} % {unit}."
+            )
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Top of an answer: what is asked first, in three sentences.
+
+use serde::Serialize;
+
+use crate::layout::paragraph;
+
+/// Top of an answer, each part a sentence.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Summary {
+    /// Whether the criteria are met, and the governing one; `None` where there is none.
+    pub criteria: Option<String>,
+    /// What happens.
+    pub happens: String,
+    /// How near another answer is; `None` where nothing tells.
+    pub near: Option<String>,
+    /// The names of the warnings.
+    pub warnings: Vec<&'static str>,
+}
+
+impl Summary {
+    /// The sentences, each a paragraph, and the names of the warnings.
+    pub fn text(&self) -> String {
+        let sentences = [self.criteria.as_ref(), Some(&self.happens), self.near.as_ref()];
+        let mut text: String =
+            sentences.into_iter().flatten().map(|sentence| paragraph(sentence, 0)).collect();
+        if !self.warnings.is_empty() {
+            text += &paragraph(&format!("Warnings: {}.", self.warnings.join(", ")), 0);
+        }
+        text
+    }
+}
+
+/// Names, each once, in their order.
+pub(crate) fn once(names: impl Iterator<Item = &'static str>) -> Vec<&'static str> {
+    let mut found: Vec<&'static str> = Vec::new();
+    names.for_each(|name| {
+        if !found.contains(&name) {
+            found.push(name);
+        }
+    });
+    found
+}
+
+/// Words in a row: "a", "a and b", "a, b and c".
+pub(crate) fn listed(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// A sentence with a capital at its beginning.
+pub(crate) fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// Whether criteria are met: each its name and whether it is met, the governing one first, with the reason of its being met or not.
+pub(crate) fn criteria(checks: &[(bool, String)]) -> Option<String> {
+    let (first, _) = checks.split_first()?;
+    let failed: Vec<&(bool, String)> = checks.iter().filter(|(met, _)| !met).collect();
+    Some(match (checks.len(), failed.as_slice()) {
+        (1, []) => format!("The criterion is met: {}.", first.1),
+        (count, []) => format!("All {count} criteria are met; the governing one: {}.", first.1),
+        (_, [one]) => format!("Not met: {}.", one.1),
+        (count, [one, ..]) => {
+            format!("Not met, {} of {count} criteria; the governing one: {}.", failed.len(), one.1)
+        }
+    })
+}
