@@ -47,9 +47,12 @@ def test_it_is_what_the_program_prints(program: list[str], path: Path) -> None:
     assert found.to_json() == printed(program, path, "--format", "json")
     assert str(found) == printed(program, path)
     assert not errors(json.loads(found.to_json()), "simulate.schema.json")
-    more = standfast.simulate(path, all=True, sensitivity=True)
-    assert str(more) == printed(program, path, "--all", "--sensitivity")
-    assert more.sensitivity is not None and found.sensitivity is None
+    more = standfast.simulate(path, all=True, strength=False)
+    assert str(more) == printed(program, path, "--all", "--no-strength")
+    assert more.strength is None and more.divergence is not None and more.sensitivity == more.divergence.value
+    assert found.strength is not None and len(found.strength.tried) == 46
+    with pytest.warns(DeprecationWarning, match="sensitivity changes nothing"):
+        assert standfast.simulate(path, strength=False, sensitivity=True).slide == found.slide
 
 
 def test_figures_are_those_of_the_program(program: list[str], tmp_path: Path) -> None:
@@ -262,7 +265,7 @@ def test_other_situations_are_the_same_kind_of_answer() -> None:
         (LOW, {"base": [0, 1], "dt": None}, TypeError, "dt is missing"),
         (LOW, {"base": [0, 1], "dt": [0, 0]}, ValueError, "dt is 0 at index 1, after 0; expected times that rise"),
         (LOW, {"base": [0, 1], "dt": [0, 1, 2]}, ValueError, "dt has 3 times and base 2 values"),
-        (LOW, {"sensitivity": 1}, TypeError, "sensitivity is 1; expected True or False"),
+        (LOW, {"strength": 1}, TypeError, "strength is 1; expected True, False or None"),
         (STATUE, {"base": {"horizontal": [0, 1]}, "dt": 1, "all": "yes"}, TypeError, "all is 'yes'; expected True or False"),
         ({"body": {}}, {}, ValueError, "width"),
         (3, {}, TypeError, "expected the path of a case file, or a dict"),

@@ -119,6 +119,13 @@ impl CaseText {
         self.beside.get(name)
     }
 
+    /// The files that it names and that were read, with their texts: each once, by name.
+    pub fn files(&self) -> impl Iterator<Item = (&str, &str)> {
+        let of_keys = self.inputs.values().filter_map(|(id, _)| self.inputs.record(id));
+        let files = of_keys.chain(self.beside.values()).filter_map(|file| Some((file.name(), file.text()?)));
+        files.collect::<std::collections::BTreeMap<_, _>>().into_iter()
+    }
+
     /// The files that it names and that are not read yet, with the keys under which they stand.
     pub fn wanted(&self) -> Vec<(Id, String)> {
         let wanted = self.inputs.values().filter(|(id, _)| id.key.info().kind == Kind::File);

@@ -53,6 +53,7 @@ use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::{GRAVITY, Inputs};
 use crate::key::{Id, Key, Table};
+use crate::load_words::load_words;
 use crate::units::Extent;
 
 /// A case: one body and the loads on it.
@@ -480,6 +481,20 @@ impl Case {
         let mut places: Vec<_> = unused.map(|(of, _)| of.place()).collect();
         places.dedup();
         places
+    }
+
+    /// The names of the loads that a combination, by its place, leaves out, or multiplies by zero.
+    pub fn left_out(&self, index: usize) -> Vec<String> {
+        let combination = &self.combinations[index];
+        let loads = self.loads(Acting::Combination(index), self.earthquake);
+        let mut names: Vec<String> = Vec::new();
+        for (of, load) in loads.iter().filter(|(of, load)| self.factor(combination, *of, load) == 0.0) {
+            let name = self.called(*of).map_or_else(|| load_words(load), str::to_owned);
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
     }
 
     /// The name of a situation: its force that acts alone or its combination, or the number of it, counted from one.

@@ -1,6 +1,6 @@
 //! Slips that may be in a case in time whose values are possible.
 
-use standfast_motion::{Impact, MotionProblem};
+use standfast_motion::{Impact, Initial, MotionProblem};
 
 use crate::digits::digits;
 use crate::motion::MotionWarning;
@@ -26,6 +26,15 @@ pub(crate) fn slips(problem: &MotionProblem, step: Option<f64>) -> Vec<MotionWar
             );
             slips.push(MotionWarning { name, words });
         }
+    }
+    let moves = |history: &standfast_motion::History| history.times().last() != Some(&f64::INFINITY);
+    let base = [&problem.base.horizontal, &problem.base.vertical].into_iter().flatten();
+    let still = problem.initial == Initial::default();
+    if still && !base.chain(problem.loads.iter().map(|load| &load.history)).any(moves) {
+        let words =
+            "nothing moves the body: no load goes with time, the base does not move, and it begins at rest"
+                .to_owned();
+        slips.push(MotionWarning { name: "nothing-moves", words });
     }
     let time = (problem.block.b1.max(problem.block.b2) / gravity).sqrt();
     if let Some(step) = step.filter(|step| *step > COARSE * time) {

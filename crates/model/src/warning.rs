@@ -11,7 +11,10 @@ use crate::digits::{apart, digits};
 use crate::key::{Id, Key, Table};
 use crate::units::Extent;
 pub(crate) use search::SHAKING;
-use search::{BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, OBJECT, STIFFNESS, STRENGTH, UNIT_WEIGHT, WATER};
+use search::{
+    BEARING, DENSITY, FRICTION, GRAVITY, GYRATION, HEIGHTS, OBJECT, OBLIQUE, SLENDER, STIFFNESS, STRENGTH,
+    SUBMERGED, UNIT_WEIGHT, WATER,
+};
 
 /// A warning about a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,6 +70,62 @@ pub enum Warning {
     UnusualGravity {
         /// m/s².
         gravity: f64,
+    },
+    /// The centre of mass lies outside the body.
+    CentroidOutsideBody {
+        /// Its height above the base, m.
+        height: f64,
+        /// That of the body, m.
+        crest: f64,
+    },
+    /// A moment of inertia that no body of these dimensions has.
+    MomentOfInertia {
+        /// kg m² per metre run or of the whole.
+        inertia: f64,
+        /// Extent of the body: a metre run or the whole of it.
+        extent: Extent,
+        /// Radius of gyration as a share of the diagonal.
+        share: f64,
+    },
+    /// Higher over wide, or wider over high, than bodies are.
+    Slenderness {
+        /// γ = H/B.
+        slenderness: f64,
+    },
+    /// Waves from farther aside than the formulas were made for.
+    WaveAngle {
+        /// Degrees from the normal of the wall.
+        degrees: f64,
+    },
+    /// Ground under water with the unit weight of ground above it.
+    GroundUnderWater {
+        /// N/m³.
+        unit_weight: f64,
+    },
+    /// Pressures too small to be what is meant.
+    SmallPressure {
+        /// Place of the table.
+        index: usize,
+        /// The largest, Pa.
+        pressure: f64,
+    },
+    /// A force too small to be what is meant.
+    SmallForce {
+        /// Place of the table.
+        index: usize,
+        /// N.
+        force: f64,
+        /// The force as a share of the weight.
+        share: f64,
+    },
+    /// A permanent pressure on an upright face that is less at its foot than at its top.
+    PressureFallsWithDepth {
+        /// Place of the table.
+        index: usize,
+        /// At its foot, Pa.
+        foot: f64,
+        /// At its top, Pa.
+        top: f64,
     },
     /// A variable load acts in no combination.
     LoadInNoCombination {
@@ -175,6 +234,14 @@ impl Warning {
             Warning::WaterDensity { .. } => "water-density",
             Warning::HighFriction { .. } => "high-friction",
             Warning::UnusualGravity { .. } => "unusual-gravity",
+            Warning::CentroidOutsideBody { .. } => "centroid-outside-body",
+            Warning::MomentOfInertia { .. } => "moment-of-inertia",
+            Warning::Slenderness { .. } => "slenderness",
+            Warning::WaveAngle { .. } => "wave-angle",
+            Warning::GroundUnderWater { .. } => "ground-under-water",
+            Warning::SmallPressure { .. } => "small-pressure",
+            Warning::SmallForce { .. } => "small-force",
+            Warning::PressureFallsWithDepth { .. } => "pressure-falls-with-depth",
             Warning::LoadInNoCombination { .. } => "load-in-no-combination",
             Warning::LoadBesideBody { .. } => "load-beside-body",
             Warning::SmallBearing { .. } => "small-bearing",
@@ -269,6 +336,53 @@ impl fmt::Display for Warning {
                     beyond(*gravity, GRAVITY.limit(*gravity))
                 )
             }
+            Warning::CentroidOutsideBody { height, crest } => write!(
+                f,
+                "centroid_height = {} m: the centre of mass lies above the body, which is {} m high",
+                beyond(*height, *crest),
+                digits(*crest)
+            ),
+            Warning::MomentOfInertia { inertia, extent, share } => write!(
+                f,
+                "moment_of_inertia = {}: the radius of gyration is {} of the diagonal; {GYRATION} is usual, 0.289 of a uniform rectangle",
+                extent.inertia(*inertia),
+                beyond(*share, GYRATION.limit(*share))
+            ),
+            Warning::Slenderness { slenderness } => write!(
+                f,
+                "height/width = {}; bodies have {SLENDER}: see both, and their units",
+                beyond(*slenderness, SLENDER.limit(*slenderness))
+            ),
+            Warning::WaveAngle { degrees } => write!(
+                f,
+                "angle_deg = {}; it is counted from the normal of the wall, and the formulas were made for {OBLIQUE} at most",
+                beyond(*degrees, OBLIQUE)
+            ),
+            Warning::GroundUnderWater { unit_weight } => write!(
+                f,
+                "unit_weight = {} kN/m³ of ground under water, where it is {SUBMERGED} kN/m³ at most: that of the water is to be taken off",
+                beyond(unit_weight / 1e3, SUBMERGED)
+            ),
+            Warning::SmallPressure { index, pressure } => write!(
+                f,
+                "[[pressure]] {} reaches {} Pa; a number without unit is in Pa, not in kPa",
+                index + 1,
+                digits(*pressure)
+            ),
+            Warning::SmallForce { index, force, share } => write!(
+                f,
+                "[[load]] {} is {} N, {} of the weight; a number without unit is in N, not in kN",
+                index + 1,
+                digits(*force),
+                digits(*share)
+            ),
+            Warning::PressureFallsWithDepth { index, foot, top } => write!(
+                f,
+                "[[pressure]] {} is permanent and falls with depth, from {} to {}: pressures of soil and water rise",
+                index + 1,
+                kilopascals(*top),
+                kilopascals(*foot)
+            ),
             Warning::LoadInNoCombination { table, index } => {
                 let number = if table.repeats() { format!(" {}", index + 1) } else { String::new() };
                 write!(

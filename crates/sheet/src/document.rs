@@ -22,6 +22,8 @@ pub struct Source<'a> {
     pub in_time: Option<(&'a CaseFile, &'a FirstInstant)>,
     /// SHA-256 of the text.
     pub hash: String,
+    /// The other files that were read, as records, each with its SHA-256.
+    pub files: Vec<(String, String)>,
     pub date: Option<Date>,
     /// Entries of the title block that go before the file's.
     pub title_block: &'a [(Key, String)],
@@ -122,7 +124,7 @@ pub fn render(
                     }
                     section {
                         h2 { (last) " What is not covered" }
-                        (limits::words(case))
+                        (limits::words(case, in_time.is_some()))
                         @if in_time.is_some() { (in_time::limits()) }
                     }
                     section.signatures { h2 { (last + 1) " Signatures" } (signatures(source)) }
@@ -156,6 +158,9 @@ fn title_block(case: &Case, title: &str, source: &Source<'_>) -> Markup {
                     }
                     tr { th scope="row" { "Case file" } td { (source.file) } th scope="row" { "Date" } td { (day(source)) } }
                     tr { th scope="row" { "SHA-256" } td.hash colspan="3" { (spaced(&source.hash)) } }
+                    @for (name, hash) in &source.files {
+                        tr { th scope="row" { "SHA-256 of " (name) } td.hash colspan="3" { (spaced(hash)) } }
+                    }
                     tr { th scope="row" { "Program" } td colspan="3" { "standfast " (VERSION) } }
                 }
             }

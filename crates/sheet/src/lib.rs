@@ -150,6 +150,11 @@ impl Sheet {
             case_file,
             in_time,
             hash: hash(case_file.text()),
+            files: in_time
+                .map_or(case_file, |(file, _)| file)
+                .files()
+                .map(|(name, text)| (name.to_owned(), hash(text)))
+                .collect(),
             date: options.date,
             title_block: &options.title_block,
         };

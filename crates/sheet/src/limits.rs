@@ -24,7 +24,8 @@ impl Setting {
     }
 }
 
-pub fn words(case: &Case) -> Markup {
+/// Warnings, and what is not covered; `moves` if the motion is followed in time.
+pub fn words(case: &Case, moves: bool) -> Markup {
     let warnings = case.warnings();
     let setting = Setting::of(case);
     html! {
@@ -35,7 +36,7 @@ pub fn words(case: &Case) -> Markup {
             ul.warnings { @for warning in &warnings { li { (warning) " (" code { (warning.name()) } ")." } } }
         }
         p { "The following is not part of this calculation and has to be shown separately where it matters:" }
-        ul { @for item in not_covered(case, &setting) { li { (item) } } }
+        ul { @for item in not_covered(case, &setting, moves) { li { (item) } } }
         p {
             "Friction between body and base is the least certain input. It enters the factor against sliding in proportion; \
              the modes on either side of the value used stand in the calculation and in the figures. Safety factors do not say how \
@@ -45,7 +46,7 @@ pub fn words(case: &Case) -> Markup {
 }
 
 /// Failures that the case could meet with and that are not computed.
-fn not_covered(case: &Case, setting: &Setting) -> Vec<String> {
+fn not_covered(case: &Case, setting: &Setting, moves: bool) -> Vec<String> {
     let given =
         if case.pressures.is_empty() { "" } else { ", but for the pressures given under [[pressure]]" };
     let bears = case.ground.is_some_and(|ground| ground.limit.is_some());
@@ -89,6 +90,12 @@ fn not_covered(case: &Case, setting: &Setting) -> Vec<String> {
         true => "three-dimensional effects: oblique loads along the structure, corners, joints, neighbouring bodies;".to_owned(),
         false => "three-dimensional effects: loads out of the plane, turning about a vertical axis, neighbouring bodies;".to_owned(),
     });
-    items.push("duration: how far the body moves once it has left rest.".to_owned());
+    if !moves {
+        items.push("duration: how far the body moves once it has left rest;".to_owned());
+    }
+    if let Some(last) = items.last_mut().filter(|last| last.ends_with(';')) {
+        last.pop();
+        last.push('.');
+    }
     items
 }

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use standfast::{Departure, Verdict};
 use standfast_cases::assess::{AnyCheck, criteria_met, shown, verdict};
 use standfast_cases::layout::digits;
-use standfast_cases::{Assessed, Assessment, AssessmentView};
+use standfast_cases::{Assessed, Assessment, AssessmentView, Document};
 
 use crate::calculation::TARGET;
 use crate::measured::{Measured, NONE};
@@ -19,6 +19,13 @@ pub fn summary(assessment: &Assessment) -> Markup {
     html! {
         section.summary {
             h2 { "Summary" }
+            @if let Some(in_time) = assessment.in_time.as_ref().filter(|in_time| !in_time.motions.is_empty()) {
+                @if let Some(top) = in_time.motions.summary() {
+                    p.verdict { strong { (top.happens) } }
+                    @if let Some(near) = &top.near { p.note { (near) } }
+                }
+                p.note { "At the first instant, as if the peaks stayed:" }
+            }
             @for assessed in shown(assessment, &AssessmentView::default()) {
                 p.verdict data-mode=(assessed.verdict().map_or("none", Verdict::symbol)) {
                     @if several { (name(assessment, assessed)) ": " }

@@ -7,6 +7,7 @@ import functools
 import html
 import json
 import os
+import warnings
 from collections.abc import Mapping
 from typing import Any, Literal, NamedTuple
 
@@ -156,6 +157,7 @@ def simulate(
     unit: Literal["m/s2", "g", "cm/s2"] | None = None,
     strength: bool | None = None,
     all: bool = False,
+    sensitivity: bool = False,
 ) -> Simulation:
     """Follows the motion of a body in time: from rest through sliding, rocking, impacts and flight to its end.
 
@@ -170,6 +172,7 @@ def simulate(
         strength: whether to follow it under stronger and weaker loads, some fifty motions, for ``strength``: which change its verdict;
             left to itself where no record is as long as 20,000 points. False where many motions are followed one by one.
         all: whether the text lists every event, of more than 24 too.
+        sensitivity: changes nothing: ``divergence``, of which ``sensitivity`` has the value, is always there.
 
     Raises:
         ValueError: for a case that is not understood, a record that is none, and values that no motion has; the message shows where,
@@ -191,6 +194,8 @@ def simulate(
         raise TypeError(f"all is {all!r}; expected True or False")
     if not (strength is None or isinstance(strength, (bool, np.bool_))):
         raise TypeError(f"strength is {strength!r}; expected True, False or None")
+    if sensitivity:
+        warnings.warn("sensitivity changes nothing; the divergence of a motion is always there", DeprecationWarning, stacklevel=2)
     records = records_of(base, dt, unit)
     return Simulation(*case_text(case), folder_of(case), {}, records, unit, None if strength is None else bool(strength), bool(all))
 

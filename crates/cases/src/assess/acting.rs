@@ -71,7 +71,12 @@ pub(super) fn heading(assessment: &Assessment, assessed: &Assessed) -> String {
         Acting::All => return String::new(),
         Acting::Alone(index) => columns(&point_force(case, &case.forces[index]), 2, &[]),
         Acting::Combination(index) => {
-            paragraph(&format!("factors: {}", factors(&case.combinations[index])), 2)
+            let left_out = case.left_out(index);
+            let rest = match left_out.is_empty() {
+                true => String::new(),
+                false => paragraph(&format!("not acting: {}", left_out.join(", ")), 2),
+            };
+            paragraph(&format!("factors: {}", factors(&case.combinations[index])), 2) + &rest
         }
     };
     let title = situation_title(assessment, assessed).unwrap_or_default();

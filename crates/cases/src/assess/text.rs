@@ -15,9 +15,11 @@ use standfast_model::Warning;
 
 pub(super) fn render(assessment: &Assessment, view: &AssessmentView) -> String {
     let case = &assessment.case;
-    let mut text = heading(case);
+    let mut text = title(case);
     text += &super::summary::summary(assessment).text();
-    text += "\nBody\n";
+    text += "\n";
+    text += &note(case);
+    text += "Body\n";
     text += &loads::body(case);
     text += &warnings(case, |warning| !warning.is_about_waves());
     if let Some(wave) = &case.wave {
@@ -98,16 +100,15 @@ pub(crate) fn met_words<'a>(checks: impl Iterator<Item = (&'a str, bool)>) -> St
 
 /// Title and note.
 pub(crate) fn heading(case: &Case) -> String {
-    let mut text = String::new();
-    if let Some(title) = &case.title {
-        text += &paragraph(title, 0);
-        text += "\n";
-    }
-    if let Some(note) = &case.note {
-        text += &paragraph(note, 2);
-        text += "\n";
-    }
-    text
+    title(case) + &note(case)
+}
+
+fn title(case: &Case) -> String {
+    case.title.as_ref().map_or(String::new(), |title| paragraph(title, 0) + "\n")
+}
+
+fn note(case: &Case) -> String {
+    case.note.as_ref().map_or(String::new(), |note| paragraph(note, 2) + "\n")
 }
 
 /// Warnings of a kind, each a paragraph.

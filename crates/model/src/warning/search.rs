@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use standfast::loads::Face;
 use standfast::wave::Heights;
 use standfast::{BaseEdges, Slip};
 
@@ -63,6 +64,24 @@ pub(super) const FRICTION: f64 = 1.0;
 /// that was recorded on the ground.
 pub(crate) const SHAKING: Usual = Usual { from: 0.01, to: 3.0 };
 
+/// Radius of gyration over the diagonal: 0.289 of a uniform rectangle, up to 0.5 of masses in the corners of one.
+pub(super) const GYRATION: Usual = Usual { from: 0.2, to: 0.7 };
+
+/// Height over width, from a raft to a mast.
+pub(super) const SLENDER: Usual = Usual { from: 0.05, to: 50.0 };
+
+/// Angle to the normal of the wall up to which data of Goda's formulas go, degrees.
+pub(super) const OBLIQUE: f64 = 60.0;
+
+/// The largest unit weight of ground less that of the water in it, kN/m³.
+pub(super) const SUBMERGED: f64 = 13.0;
+
+/// A pressure below this is none of a structure, Pa.
+const PRESSURE: f64 = 100.0;
+
+/// A force below this share of the weight does nothing.
+const FORCE: f64 = 1e-4;
+
 /// Distance from the body's edge that a force on it may have by rounding, m.
 const SLACK: f64 = 1e-6;
 
@@ -118,7 +137,30 @@ impl Case {
             let id = Id::new(Key::LoadDistance, index);
             (beside > SLACK).then_some(Warning::LoadBesideBody { id, distance, beside })
         });
-        beside.collect()
+        let mut warnings: Vec<Warning> = beside.collect();
+        let weight = self.body.mass() * self.gravity;
+        for (index, force) in self.forces.iter().enumerate() {
+            let (force, share) = (force.magnitude, force.magnitude / weight);
+            if force > 0.0 && share < FORCE {
+                warnings.push(Warning::SmallForce { index, force, share });
+            }
+        }
+        for (index, given) in self.pressures.iter().enumerate() {
+            let points = given.diagram.points();
+            let pressure = points.iter().fold(0.0, |most: f64, point| most.max(point.pressure.abs()));
+            if pressure > 0.0 && pressure < PRESSURE {
+                warnings.push(Warning::SmallPressure { index, pressure });
+            }
+            let upright = matches!(given.face, Face::Left | Face::Right);
+            if let ([first, .., last], true) = (points, given.permanent && upright) {
+                let lowest = if first.position <= last.position { [first, last] } else { [last, first] };
+                let [foot, top] = lowest.map(|point| point.pressure);
+                if foot < top {
+                    warnings.push(Warning::PressureFallsWithDepth { index, foot, top });
+                }
+            }
+        }
+        warnings
     }
 
     /// About what is asked of the results.
@@ -143,7 +185,14 @@ impl Case {
             let value = value.filter(|value| !usual.contains(*value / unit))?;
             Some(Warning::UnusualGround { key, value })
         });
-        unusual.collect()
+        let mut warnings: Vec<Warning> = unusual.collect();
+        let wet = self.water.is_some() || self.wave.is_some();
+        if let Some(unit_weight) = ground.soil().and_then(|soil| soil.unit_weight()).filter(|_| wet)
+            && unit_weight > SUBMERGED * 1e3 * (1.0 + ROUNDING)
+        {
+            warnings.push(Warning::GroundUnderWater { unit_weight });
+        }
+        warnings
     }
 
     /// About what the body stands on.
@@ -194,6 +243,24 @@ impl Case {
         let water = of_wave.or(self.water.map(|water| (Key::WaterDensity, water.density())));
         if let Some((key, density)) = water.filter(|(_, density)| !WATER.contains(*density)) {
             warnings.push(Warning::WaterDensity { key, density });
+        }
+        if self.section.is_none() {
+            let (height, crest) = (self.body.centroid_height(), self.body.height());
+            if height > crest * (1.0 + ROUNDING) {
+                warnings.push(Warning::CentroidOutsideBody { height, crest });
+            }
+            let inertia = self.body.moment_of_inertia();
+            let gyration = (inertia / self.body.mass()).sqrt();
+            let share = gyration / self.body.width().hypot(self.body.height());
+            // That which the formula of a body gives is no slip.
+            let is_given = self.inputs.number(Key::MomentOfInertia).is_some();
+            if is_given && !GYRATION.contains(share) {
+                warnings.push(Warning::MomentOfInertia { inertia, extent, share });
+            }
+        }
+        let slenderness = self.body.height() / self.body.width();
+        if !SLENDER.contains(slenderness) {
+            warnings.push(Warning::Slenderness { slenderness });
         }
         if self.friction > FRICTION {
             warnings.push(Warning::HighFriction { friction: self.friction });
@@ -260,6 +327,9 @@ impl Case {
             && !HEIGHTS.contains(maximum / significant)
         {
             warnings.push(Warning::WaveHeightRatio { maximum, significant });
+        }
+        if wave.sea.angle_deg > OBLIQUE {
+            warnings.push(Warning::WaveAngle { degrees: wave.sea.angle_deg });
         }
         // Where λ3 takes it away, it is not there twice.
         let of_waves = wave.goda.pu;
@@ -388,6 +458,69 @@ mod tests {
         assert_eq!(names(&still.replace(level, "left = 0\nright = 0.01")), [name]);
         assert_eq!(names(&still.replace(level, "left = 0.01\nright = 0")), [name]);
         assert_eq!(names(&still.replace(level, "level = 0")), [""; 0]);
+    }
+
+    #[test]
+    fn slips_of_place_and_size() {
+        let dry = format!("{BLOCK}{FORCE}");
+        let mass = "mass = 230e3";
+        let with_mass = |more: &str| format!("{mass}\n{more}");
+        let inside = ["centroid_height = 10"].map(with_mass);
+        let outside = ["centroid_height = 10.01", "centroid_height = \"17 m\""].map(with_mass);
+        let [inside, outside] =
+            [&inside[..], &outside[..]].map(|all| all.iter().map(String::as_str).collect::<Vec<_>>());
+        limits(&dry, mass, "centroid-outside-body", &inside, &outside);
+        // m r² with r of the diagonal of 200 m².
+        let inertia =
+            |share: f64| with_mass(&format!("moment_of_inertia = {}", 230e3 * share * share * 200.0));
+        let [inside, outside] = [[0.201, 0.699], [0.199, 0.701]].map(|shares| shares.map(inertia));
+        let [inside, outside] = [&inside, &outside].map(|all| all.each_ref().map(String::as_str));
+        limits(&dry, mass, "moment-of-inertia", &inside, &outside);
+        let sizes = "width = 10\nheight = 10\nmass = 230e3";
+        let size = |width: f64, height: f64| {
+            format!("width = {width}\nheight = {height}\nmass = {}", 2300.0 * width * height)
+        };
+        let [inside, outside] = [[size(100.0, 5.0), size(0.2, 10.0)], [size(100.0, 4.9), size(0.1, 5.1)]];
+        let [inside, outside] = [&inside, &outside].map(|all| all.each_ref().map(String::as_str));
+        limits(&dry, sizes, "slenderness", &inside, &outside);
+        // 1e-4 of m g = 2256.3 kN/m.
+        limits(&dry, "force = 1e5", "small-force", &["force = 226", "force = 0"], &["force = 225"]);
+        let sea = format!("{BLOCK}[water]\nlevel = 6\n{SEA}");
+        limits(&sea, "angle_deg = 0", "wave-angle", &["angle_deg = 60"], &["angle_deg = 61"]);
+        let soil = "[ground]\nfriction_angle_deg = 35\nunit_weight = 10e3\n";
+        let light = "unit_weight = 10e3";
+        limits(
+            &format!("{sea}{soil}"),
+            light,
+            "ground-under-water",
+            &["unit_weight = 13e3"],
+            &["unit_weight = 18e3"],
+        );
+        let above = format!("{dry}{soil}").replace(light, "unit_weight = 18e3");
+        assert_eq!(names(&above), [""; 0], "above water it may weigh so much");
+        let backfill =
+            "[[pressure]]\nface = \"right\"\nelevation = [0, 9]\npressure = [54e3, 0]\npermanent = true\n";
+        let filled = format!("{dry}{backfill}");
+        let given = "pressure = [54e3, 0]";
+        limits(&filled, given, "small-pressure", &["pressure = [100, 0]"], &["pressure = [54, 0]"]);
+        let name = "pressure-falls-with-depth";
+        limits(
+            &filled,
+            given,
+            name,
+            &["pressure = [54e3, 54e3]"],
+            &["pressure = [0, 54e3]", "pressure = [-54e3, 0]"],
+        );
+        // What varies may be a wave's.
+        assert_eq!(
+            names(&filled.replace(given, "pressure = [0, 54e3]").replace("permanent = true", "")),
+            [""; 0]
+        );
+        let upside = filled.replace("elevation = [0, 9]", "elevation = [9, 0]");
+        assert!(
+            CaseFile::parse("t.toml", &upside).and_then(|file| file.case()).is_err()
+                || names(&upside) == [name]
+        );
     }
 
     #[test]
