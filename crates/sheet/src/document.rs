@@ -159,6 +159,7 @@ fn title_block(case: &Case, title: &str, source: &Source<'_>) -> Markup {
                     tr { th scope="row" { "Case file" } td { (source.file) } th scope="row" { "Date" } td { (day(source)) } }
                     tr { th scope="row" { "SHA-256" } td.hash colspan="3" { (spaced(&source.hash)) } }
                     @for (name, hash) in &source.files {
+                        @let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
                         tr { th scope="row" { "SHA-256 of " (name) } td.hash colspan="3" { (spaced(hash)) } }
                     }
                     tr { th scope="row" { "Program" } td colspan="3" { "standfast " (VERSION) } }

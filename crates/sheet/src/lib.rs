@@ -46,7 +46,7 @@ mod verdict;
 
 use sha2::{Digest, Sha256};
 use standfast::InputError;
-use standfast_cases::motion::{FirstInstant, Follow};
+use standfast_cases::motion::{Factors, FirstInstant, Follow, StrengthAsked};
 use standfast_cases::{Assessment, AssessmentView, CaseError, CaseFile, Explained, Key};
 use thiserror::Error;
 
@@ -130,7 +130,8 @@ impl Sheet {
     /// # Errors
     /// As [`of`](Sheet::of), and if the motion cannot be followed.
     pub fn of_file(case_file: &CaseFile, options: &SheetOptions) -> Result<Sheet, SheetError> {
-        let follow = Follow { series: true, ..Follow::default() };
+        let strength = StrengthAsked::IfShort(Factors::Rungs);
+        let follow = Follow { series: true, divergence: true, strength };
         let assessment = Assessment::following(case_file, Some(&follow))?;
         match case_file.first_instant()? {
             Some(first) => Sheet::made(&assessment, &first.file, Some((case_file, &first)), options),

@@ -4,7 +4,7 @@ use standfast::{Departure, Mode, Verdict};
 
 use super::{AnyCheck, Assessed, Assessment, predicate, verdict};
 use crate::layout::digits;
-use crate::summary::{Summary, criteria, listed, once, sentence};
+use crate::summary::{Summary, criteria, once, sentence};
 
 pub(super) fn summary(assessment: &Assessment) -> Summary {
     let checks: Vec<(bool, String)> = assessment
@@ -103,9 +103,4 @@ fn near(assessment: &Assessment) -> Option<String> {
     let words = format!("{departs}{factor}{points}");
     let words = words.trim().to_owned();
     (!words.is_empty()).then_some(words)
-}
-
-/// Loads in a sentence.
-pub(super) fn in_a_row(names: &[String]) -> String {
-    if names.len() > 3 { "the variable loads".to_owned() } else { listed(names) }
 }

@@ -5,6 +5,7 @@ use standfast::{Boundary, Departure, Mode, Response, Verdict};
 
 use super::{Assessed, AssessmentView, BaseResponse, predicate};
 use crate::layout::{columns, digits, row};
+use crate::summary::listed;
 use crate::units::Extent;
 
 /// Note on ground that fails.
@@ -83,7 +84,7 @@ pub fn risen_loads(assessed: &Assessed) -> String {
             names.push(name);
         }
     }
-    super::summary::in_a_row(&names)
+    if names.len() > 3 { "the variable loads".to_owned() } else { listed(&names) }
 }
 
 fn lifted(full: &Response, extent: Extent) -> String {

@@ -93,7 +93,7 @@ fn is_open(followed: &FollowedMotion, verdict: &VerdictStrength) -> bool {
     nearest.is_finite() && (parted || (near(&verdict.up) && near(&verdict.down)))
 }
 
-/// The sentence on one verdict: `other` says what a motion with the verdict does, and what one without.
+/// The sentence on one verdict: what a motion does of which it holds, and what one of which it does not.
 fn change(
     verdict: &VerdictStrength,
     strength: &Strength,
