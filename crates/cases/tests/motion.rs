@@ -539,3 +539,31 @@ fn an_impulse_beside_the_base_is_warned_of() {
         assert_eq!(warned, beside, "{ratio}");
     }
 }
+
+/// A motion that the time cuts off before its loads end is not at rest, whatever the body does then; the words say how far they go on.
+#[test]
+fn a_motion_that_is_cut_off_is_not_at_rest() {
+    let text = |t_max: &str| {
+        format!(
+            "[block]\nb1 = 1\nb2 = 1\nd = 0.5\nmu_s = 0.3\ngravity = 1\n[motion]\nt_max = {t_max}\n\
+             [motion.base]\nhorizontal = {{ shape = \"half-sine\", peak = 0.6, start = 5, duration = 1 }}\n"
+        )
+    };
+    let follow = |t_max: &str| {
+        let file = CaseFile::parse("case.toml", &text(t_max)).unwrap();
+        let answers = FollowedMotion::of_file(&file, &Follow::default()).unwrap();
+        let words = answers.summary().unwrap().happens;
+        (answers.into_iter().next().unwrap().outcome, words)
+    };
+    let (before, words) = follow("2");
+    assert!(!before.at_rest() && before.t_rest.is_none() && before.loads_end == 6.0);
+    assert_eq!(words, "The body stays at rest until t = 2; the loads go on to t = 6.");
+    let (amid, words) = follow("5.5");
+    assert!(
+        !amid.at_rest()
+            && words.contains("still moves at t = 5.5, when the time is up; the loads go on to t = 6."),
+        "{words}"
+    );
+    let (whole, words) = follow("50");
+    assert!(whole.at_rest() && whole.t_rest.is_some_and(|t| t > 5.0) && !words.contains("go on"), "{words}");
+}

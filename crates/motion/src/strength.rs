@@ -318,6 +318,23 @@ mod tests {
         assert_eq!(onset(&pushed).unwrap(), Some(0.0));
     }
 
+    /// Where the first factor that is tried changes the verdict, the change lies between it and the case itself.
+    #[test]
+    fn a_change_next_to_the_case() {
+        let problem = shaken(Block::uniform(4.0, 5.0), History::half_sine(5.0, 0.8).unwrap());
+        let over = |factor: f64| simulate(&scaled(&problem, factor), Keep::default()).unwrap().overturned();
+        let (mut stands, mut falls) = (0.1, 20.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (stands + falls);
+            if over(middle) { falls = middle } else { stands = middle }
+        }
+        let case = scaled(&problem, stands / 1.002);
+        let outcome = simulate(&case, Keep::default()).unwrap();
+        let found = Strengths::of(&case, &outcome, Factors::Rungs).unwrap();
+        let up = found.verdict(|tried| tried.overturned).unwrap().up.unwrap();
+        assert!((1.0..=1.002).contains(&up.same) && (1.002..1.0021).contains(&up.factor), "{up:?}");
+    }
+
     /// Just below the onset the body rests, just above it moves; with two sines, a base that goes up and down, and an eccentric body.
     #[test]
     fn onset_is_where_the_motion_begins() {
