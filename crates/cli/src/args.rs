@@ -406,8 +406,8 @@ pub struct SimulateArgs {
     pub dt: Option<f64>,
     /// Find how much stronger or weaker the loads have to be for another verdict, whatever it takes: 46 motions, or N between 0.8 and
     /// 1.2 times the loads; without it where no record is as long as 20,000 points
-    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "46", conflicts_with = "no_strength")]
-    pub strength: Option<NonZeroUsize>,
+    #[arg(long, value_name = "N", conflicts_with = "no_strength", value_parser = clap::value_parser!(u16).range(1..=10_000))]
+    pub strength: Option<Option<u16>>,
     /// Leave that out
     #[arg(long)]
     pub no_strength: bool,

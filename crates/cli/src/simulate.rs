@@ -46,9 +46,8 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
     }
     let strength = match args.strength {
         _ if args.no_strength => StrengthAsked::No,
-        // 46 is the number of rungs, which are denser near 1.
-        Some(count) if count.get() == 46 => StrengthAsked::Always(Factors::Rungs),
-        Some(count) => StrengthAsked::Always(Factors::Even(count.get())),
+        Some(None) => StrengthAsked::Always(Factors::Rungs),
+        Some(Some(count)) => StrengthAsked::Always(Factors::Even(count.into())),
         None => StrengthAsked::IfShort(Factors::Rungs),
     };
     let follow = Follow { divergence: true, strength, series: !no_figures || args.series.is_some() };

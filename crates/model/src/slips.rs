@@ -27,10 +27,8 @@ pub(crate) fn slips(problem: &MotionProblem, step: Option<f64>) -> Vec<MotionWar
             slips.push(MotionWarning { name, words });
         }
     }
-    let moves = |history: &standfast_motion::History| history.times().last() != Some(&f64::INFINITY);
-    let base = [&problem.base.horizontal, &problem.base.vertical].into_iter().flatten();
     let still = problem.initial == Initial::default();
-    if still && !base.chain(problem.loads.iter().map(|load| &load.history)).any(moves) {
+    if still && !problem.histories().any(|history| history.end().is_finite()) {
         let words =
             "nothing moves the body: no load goes with time, the base does not move, and it begins at rest"
                 .to_owned();

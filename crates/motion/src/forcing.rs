@@ -122,8 +122,7 @@ impl Forcing {
         let pieces: Vec<Vec<Local>> = histories.iter().map(|history| localised(history, &breaks)).collect();
         let jumps = breaks.iter().map(|t| histories.iter().any(|history| history.jumps_at(*t))).collect();
         let turn = shares.iter().any(|share| share.to[1] != 0);
-        let permanent =
-            problem.loads.iter().filter(|load| load.history.times().last() == Some(&f64::INFINITY));
+        let permanent = problem.loads.iter().filter(|load| load.history.end() == f64::INFINITY);
         let pressing =
             problem.gravity - permanent.map(|load| load.direction[1] * load.history.at(0.0)).sum::<f64>();
         Forcing { breaks, jumps, pieces, shares, turn, gravity: problem.gravity, pressing }

@@ -110,6 +110,12 @@ impl MotionProblem {
         self.mu_impact.unwrap_or(self.block.mu_k)
     }
 
+    /// The histories of the base and of the loads.
+    pub fn histories(&self) -> impl Iterator<Item = &History> {
+        let base = [&self.base.horizontal, &self.base.vertical].into_iter().flatten();
+        base.chain(self.loads.iter().map(|load| &load.history))
+    }
+
     /// Refuses what no problem can have.
     ///
     /// # Errors

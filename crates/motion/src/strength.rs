@@ -24,7 +24,7 @@ pub enum Factors {
     /// Steps of 0.5 % up to 5 %, 1 % up to 10 %, 2 % up to 20 %, to both sides; then 1.35, 1.5 and 2, and one over these: 46 in all.
     #[default]
     Rungs,
-    /// So many even ones within 20 % to both sides, 1 not among them.
+    /// So many even ones within 20 %, half of them to either side, one more if they are odd; 1 is not among them.
     Even(usize),
 }
 
@@ -45,7 +45,7 @@ impl Factors {
             }
             Factors::Even(count) => {
                 // Half of them to either side.
-                let half = count.div_ceil(2);
+                let half = count.div_ceil(2).max(1);
                 let step = 0.2 / half as f64;
                 let places =
                     (1..=half).rev().map(|place| -(place as f64)).chain((1..=half).map(|place| place as f64));
@@ -81,6 +81,11 @@ impl Tried {
             max_theta: outcome.max_theta,
             slide: outcome.slide.abs(),
         }
+    }
+
+    /// True if the body does not come to rest within a distance of where it was: it slides farther, overturns, or is not followed so far.
+    pub fn is_beyond(&self, distance: f64) -> bool {
+        !self.ended || self.overturned || self.slide > distance
     }
 }
 
@@ -182,8 +187,7 @@ fn run(problem: &MotionProblem, factor: f64) -> Result<Tried, MotionError> {
 fn scaled(problem: &MotionProblem, factor: f64) -> MotionProblem {
     let mut scaled = problem.clone();
     let times = |history: &mut History| {
-        let without_end = history.times().last() == Some(&f64::INFINITY);
-        if !without_end {
+        if history.end().is_finite() {
             *history = history.clone().times_factor(factor);
         }
     };
@@ -267,6 +271,17 @@ mod tests {
         problem
     }
 
+    /// The factors between which a block under one pulse overturns or not, by halving alone.
+    fn boundary(problem: &MotionProblem) -> [f64; 2] {
+        let over = |factor: f64| simulate(&scaled(problem, factor), Keep::default()).unwrap().overturned();
+        let (mut stands, mut falls) = (0.1, 20.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (stands + falls);
+            if over(middle) { falls = middle } else { stands = middle }
+        }
+        [stands, falls]
+    }
+
     #[test]
     fn factors_rise_about_one() {
         for factors in [Factors::Rungs, Factors::Even(40), Factors::Even(7)] {
@@ -322,12 +337,7 @@ mod tests {
     #[test]
     fn a_change_next_to_the_case() {
         let problem = shaken(Block::uniform(4.0, 5.0), History::half_sine(5.0, 0.8).unwrap());
-        let over = |factor: f64| simulate(&scaled(&problem, factor), Keep::default()).unwrap().overturned();
-        let (mut stands, mut falls) = (0.1, 20.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (stands + falls);
-            if over(middle) { falls = middle } else { stands = middle }
-        }
+        let [stands, _] = boundary(&problem);
         let case = scaled(&problem, stands / 1.002);
         let outcome = simulate(&case, Keep::default()).unwrap();
         let found = Strengths::of(&case, &outcome, Factors::Rungs).unwrap();
@@ -359,12 +369,7 @@ mod tests {
     #[test]
     fn a_change_is_bracketed_by_motions() {
         let problem = shaken(Block::uniform(4.0, 5.0), History::half_sine(5.0, 0.8).unwrap());
-        let over = |factor: f64| simulate(&scaled(&problem, factor), Keep::default()).unwrap().overturned();
-        let (mut stands, mut falls) = (0.1, 20.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (stands + falls);
-            if over(middle) { falls = middle } else { stands = middle }
-        }
+        let [stands, falls] = boundary(&problem);
         // Seen from 2 % below the boundary and from 2 % above it.
         for (itself, verdict) in [(0.98 * stands, false), (1.02 * falls, true)] {
             let case = scaled(&problem, itself);

@@ -2,7 +2,7 @@
 
 use standfast_model::{BlockCase, MotionCriterion};
 use standfast_motion::strength::{Factors, Strengths, Tried, VerdictStrength, onset};
-use standfast_motion::{History, MotionError, MotionOutcome};
+use standfast_motion::{MotionError, MotionOutcome};
 
 /// When the strength of a motion is looked for: some fifty motions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -46,12 +46,14 @@ impl Strength {
     ) -> Result<Option<Strength>, MotionError> {
         let factors = match asked {
             StrengthAsked::No => return Ok(None),
-            StrengthAsked::IfShort(_) if histories(case).any(|history| history.times().len() >= LONG) => {
+            StrengthAsked::IfShort(_)
+                if case.problem.histories().any(|history| history.times().len() >= LONG) =>
+            {
                 return Ok(None);
             }
             StrengthAsked::IfShort(factors) | StrengthAsked::Always(factors) => factors,
         };
-        let varies = histories(case).any(|history| history.times().last() != Some(&f64::INFINITY));
+        let varies = case.problem.histories().any(|history| history.end().is_finite());
         if !varies || !Tried::of(1.0, outcome).ended {
             return Ok(None);
         }
@@ -62,10 +64,8 @@ impl Strength {
             MotionCriterion::Slide(bound) => Some(*bound),
             _ => None,
         });
-        let slide = bound.map(|bound| {
-            let within = |tried: &Tried| tried.ended && !tried.overturned && tried.slide <= bound;
-            strengths.verdict(|tried| !within(tried)).map(|verdict| (bound, verdict))
-        });
+        let slide = bound
+            .map(|bound| strengths.verdict(|tried| tried.is_beyond(bound)).map(|verdict| (bound, verdict)));
         Ok(Some(Strength {
             onset: onset(problem)?,
             overturning,
@@ -73,10 +73,4 @@ impl Strength {
             tried: strengths.tried,
         }))
     }
-}
-
-fn histories(case: &BlockCase) -> impl Iterator<Item = &History> {
-    let base = &case.problem.base;
-    let of_base = [&base.horizontal, &base.vertical].into_iter().flatten();
-    of_base.chain(case.problem.loads.iter().map(|load| &load.history))
 }

@@ -121,7 +121,7 @@ impl Factor {
         };
         let gravity = variable.id().key.info().kind == Kind::InGravity;
         let of_base = variable.id().key.info().kind == Kind::Reached && variable.dimension().is_some();
-        let unsaid = unit.is_none();
+        let unsaid = unit.is_none() && (gravity || of_base);
         let unit = match (unit, variable.dimension()) {
             (None | Some("g"), _) if gravity => Counted::Gravity(Some(inputs.gravity())),
             (Some("g"), _) if of_base => Counted::StandardGravity,
@@ -134,7 +134,7 @@ impl Factor {
                 Counted::Unit(known.ok_or_else(wrong)?)
             }
         };
-        Ok(Factor { variable, unit, unsaid: unsaid && (gravity || of_base) })
+        Ok(Factor { variable, unit, unsaid })
     }
 
     /// The numbers of a case that can vary: those that its file has, and those that it leaves to what is taken for them.

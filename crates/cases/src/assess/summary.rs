@@ -92,10 +92,7 @@ fn near(assessment: &Assessment) -> Option<String> {
     let factor = verdict::least_factor(factor).map_or(String::new(), |(least, against)| {
         format!(" The least safety factor is {}, against {against}.", digits(least))
     });
-    let points = match verdict::is_object(assessed)
-        && assessment.case.earthquake.is_some()
-        && assessment.in_time.is_none()
-    {
+    let points = match verdict::is_object(assessed) && assessment.in_time.is_none() {
         true => " What it does after the onset: `standfast simulate`.",
         false => "",
     };

@@ -72,8 +72,8 @@ fn stronger(followed: &FollowedMotion, strength: &Strength) -> String {
         let metres = if followed.case.si { " m" } else { "" };
         let too_far = format!("slides it beyond {}{metres}", digits(*bound));
         let within = format!("keeps it within {}{metres}", digits(*bound));
-        let holds = |tried: &Tried| !(tried.ended && !tried.overturned && tried.slide <= *bound);
-        sentences.push(change(verdict, strength, drive, [&too_far, &within], holds));
+        sentences
+            .push(change(verdict, strength, drive, [&too_far, &within], |tried| tried.is_beyond(*bound)));
     }
     let undecided = [Some(&strength.overturning), strength.slide.as_ref().map(|(_, verdict)| verdict)];
     if undecided.into_iter().flatten().any(|verdict| is_open(followed, verdict)) {
