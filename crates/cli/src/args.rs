@@ -406,7 +406,7 @@ pub struct SimulateArgs {
     pub dt: Option<f64>,
     /// Find how much stronger or weaker the loads have to be for another verdict, whatever it takes: 46 motions, or N between 0.8 and
     /// 1.2 times the loads; without it where no record is as long as 20,000 points
-    #[arg(long, value_name = "N", conflicts_with = "no_strength", value_parser = clap::value_parser!(u16).range(1..=10_000))]
+    #[arg(long, value_name = "N", conflicts_with = "no_strength", value_parser = motions)]
     pub strength: Option<Option<u16>>,
     /// Leave that out
     #[arg(long)]
@@ -720,6 +720,14 @@ fn scale(text: &str) -> Result<f32, String> {
 fn part(text: &str) -> Result<f64, String> {
     let share = text.trim().parse().ok().filter(|share: &f64| *share > 0.0 && *share < 1.0);
     share.ok_or_else(|| "expected a share, above zero and below 1".to_owned())
+}
+
+/// How many motions --strength tries.
+fn motions(value: &str) -> Result<u16, String> {
+    let count = value.parse().ok().filter(|count| (1..=10_000).contains(count));
+    count.ok_or_else(|| {
+        "expected how many motions to try, from 1 to 10000; without a number the option goes behind the case file".to_owned()
+    })
 }
 
 fn time_step(text: &str) -> Result<f64, String> {
