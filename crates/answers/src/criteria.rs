@@ -3,8 +3,8 @@
 //! The utilisation of a criterion is required/value where the value has
 //! to be at least, value/required where it has to be at most: up to 1 it is met.
 
-use standfast::{Departure, Verdict};
-use standfast_inputs::digits::{apart, digits};
+use standfast::{Departure, Verdict, number};
+use standfast_inputs::digits::{apart, digits, factor};
 use standfast_model::{Bound, Criterion, Key, listed_modes};
 
 use crate::assess::Assessed;
@@ -28,10 +28,7 @@ pub(crate) fn used_words(utilisation: Option<f64>) -> String {
     match utilisation {
         Some(f64::INFINITY) => "infinite".to_owned(),
         // A number that rounds to 1 is not to be read as met when it is not.
-        Some(utilisation) if utilisation.is_finite() && utilisation != 1.0 => {
-            apart(&[utilisation, 1.0])[0].clone()
-        }
-        Some(utilisation) => digits(utilisation),
+        Some(utilisation) => factor(utilisation),
         None => "–".to_owned(),
     }
 }
@@ -109,7 +106,16 @@ impl Check {
             }
             (ResultValue::Number(value), _) => {
                 let value = criterion.shown(value);
-                let text = if value == against { digits(value) } else { apart(&[value, against])[0].clone() };
+                let text = match criterion.key {
+                    _ if !value.is_finite() => digits(value),
+                    Key::LeastSliding
+                    | Key::LeastOverturning
+                    | Key::LeastOverturningGross
+                    | Key::LeastGround
+                    | Key::LeastLoadFactor => number::beside(value, against, 4).to_string(),
+                    _ if value == against => digits(value),
+                    _ => apart(&[value, against])[0].clone(),
+                };
                 if value.is_finite() { criterion.with_unit(&text) } else { text }
             }
             (ResultValue::Modes(modes), _) if modes.is_empty() => {
@@ -156,11 +162,11 @@ mod tests {
     #[test]
     fn words_of_a_utilisation() {
         let words = [Some(0.5), Some(1.0), Some(2.0), Some(f64::INFINITY), None].map(used_words);
-        assert_eq!(words, ["0.5", "1", "2", "infinite", "–"]);
+        assert_eq!(words, ["0.5000", "1.000", "2.000", "infinite", "–"]);
         // What rounds to 1 is told from it.
         for just in [1.0 + 1e-9, 1.0 - 1e-9] {
             assert_eq!(used_words(Some(just)).parse::<f64>().unwrap() > 1.0, just > 1.0);
-            assert_ne!(used_words(Some(just)), "1");
+            assert_ne!(used_words(Some(just)), "1.000");
         }
         assert_eq!([true, false].map(met_word), ["met", "not met"]);
     }

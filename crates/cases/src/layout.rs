@@ -2,7 +2,7 @@
 
 use comfy_table::{CellAlignment, Table, presets};
 
-pub use standfast_inputs::digits::{apart, digits, plain, shortened, significant};
+pub use standfast_inputs::digits::{apart, digits, factor, percent, plain, shortened, significant};
 
 /// Widest line of a paragraph, in characters.
 const WIDTH: usize = 88;

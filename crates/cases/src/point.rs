@@ -14,7 +14,7 @@ use standfast::{InputError, Mode, Modes, Motion, Response, Verdict};
 use self::crush::{BaseNumbers, Crushing};
 use crate::describe::{self, Changes};
 use crate::json::{SCHEMA, number_or_word, written};
-use crate::layout::{columns, digits, paragraph, row};
+use crate::layout::{columns, digits, factor, paragraph, row};
 
 /// A point on its base. The report's force points left; one to the right is its mirror image.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -160,7 +160,7 @@ fn explanation(placed: &PlacedPoint) -> String {
         text += &describe::relations(&step.relations, 4);
     }
     let (sliding, overturning, formula) = placed.factors();
-    let rows = [row!["sliding", "μ/k", digits(sliding)], row!["overturning", formula, digits(overturning)]];
+    let rows = [row!["sliding", "μ/k", factor(sliding)], row!["overturning", formula, factor(overturning)]];
     text += "\nSafety factors\n";
     text += &columns(&rows, 2, &[]);
     if let Some(motion) = placed.motion() {

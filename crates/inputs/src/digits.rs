@@ -7,6 +7,18 @@ pub fn digits(x: f64) -> String {
     significant(x, 4)
 }
 
+/// A safety factor, or a ratio that is compared with 1, in four digits; in more where it takes them to tell it from 1.
+pub fn factor(x: f64) -> String {
+    if x == f64::INFINITY { "unlimited".to_owned() } else { number::beside(x, 1.0, 4).to_string() }
+}
+
+/// A share of a whole in per cent; in more than four digits where it takes them to tell it from the whole.
+pub fn percent(share: f64) -> String {
+    let whole = 100.0;
+    let text = if share == 1.0 { digits(whole) } else { apart(&[whole * share, whole]).swap_remove(0) };
+    format!("{text} %")
+}
+
 /// Different numbers in as few significant digits, four at least, as tell them apart.
 pub fn apart(numbers: &[f64]) -> Vec<String> {
     let mut texts = Vec::new();
@@ -40,10 +52,12 @@ pub fn shortened(written: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::digits;
+    use super::{digits, factor, percent};
 
     #[test]
     fn numbers_in_text() {
         assert_eq!([digits(1.0 / 3.0), digits(-0.0), digits(f64::INFINITY)], ["0.3333", "0", "unlimited"]);
+        assert_eq!([factor(1.0), factor(0.99998), factor(f64::INFINITY)], ["1.000", "0.99998", "unlimited"]);
+        assert_eq!([percent(1.0), percent(0.7), percent(0.999_984)], ["100 %", "70 %", "99.998 %"]);
     }
 }

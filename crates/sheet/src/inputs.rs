@@ -1,9 +1,10 @@
-//! The inputs as they are written in the case file, with what they mean in SI units and where they come from.
+//! The inputs as they are written in the case file, as they are taken, and where they come from.
 
 use maud::{Markup, PreEscaped, html};
 use standfast::BaseEdges;
 use standfast_cases::case::{COUPLING, T_H, T_M, Weight};
 use standfast_cases::key::{Kind, TITLE_BLOCK, Table};
+use standfast_cases::units::Dimension;
 use standfast_cases::{Case, CaseFile, Entry, Id, Key};
 
 use crate::mathml::symbol;
@@ -24,7 +25,7 @@ pub fn tables(case: &Case, file: &CaseFile) -> Markup {
             "."
         }
         table.numbers data-table="inputs" {
-            thead { tr { th { "Input" } th { "Symbol" } th { "As written" } th.n { "In SI units" } th { "Source" } } }
+            thead { tr { th { "Input" } th { "Symbol" } th { "As written" } th.n { "As taken" } th { "Source" } } }
             @for group in entries.chunk_by(|one, two| table(one) == table(two)) {
                 tbody {
                     tr.group { th colspan="5" scope="rowgroup" { (heading(group[0].id)) } }
@@ -101,6 +102,7 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
     };
     let tables = file.inputs().count(key.info().table);
     let symbol = numbered(key.info().symbol, index, tables);
+    let (unit, size) = file.inputs().dimension(key).map_or(("", 1.0), Dimension::on_paper);
     html! {
         tr data-symbol=[(count == 1).then_some(symbol)] {
             td { (words.join(", ")) " " code { (key.entry()) } }
@@ -109,11 +111,9 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
             td.n {
                 @for (i, &value) in numbers.iter().enumerate() {
                     @if i > 0 { ", " }
-                    data value=(value) { (number(value)) }
+                    data value=(value / size) { (number(value / size)) }
                     @if key.entry().ends_with("_deg") { "°" }
-                    @if let Some(dimension) = file.inputs().dimension(key).filter(|_| i + 1 == count) {
-                        "\u{a0}" span.unit { (dimension.symbol()) }
-                    }
+                    @if !unit.is_empty() && i + 1 == count { "\u{a0}" span.unit { (unit) } }
                 }
             }
             td.source { (file.comment(entry).unwrap_or_default()) }

@@ -1,7 +1,7 @@
 //! Numbers with their units, and how they are shown.
 
 use maud::{Markup, PreEscaped, html};
-use standfast::number::{Significant, significant};
+use standfast::number::{Significant, apart, beside, significant};
 use standfast_cases::units::{Dimension, Extent};
 
 /// Significant digits in the calculation, enough to follow it by hand.
@@ -16,18 +16,20 @@ pub struct SheetUnit {
     pub si: f64,
     /// Dimension, where the unit is that of a quantity of case files.
     dimension: Option<Dimension>,
+    /// True of a factor, which is compared with 1.
+    is_factor: bool,
 }
 
 impl SheetUnit {
     /// That in which people read a quantity of case files.
     const fn of(dimension: Dimension) -> SheetUnit {
         let (text, si) = dimension.on_paper();
-        SheetUnit { text, si, dimension: Some(dimension) }
+        SheetUnit { text, si, dimension: Some(dimension), is_factor: false }
     }
 
     /// One of what no case file gives.
     const fn other(text: &'static str) -> SheetUnit {
-        SheetUnit { text, si: 1.0, dimension: None }
+        SheetUnit { text, si: 1.0, dimension: None, is_factor: false }
     }
 }
 
@@ -39,6 +41,7 @@ macro_rules! units {
 
 units! {
     NONE = SheetUnit::other("");
+    FACTOR = SheetUnit { is_factor: true, ..SheetUnit::other("") };
     DEGREE = SheetUnit::other("°");
     AREA = SheetUnit::other("m²");
     ROTATION = SheetUnit::other("rad/s²");
@@ -90,9 +93,18 @@ impl Measured {
     /// is, as the program's JSON calls it.
     pub fn html(&self, name: &str) -> Markup {
         html! {
-            data value=(self.value) data-quantity=[(!name.is_empty()).then_some(name)] { (number(self.value)) }
+            data value=(self.value) data-quantity=[(!name.is_empty()).then_some(name)] { (self.text()) }
             (self.unit_html())
         }
+    }
+
+    /// The digits shown.
+    fn digits(&self) -> Significant {
+        if self.unit.is_factor { beside(self.value, 1.0, DIGITS) } else { significant(self.value, DIGITS) }
+    }
+
+    fn text(&self) -> Markup {
+        if self.value == f64::INFINITY { number(self.value) } else { shown(self.digits()) }
     }
 
     /// The unit behind a number.
@@ -106,7 +118,7 @@ impl Measured {
     /// The number and its unit in MathML; negative numbers in parentheses unless they stand alone.
     pub fn mathml(&self, alone: bool) -> String {
         let value = self.value;
-        let Significant { mantissa, exponent } = significant(value.abs(), DIGITS);
+        let Significant { mantissa, exponent } = (Measured { value: value.abs(), ..*self }).digits();
         let digits = match exponent {
             None => format!("<mn data-value=\"{}\">{mantissa}</mn>", value.abs()),
             Some(exponent) => format!(
@@ -139,7 +151,16 @@ pub fn number(x: f64) -> Markup {
     if x == f64::INFINITY {
         return html! { "unlimited" };
     }
-    let Significant { mantissa, exponent } = significant(x, DIGITS);
+    shown(significant(x, DIGITS))
+}
+
+/// The left and the right side of an inequality, in as many digits as tell them apart.
+pub fn sides(left: f64, right: f64) -> [Markup; 2] {
+    let one = |x: f64, other: f64| if x.is_finite() { shown(apart(x, other, DIGITS)) } else { number(x) };
+    [one(left, right), one(right, left)]
+}
+
+fn shown(Significant { mantissa, exponent }: Significant) -> Markup {
     let text = match exponent {
         None => mantissa,
         Some(exponent) => format!("{mantissa}·10<sup>{exponent}</sup>"),

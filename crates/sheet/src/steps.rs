@@ -7,7 +7,7 @@ use standfast_cases::units::Extent;
 use crate::fault::SheetFault;
 use crate::formula::{Formula, FormulaError, Scope};
 use crate::mathml::{FormulaContent, line, prose, symbol};
-use crate::measured::{Measured, NONE, SheetUnit, number};
+use crate::measured::{Measured, NONE, SheetUnit, sides};
 
 /// The calculation as far as it is written, and the quantities that later steps may use.
 ///
@@ -195,6 +195,7 @@ impl SheetSteps {
         let numbers = self.numbers(&place, bound, &to)?;
         let sign = sign.to_string();
         let one_number = matches!(to, Formula::Number(_));
+        let [shown_left, shown_right] = sides(left, right);
         Ok(html! {
             div.step.relation {
                 (head("", equation)?)
@@ -207,8 +208,8 @@ impl SheetSteps {
                             span.numbers data-step=(bound) { (PreEscaped(line(&numbers, "=", FormulaContent::Numbers))) }
                         }
                     }
-                    span.left { data value=(left) data-side="left" { (number(left)) } }
-                    div.right { (PreEscaped(line_sign(&sign))) " " data value=(right) data-side="right" { (number(right)) } }
+                    span.left { data value=(left) data-side="left" { (shown_left) } }
+                    div.right { (PreEscaped(line_sign(&sign))) " " data value=(right) data-side="right" { (shown_right) } }
                 }
                 p.result {
                     @if holds { span.yes { "holds" } } @else { span.no { "fails" } }

@@ -3,11 +3,11 @@
 use maud::{Markup, html};
 use standfast::{Departure, Verdict};
 use standfast_cases::assess::{AnyCheck, criteria_met, shown, verdict};
-use standfast_cases::layout::digits;
+use standfast_cases::layout::percent;
 use standfast_cases::{Assessed, Assessment, AssessmentView, Document};
 
 use crate::calculation::TARGET;
-use crate::measured::{Measured, NONE};
+use crate::measured::{FACTOR, Measured};
 
 fn name(assessment: &Assessment, assessed: &Assessed) -> String {
     assessment.name(assessed).unwrap_or_else(|| "all loads".to_owned())
@@ -138,7 +138,7 @@ fn table(assessment: &Assessment) -> Markup {
                         td data-label=(COLUMNS[0]) { (assessed.verdict().map_or("none", Verdict::symbol)) }
                         @for (factor, column) in factors.into_iter().zip(&COLUMNS[1..]) {
                             td.n data-label=(column) {
-                                @if full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) }
+                                @if full.is_lifted() { "none" } @else { (Measured::of(factor, FACTOR).html("")) }
                             }
                         }
                         td.n data-label=(COLUMNS[3]) { (departure(&assessed.departure())) }
@@ -154,7 +154,7 @@ fn table(assessment: &Assessment) -> Markup {
 fn departure(departure: &Departure) -> Markup {
     html! {
         @match *departure {
-            Departure::At { factor, .. } => data value=(factor) data-percent { (digits(100.0 * factor)) },
+            Departure::At { factor, .. } => data value=(factor) data-percent { (percent(factor).trim_end_matches(" %")) },
             _ => (verdict::departure_word(departure)),
         }
     }

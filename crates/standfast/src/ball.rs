@@ -36,7 +36,13 @@ pub trait Scalar: Real + Div<Output = Self> + Debug + PartialEq {
 
     /// A number that was computed in f64, to [some thirteen digits](COMPUTED).
     fn computed(x: f64) -> Self;
+
+    /// Sum of two terms; in f64 zero where they cancel but for their rounding, [a few digits in the last place](ROUNDED).
+    fn plus(self, other: Self) -> Self;
 }
+
+/// Error of a term of a sum in f64, as a share of it.
+pub(crate) const ROUNDED: f64 = 1.0 / (1u64 << 49) as f64;
 
 /// Error of a number that was computed in f64, as a share of it: a hundred roundings and more, below the digits that any wave, angle or
 /// strength is known to.
@@ -60,6 +66,12 @@ impl Scalar for f64 {
     #[inline(always)]
     fn computed(x: f64) -> f64 {
         x
+    }
+
+    #[inline(always)]
+    fn plus(self, other: f64) -> f64 {
+        let sum = self + other;
+        if sum.abs() <= ROUNDED * self.abs() { 0.0 } else { sum }
     }
 }
 
@@ -189,6 +201,10 @@ impl Scalar for Ball {
 
     fn computed(x: f64) -> Ball {
         Ball { radius: up(x.abs() * COMPUTED), ..Ball::of(x) }
+    }
+
+    fn plus(self, other: Ball) -> Ball {
+        self + other
     }
 }
 

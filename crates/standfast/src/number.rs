@@ -34,6 +34,39 @@ pub fn significant(x: f64, count: usize) -> Significant {
     }
 }
 
+/// `x` rounded to `count` significant digits with its zeros at the end, and to as many more as tell it from a `bound` it is compared
+/// with: 1.000 is 1, and 0.99998 is less.
+///
+/// ```
+/// use standfast::number::beside;
+///
+/// assert_eq!(beside(1.1, 1.0, 4).to_string(), "1.100");
+/// assert_eq!(beside(0.999983, 1.0, 4).to_string(), "0.99998");
+/// ```
+pub fn beside(x: f64, bound: f64, count: usize) -> Significant {
+    let count = telling(x, bound, count);
+    let shown = significant(x, count);
+    let rounded: f64 = shown.mantissa.parse().unwrap_or(x);
+    if shown.exponent.is_some() || rounded == 0.0 || !rounded.is_finite() {
+        return shown;
+    }
+    let decimals = (count as i32 - 1 - rounded.abs().log10().floor() as i32).max(0) as usize;
+    Significant { mantissa: format!("{rounded:.decimals$}"), exponent: None }
+}
+
+/// `x` rounded to `count` significant digits, and to as many more as tell it from another number.
+pub fn apart(x: f64, other: f64, count: usize) -> Significant {
+    significant(x, telling(x, other, count))
+}
+
+/// Significant digits, `count` at least, that tell two numbers apart; `count` if they are the same.
+fn telling(x: f64, other: f64, count: usize) -> usize {
+    /// Digits of an f64.
+    const MOST: usize = 17;
+    let tells = |count: &usize| x == other || significant(x, *count) != significant(other, *count);
+    (count..MOST).find(tells).unwrap_or(MOST)
+}
+
 /// `x` with all its digits, as a person would write it: `1e300`, not three hundred digits.
 pub fn exact(x: f64) -> String {
     let plain = x == 0.0 || !x.is_finite() || (1e-6..1e15).contains(&x.abs());
@@ -51,7 +84,27 @@ impl fmt::Display for Significant {
 
 #[cfg(test)]
 mod tests {
-    use super::significant;
+    use super::{beside, significant};
+
+    #[test]
+    fn a_compared_number_is_told_from_its_bound() {
+        let cases = [
+            (1.0, "1.000"),
+            (1.1, "1.100"),
+            (278.04, "278.0"),
+            (0.58334, "0.5833"),
+            (9.99996, "10.00"),
+            (1.0 - 4e-9, "0.999999996"),
+            (1.0 + f64::EPSILON, "1.0000000000000002"),
+            (123_456.0, "123500"),
+            (0.0, "0"),
+            (2e8, "2e8"),
+            (f64::INFINITY, "inf"),
+        ];
+        for (x, expected) in cases {
+            assert_eq!(beside(x, 1.0, 4).to_string(), expected);
+        }
+    }
 
     #[test]
     fn four_digits() {

@@ -32,6 +32,7 @@
 mod polygon;
 mod slices;
 
+use crate::ball::COMPUTED;
 use crate::body::{BaseEdges, Body};
 use crate::error::InputError;
 use crate::loads::{Action, BodyPoint, Load, LoadKind, LoadSource, StillWater};
@@ -332,7 +333,7 @@ impl Section {
             let SectionMass { mass, centre, moment_of_inertia } =
                 if weightless { areas(&part.outline).mass() } else { sum.mass() };
             let [mass, moment_of_inertia] = if weightless { [0.0; 2] } else { [mass, moment_of_inertia] };
-            PartMass { dry: dry.area, wet: wet.area, mass, centre, moment_of_inertia }
+            PartMass { dry: dry.area, wet: wet.area, mass, centre: self.middled(centre), moment_of_inertia }
         });
         masses.collect()
     }
@@ -384,6 +385,7 @@ impl Section {
         let middle = (left + right) / 2.0;
         let centred = self.moved(-middle);
         let SectionMass { mass, centre, moment_of_inertia } = centred.mass(water);
+        let centre = self.middled(centre);
         let body = Body::new(right - left, height, mass * length)?.with_length(length)?;
         if self.is_uniform() {
             // As the report's body, to the last bit.
@@ -392,6 +394,12 @@ impl Section {
         let [o, o_prime] = centred.base();
         let base = BaseEdges { left: 0.0 - o, right: o_prime };
         body.standing(base, centre.x, centre.y)?.with_moment_of_inertia(moment_of_inertia * length)
+    }
+
+    /// A centre from mid-width, on mid-width where only rounding parts it from there.
+    fn middled(&self, centre: Vertex) -> Vertex {
+        let is_off = centre.x.abs() > COMPUTED * self.size;
+        Vertex { x: if is_off { centre.x } else { 0.0 }, ..centre }
     }
 
     /// True if it is an upright rectangle of one density, wet or dry.

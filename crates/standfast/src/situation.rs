@@ -242,7 +242,7 @@ impl<T: Scalar> Situation<T> {
             by_kind: std::array::from_fn(|_| Wrench::zero()),
             buoyancy: Wrench::zero(),
         };
-        let add = |sum: &mut Wrench<T>, wrench: &Wrench<T>| *sum = sum.clone() + wrench.clone();
+        let add = |sum: &mut Wrench<T>, wrench: &Wrench<T>| *sum = sum.clone().plus(wrench.clone());
         for load in &self.loads {
             let wrench = self.wrench_of(load);
             add(if load.permanent { &mut sums.permanent } else { &mut sums.variable }, &wrench);
@@ -339,7 +339,7 @@ impl Situation {
     pub fn at(&self, factor: f64) -> Result<Response, InputError> {
         let factor = InputError::finite(Quantity::LoadFactor, factor)?;
         let Sums { permanent, variable, .. } = self.sums();
-        let wrench = permanent + variable * factor;
+        let wrench = permanent.plus(variable * factor);
         let lone = self.in_air().filter(|_| factor == 1.0);
         self.response(factor, wrench, lone.or_else(|| self.effective(&wrench)))
     }
@@ -451,7 +451,7 @@ impl Situation {
     /// If a number is out of range.
     pub fn outcome(&self) -> Result<Outcome, InputError> {
         let sums = self.sums();
-        let wrench = sums.permanent + sums.variable;
+        let wrench = sums.permanent.plus(sums.variable);
         let full = self.response(1.0, wrench, self.in_air().or_else(|| self.effective(&wrench)))?;
         let varies = self.loads.iter().any(|load| !load.permanent);
         let path = if varies { self.path()? } else { Vec::new() };

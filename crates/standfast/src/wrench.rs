@@ -48,6 +48,11 @@ impl<T: Scalar> Wrench<T> {
     pub fn zero() -> Wrench<T> {
         Wrench { x: T::of(0.0), p: T::of(0.0), m: T::of(0.0) }
     }
+
+    /// Sum of two; what cancels but for rounding is zero, see [`Scalar::plus`].
+    pub fn plus(self, other: Wrench<T>) -> Wrench<T> {
+        Wrench { x: self.x.plus(other.x), p: self.p.plus(other.p), m: self.m.plus(other.m) }
+    }
 }
 
 impl<T: Scalar> Add for Wrench<T> {

@@ -4,7 +4,7 @@ use standfast::Verdict;
 
 use super::{Assessed, Assessment, verdict};
 use crate::case::{Acting, Case, Combination, Direction, PointForce};
-use crate::layout::{columns, digits, paragraph, row};
+use crate::layout::{self, columns, digits, paragraph, row};
 
 /// One line for each situation, the worst first.
 pub(super) fn summary(assessment: &Assessment) -> String {
@@ -40,7 +40,7 @@ pub(super) fn summary(assessment: &Assessment) -> String {
 /// Mode, safety factors, departure and uniqueness, in the cells of a row.
 fn results(assessed: &Assessed) -> Vec<String> {
     let outcome = &assessed.outcome;
-    let factor = |factor| if outcome.full.is_lifted() { "none".to_owned() } else { digits(factor) };
+    let factor = |factor| if outcome.full.is_lifted() { "none".to_owned() } else { layout::factor(factor) };
     row![
         assessed.verdict().map_or("none", Verdict::symbol),
         factor(outcome.stability.sliding),

@@ -4,7 +4,7 @@ use standfast::loads::Reduced;
 use standfast::{Bearing, ClassicalActions, GrossOverturning, Outcome, Stability};
 
 use super::Assessed;
-use crate::layout::{columns, digits, paragraph, row};
+use crate::layout::{self, columns, digits, paragraph, row};
 
 /// Reason why there is no bearing pressure, in words; `None` where there is one.
 pub fn no_bearing(bearing: Bearing) -> Option<&'static str> {
@@ -40,7 +40,7 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     let full = &assessed.outcome.full;
     let stability = &assessed.outcome.stability;
     let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
-    let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { digits(factor) };
+    let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { layout::factor(factor) };
     let gross = gross(assessed);
     let goda = if gross.is_some() { "(W' t − M_U)/M_p, net" } else { "(W' t − M_U)/M_p" };
     let mut rows = vec![
@@ -54,11 +54,11 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     if let Some(gross) = gross {
         let corner = if gross.is_about_heel() { "heel" } else { "toe" };
         let by = format!("by gross moments, about the {corner}");
-        rows.push(row!["", by, digits(gross.overturning())]);
+        rows.push(row!["", by, layout::factor(gross.overturning())]);
     }
     let effective =
-        full.effective.map(|reduced| (reduced, digits(reduced.point.safety_against_overturning())));
-    let effective = effective.filter(|(_, factor)| *factor != digits(stability.overturning()));
+        full.effective.map(|reduced| (reduced, layout::factor(reduced.point.safety_against_overturning())));
+    let effective = effective.filter(|(_, factor)| *factor != layout::factor(stability.overturning()));
     if let Some((_, factor)) = &effective {
         rows.push(row!["", "1/(k_eff γ |1+k'_eff|)", factor.as_str()]);
     }
@@ -111,7 +111,7 @@ pub fn two_factors(reduced: &Reduced) -> &'static str {
 fn gross(assessed: &Assessed) -> Option<&GrossOverturning> {
     let Outcome { full, actions, stability, gross, .. } = &assessed.outcome;
     let wet = gross.buoyancy != 0.0 || actions.uplift > 0.0;
-    let differs = digits(gross.overturning()) != digits(stability.overturning());
+    let differs = layout::factor(gross.overturning()) != layout::factor(stability.overturning());
     (wet && differs && !full.is_lifted()).then_some(gross)
 }
 

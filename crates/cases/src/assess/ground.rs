@@ -6,7 +6,7 @@ use standfast_answers::assess::ground::{BaseResponse, Elastic};
 
 use super::Assessed;
 use crate::case::{Case, Limit};
-use crate::layout::{columns, digits, paragraph, row};
+use crate::layout::{self, columns, digits, paragraph, row};
 use crate::results::event;
 use crate::units::Dimension;
 
@@ -147,12 +147,12 @@ fn reaction(assessed: &Assessed, ground: &BaseResponse) -> Vec<Vec<String>> {
         rows.push(row!["resistance", "R", assessed.extent.kilonewtons(resistance)]);
     }
     if let Some(factor) = ground.factor {
-        rows.push(row!["ground factor", "R/P", digits(factor)]);
+        rows.push(row!["ground factor", "R/P", layout::factor(factor)]);
     }
     if let Some(factors) = ground.load_factors.filter(|_| assessed.rises()) {
         let word = |factor: f64| match factor {
             0.0 => "at once".to_owned(),
-            factor if factor.is_finite() => digits(factor),
+            factor if factor.is_finite() => layout::factor(factor),
             _ => "never".to_owned(),
         };
         let others = factors.less.zip(factors.more);

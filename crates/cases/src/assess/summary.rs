@@ -3,7 +3,7 @@
 use standfast::{Departure, Mode, Verdict};
 
 use super::{AnyCheck, Assessed, Assessment, predicate, verdict};
-use crate::layout::digits;
+use crate::layout::{self, percent};
 use crate::summary::{Summary, criteria, once, sentence};
 
 pub(super) fn summary(assessment: &Assessment) -> Summary {
@@ -75,14 +75,14 @@ fn near(assessment: &Assessment) -> Option<String> {
         Departure::At { factor, verdict: Some(Verdict::BearingFailure) } => {
             let less = assessed.ground.as_ref().and_then(|ground| ground.load_factors?.less);
             let less = less.map_or(String::new(), |less| {
-                format!(", and at {} % with an angle of friction 2° less", digits(100.0 * less))
+                format!(", and at {} with an angle of friction 2° less", percent(less))
             });
-            format!("the ground fails at {} % of {loads}{less}.", digits(100.0 * factor))
+            format!("the ground fails at {} of {loads}{less}.", percent(factor))
         }
         Departure::At { factor, verdict } => {
             let goes = verdict
                 .map_or_else(|| "it moves".to_owned(), |verdict| format!("it {}", predicate(Some(verdict))));
-            format!("at {} % of {loads} {goes}.", digits(100.0 * factor))
+            format!("at {} of {loads} {goes}.", percent(factor))
         }
         Departure::Never if assessed.rises() => format!("no multiple of {loads} moves it."),
         Departure::Never => String::new(),
@@ -90,7 +90,7 @@ fn near(assessment: &Assessment) -> Option<String> {
     let factor = assessment
         .least(|assessed| verdict::least_factor(assessed).map_or(f64::INFINITY, |(least, _)| least));
     let factor = verdict::least_factor(factor).map_or(String::new(), |(least, against)| {
-        format!(" The least safety factor is {}, against {against}.", digits(least))
+        format!(" The least safety factor is {}, against {against}.", layout::factor(least))
     });
     let points = match verdict::is_object(assessed) && assessment.in_time.is_none() {
         true => " What it does after the onset: `standfast simulate`.",

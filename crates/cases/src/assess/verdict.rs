@@ -4,7 +4,7 @@ use standfast::loads::LoadSource;
 use standfast::{Boundary, Departure, Mode, Response, Verdict};
 
 use super::{Assessed, AssessmentView, BaseResponse, predicate};
-use crate::layout::{columns, digits, row};
+use crate::layout::{self, columns, digits, percent, row};
 use crate::summary::listed;
 use crate::units::Extent;
 
@@ -35,7 +35,7 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
 /// load pushes.
 pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
     let (factor, against) = least_factor(assessed).filter(|_| assessed.mode() == Some(Mode::Rest))?;
-    Some(format!("with a safety factor of {} against {against}", digits(factor)))
+    Some(format!("with a safety factor of {} against {against}", layout::factor(factor)))
 }
 
 /// The least of the safety factors: against sliding, against overturning, and of ground that can fail; what it is against. `None` of a body
@@ -194,7 +194,7 @@ fn leaving(departure: &Departure, loads: &str) -> String {
                 Some(verdict) => format!("the body {}", predicate(Some(verdict))),
                 None => "the body moves, in no consistent mode".to_owned(),
             };
-            format!("As {loads} {rises}, {goes} from {} % on.", digits(100.0 * factor))
+            format!("As {loads} {rises}, {goes} from {} on.", percent(factor))
         }
     }
 }
@@ -222,20 +222,20 @@ fn difference(assessed: &Assessed) -> String {
             )
         }
         Departure::At { factor, .. } if factor < 1.0 && rests => format!(
-            "At once, the full load leaves the body at rest; rising, it has moved it before, at {} %.",
-            digits(100.0 * factor)
+            "At once, the full load leaves the body at rest; rising, it has moved it before, at {}.",
+            percent(factor)
         ),
         _ if rests => "The body stays at rest under the full load, applied suddenly or slowly.".to_owned(),
         Departure::At { factor, verdict } if verdict == full => format!(
-            "At once and rising, the body takes up the same mode, {}; rising, it moves from {} % on.",
+            "At once and rising, the body takes up the same mode, {}; rising, it moves from {} on.",
             symbol(full),
-            digits(100.0 * factor)
+            percent(factor)
         ),
         Departure::At { factor, verdict } => format!(
-            "At once, the full load starts {}; rising, the load has started {} before, at {} %.",
+            "At once, the full load starts {}; rising, the load has started {} before, at {}.",
             symbol(full),
             symbol(verdict),
-            digits(100.0 * factor)
+            percent(factor)
         ),
         Departure::Never => format!("At once, the full load starts {}.", symbol(full)),
     }
@@ -246,6 +246,6 @@ pub fn departure_word(departure: &Departure) -> String {
     match *departure {
         Departure::Never => "never".to_owned(),
         Departure::AtOnce { .. } => "at once".to_owned(),
-        Departure::At { factor, .. } => format!("{} %", digits(100.0 * factor)),
+        Departure::At { factor, .. } => percent(factor),
     }
 }

@@ -9,7 +9,7 @@ use super::{
 use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, heading};
 use crate::key::Key;
-use crate::layout::{columns, digits, paragraph, row, significant};
+use crate::layout::{columns, digits, factor, paragraph, row, significant};
 
 pub(super) fn render(design: &Design) -> String {
     let Design { request, quantity, present, .. } = design;
@@ -55,8 +55,8 @@ fn before_and_after(design: &Design) -> String {
     let mut rows = vec![
         row!["", "at present", "found"],
         row![quantity.variable.name(), quantity.shown(quantity.present), &found.text],
-        both("SF sliding", &|answer| digits(least(answer, sliding)) + &under(answer, sliding)),
-        both("SF overturning", &|answer| digits(least(answer, overturning)) + &under(answer, overturning)),
+        both("SF sliding", &|answer| factor(least(answer, sliding)) + &under(answer, sliding)),
+        both("SF overturning", &|answer| factor(least(answer, overturning)) + &under(answer, overturning)),
         both("mode under the full load", &|answer| {
             symbol(answer.least(load_factor).verdict()) + &under(answer, load_factor)
         }),

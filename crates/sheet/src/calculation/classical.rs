@@ -7,7 +7,7 @@ use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case};
 
 use super::loads::{grouped, parts, sum};
-use crate::measured::{KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
+use crate::measured::{FACTOR, KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
 use crate::steps::SheetSteps;
 
 /// Value that common practice asks of both safety factors.
@@ -101,9 +101,9 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
     let ClassicalActions { force, force_moment, .. } = assessed.outcome.actions;
     let about = "Safety against sliding";
     if force > 0.0 {
-        steps.add(about, "", ["SF_sliding", "μ (W' − U)/P"], sliding, NONE, "SF_sliding");
+        steps.add(about, "", ["SF_sliding", "μ (W' − U)/P"], sliding, FACTOR, "SF_sliding");
     } else {
-        steps.told(about, "SF_sliding", sliding, NONE, "no horizontal force acts", "SF_sliding");
+        steps.told(about, "SF_sliding", sliding, FACTOR, "no horizontal force acts", "SF_sliding");
     }
     let heel = ["SF_heel", "(W' t − M_U)/M_p"];
     let about = "Safety against overturning, about the heel";
@@ -121,12 +121,12 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
     let key = "SF_overturning";
     match lesser {
         "" => {
-            steps.told(about, key, stability.overturning(), NONE, "no force turns the body", key);
+            steps.told(about, key, stability.overturning(), FACTOR, "no force turns the body", key);
             if let Some(words) = checks::no_factor(assessed) {
                 steps.note(words);
             }
         }
-        formula => steps.add(about, "", [key, formula], stability.overturning(), NONE, key),
+        formula => steps.add(about, "", [key, formula], stability.overturning(), FACTOR, key),
     }
     gross(steps, assessed, components);
     // That is practice for breakwaters.
@@ -162,7 +162,7 @@ fn gross(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component]) 
     let about = "Safety against overturning by gross moments";
     if gross.buoyancy == 0.0 && actions.uplift == 0.0 && actions.uplift_moment == 0.0 {
         let words = "the same: nothing presses under the base";
-        return steps.told(about, key, gross.overturning(), NONE, words, key);
+        return steps.told(about, key, gross.overturning(), FACTOR, words, key);
     }
     steps.note(
         "The net factor takes the moments of buoyancy and uplift off that of the weight. By gross moments the weight resists in \
@@ -183,15 +183,15 @@ fn gross(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component]) 
     }
     if gross.overturning() == 0.0 {
         let words = "uplift or eccentric weight turn the body without any horizontal force";
-        return steps.told(about, key, 0.0, NONE, words, key);
+        return steps.told(about, key, 0.0, FACTOR, words, key);
     }
     if !gross.overturning().is_finite() {
-        return steps.told(about, key, gross.overturning(), NONE, "nothing turns the body", key);
+        return steps.told(about, key, gross.overturning(), FACTOR, "nothing turns the body", key);
     }
     let corner = if gross.is_about_heel() { "heel" } else { "toe" };
     let about = format!("{about}, about the {corner}");
     let formula = checks::gross_formula(gross, actions.uplift);
-    steps.add(&about, "", [key, formula], gross.overturning(), NONE, key);
+    steps.add(&about, "", [key, formula], gross.overturning(), FACTOR, key);
 }
 
 /// A factor against overturning about a corner; `pushed` says whether a force turns the body about it.
@@ -206,10 +206,10 @@ fn overturning(
     let words = match factor {
         // As well where a force pushes on, and the formula gives less than nothing.
         0.0 => "uplift or eccentric weight turn the body without any horizontal force",
-        _ if pushed => return steps.add(about, "", formula, factor, NONE, key),
+        _ if pushed => return steps.add(about, "", formula, factor, FACTOR, key),
         _ => "no force turns the body that way",
     };
-    steps.told(about, formula[0], factor, NONE, words, key);
+    steps.told(about, formula[0], factor, FACTOR, words, key);
 }
 
 fn pressure(steps: &mut SheetSteps, assessed: &Assessed) {

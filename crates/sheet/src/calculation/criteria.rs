@@ -4,7 +4,7 @@ use standfast_cases::Bound;
 use standfast_cases::{Assessed, Case, CaseCheck, Key};
 
 use super::mode::capital;
-use crate::measured::{KILOPASCAL, METRE, MRAD, NONE, SheetUnit};
+use crate::measured::{FACTOR, KILOPASCAL, METRE, MRAD, NONE, SheetUnit};
 use crate::steps::SheetSteps;
 
 pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) {
@@ -32,37 +32,37 @@ fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
     };
     if criterion.key == Key::GreatestNotRest {
         let words = format!("{} of {}, see Probability", check.value_words(assessed), criterion.required());
-        return steps.told(&about, &name, check.utilisation.unwrap_or(f64::INFINITY), NONE, &words, "");
+        return steps.told(&about, &name, check.utilisation.unwrap_or(f64::INFINITY), FACTOR, &words, "");
     }
     let (value, unit) = quantity(criterion.key);
     let utilisation = check.utilisation.unwrap_or(f64::INFINITY);
     if !assessed.is_reported {
         let words =
             format!("{}, under another of the accelerations of the base", check.value_words(assessed));
-        return steps.told(&about, &name, utilisation, NONE, &words, "");
+        return steps.told(&about, &name, utilisation, FACTOR, &words, "");
     }
     if utilisation == 0.0 || utilisation == f64::INFINITY {
-        return steps.told(&about, &name, utilisation, NONE, &check.value_words(assessed), "");
+        return steps.told(&about, &name, utilisation, FACTOR, &check.value_words(assessed), "");
     }
     let required = format!("R_{}", letters(criterion.key));
     steps.know(&required, bound, unit);
     let formula = if least { format!("{required}/{value}") } else { format!("{value}/{required}") };
-    steps.add(&about, "", [&name, &formula], utilisation, NONE, "");
+    steps.add(&about, "", [&name, &formula], utilisation, FACTOR, "");
 }
 
 /// The name under which the calculation has the value of a criterion, and its unit.
 fn quantity(key: Key) -> (&'static str, SheetUnit) {
     match key {
-        Key::LeastSliding => ("SF_sliding", NONE),
-        Key::LeastOverturning => ("SF_overturning", NONE),
-        Key::LeastOverturningGross => ("SF_overturning_gross", NONE),
+        Key::LeastSliding => ("SF_sliding", FACTOR),
+        Key::LeastOverturning => ("SF_overturning", FACTOR),
+        Key::LeastOverturningGross => ("SF_overturning_gross", FACTOR),
         Key::GreatestBearing => ("p_max", KILOPASCAL),
         Key::LeastContact => ("ψ", NONE),
         Key::GreatestEccentricity => ("ε", METRE),
-        Key::LeastGround => ("F_R", NONE),
+        Key::LeastGround => ("F_R", FACTOR),
         Key::GreatestEffective => ("p_b", KILOPASCAL),
         Key::GreatestRotation => ("θ_b", MRAD),
-        _ => ("λ_d", NONE),
+        _ => ("λ_d", FACTOR),
     }
 }
 

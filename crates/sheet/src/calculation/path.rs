@@ -6,7 +6,7 @@ use standfast_cases::assess::{Component, verdict};
 use standfast_cases::{Assessed, AssessmentView};
 
 use super::loads::{parts, sum};
-use crate::measured::{KILONEWTON, MOMENT, NONE, number};
+use crate::measured::{FACTOR, KILONEWTON, MOMENT, number};
 use crate::steps::SheetSteps;
 
 pub(super) fn steps(
@@ -72,17 +72,17 @@ fn departure(steps: &mut SheetSteps, assessed: &Assessed, components: &[Componen
     let of_ground = assessed.ground.as_ref().and_then(|ground| ground.load_factors).map(|found| found.given);
     if found.is_none() && of_ground.is_some_and(|given| (given - factor).abs() <= 1e-9 * factor) {
         let about = format!("{ABOUT}: the base does not bear more");
-        return steps.add(&about, "", [NAME, "λ_R"], factor, NONE, KEY);
+        return steps.add(&about, "", [NAME, "λ_R"], factor, FACTOR, KEY);
     }
     let Some(condition) = found else {
         let words = "the least λ at which a condition of rest is crossed";
-        return steps.told(ABOUT, NAME, factor, NONE, words, KEY);
+        return steps.told(ABOUT, NAME, factor, FACTOR, words, KEY);
     };
     sums(steps, components, true, &condition.permanent, &permanent);
     sums(steps, components, false, &condition.variable, &variable);
     let about = format!("{ABOUT}: the least at which a condition of rest is crossed, {}", condition.words);
     let formula = format!("{}/{}", written(&condition.permanent), written(&condition.variable));
-    steps.add(&about, "", [NAME, &formula], factor, NONE, KEY);
+    steps.add(&about, "", [NAME, &formula], factor, FACTOR, KEY);
 }
 
 /// The conditions of rest with what the loads are to them; `along` is the force along the base where the body leaves rest.

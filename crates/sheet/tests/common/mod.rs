@@ -257,7 +257,10 @@ fn unit(text: &str) -> f64 {
 /// A number with the unit behind it, in SI units; angles in radians.
 pub fn si(element: ElementRef<'_>, attribute: &str) -> Option<f64> {
     let value: f64 = element.attr(attribute)?.parse().ok()?;
-    let behind = element.next_siblings().filter_map(ElementRef::wrap).next();
+    // The unit of an input that is a list stands behind its last number.
+    let list = within(element, "inputs");
+    let mut siblings = element.next_siblings().filter_map(ElementRef::wrap);
+    let behind = siblings.find(|next| !(list && next.value().name() == "data"));
     let text = behind.filter(|next| next.value().name() == "mtext" || next.attr("class") == Some("unit"));
     let degree = element
         .next_sibling()

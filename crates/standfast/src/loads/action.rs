@@ -278,7 +278,7 @@ impl<T: Scalar> BodyForce<T> {
     /// Its wrench at the centre of mass of a body that stands upright.
     fn upright(self) -> Wrench<T> {
         let ([x, y], [right, up]) = (self.at, self.size);
-        Wrench { x: right.clone(), p: T::of(0.0) - up.clone(), m: x * up - y * right }
+        Wrench { x: right.clone(), p: T::of(0.0) - up.clone(), m: (x * up).plus(-(y * right)) }
     }
 }
 
@@ -329,12 +329,12 @@ fn pressed<T: Scalar>(body: &Body<T>, face: Face, diagram: &PressureDiagram<T>) 
     let zero = || T::of(0.0);
     let (force, moment) = diagram.resultant_on(body, face);
     // About C: of a side by its height, of the base and the top by the distance to the right.
-    let about = |distance: T| moment.clone() - force.clone() * distance;
+    let about = |distance: T| moment.clone().plus(-(force.clone() * distance));
     match face {
         Face::Left => Wrench { m: zero() - about(body.centroid_height()), x: force, p: zero() },
         Face::Right => Wrench { m: about(body.centroid_height()), x: zero() - force, p: zero() },
         Face::Base => Wrench { m: about(body.heel_distance()), x: zero(), p: zero() - force },
-        Face::Top => Wrench { m: force.clone() * body.heel_distance() - moment, x: zero(), p: force },
+        Face::Top => Wrench { m: zero() - about(body.heel_distance()), x: zero(), p: force },
     }
 }
 
