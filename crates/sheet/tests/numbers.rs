@@ -231,6 +231,80 @@ fn every_number_put_in_stands_elsewhere_on_the_sheet() {
     }
 }
 
+/// Parts whose centres and edges meet but for rounding, a uniform pressure on the middle of the top, and a head of water that is none.
+const ROUNDED: [&str; 2] = [
+    r#"
+[body]
+friction = 0.6
+[[part]]
+name = "first course"
+left = "0.1 m"
+width = "1.2 m"
+bottom = 0
+height = "0.6 m"
+density = "2400 kg/m3"
+[[part]]
+name = "second course"
+left = "0.2 m"
+width = "1.0 m"
+bottom = "0.6 m"
+height = "0.6 m"
+density = "2350 kg/m3"
+[[part]]
+name = "third course"
+left = "0.35 m"
+width = "0.7 m"
+bottom = "1.2 m"
+height = "0.6 m"
+density = "2300 kg/m3"
+[[pressure]]
+name = "backfill"
+face = "right"
+elevation = ["0 m", "1.8 m"]
+pressure = ["9.1 kPa", "0 kPa"]
+[[pressure]]
+name = "surcharge"
+face = "top"
+distance = ["0 m", "1.2 m"]
+pressure = ["3.3 kPa", "3.3 kPa"]
+permanent = true
+"#,
+    r#"
+[body]
+width = "18.7 m"
+height = "15.1 m"
+density = "2150 kg/m3"
+friction = 0.6
+[water]
+level = "8.3 m"
+density = "1030 kg/m3"
+[[pressure]]
+name = "trough"
+face = "left"
+elevation = ["0 m", "8.3 m"]
+pressure = ["-29.3 kPa", "-29.3 kPa"]
+[[pressure]]
+name = "uplift"
+face = "base"
+distance = ["0 m", "18.7 m"]
+pressure = ["17.3 kPa", "17.3 kPa"]
+"#,
+];
+
+#[test]
+fn what_cancels_is_zero() {
+    let rounded = ROUNDED.iter().map(|text| ("rounded".to_owned(), (*text).to_owned()));
+    for (name, text) in cases().into_iter().chain(rounded) {
+        let warnings = CaseFile::parse(&name, &text).unwrap().case().unwrap().warnings();
+        assert!(name != "rounded" || warnings.is_empty(), "{warnings:?}");
+        let html = document(&name, &text);
+        for data in select(&html, "data[value], [data-value]") {
+            let shown = common::shown(data).abs();
+            assert!(shown == 0.0 || shown > 1e-9, "{name}: {} stands for zero", data.html());
+        }
+    }
+}
+
 #[test]
 fn what_is_shown_is_what_is_meant() {
     for (name, text) in cases() {

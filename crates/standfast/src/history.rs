@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
+use crate::ball::Scalar;
 use crate::number::exact;
 
 /// The fault of one point of a history.
@@ -416,11 +417,12 @@ impl History {
         let mut corners: Vec<[f64; 2]> = Vec::with_capacity(2 * self.pieces.len() + 1);
         for (t, piece) in self.times.windows(2).zip(&*self.pieces) {
             let Piece::Line { value, slope } = *piece else { return None };
-            if corners.last().is_none_or(|last| *last != [t[0], value]) {
+            // A step of rounding alone is none.
+            if corners.last().is_none_or(|last| last[0] != t[0] || last[1].plus(-value) != 0.0) {
                 corners.push([t[0], value]);
             }
             if t[1].is_finite() {
-                corners.push([t[1], if slope == 0.0 { value } else { value + slope * (t[1] - t[0]) }]);
+                corners.push([t[1], if slope == 0.0 { value } else { value.plus(slope * (t[1] - t[0])) }]);
             }
         }
         let last = corners.last().copied().filter(|last| last[1] != 0.0 && last[0] == self.end());
@@ -445,8 +447,8 @@ impl History {
                 changes.push(HistoryChange { at: to, step: high - low, slope: 0.0 });
                 continue;
             }
-            let next = (high - low) / (to - from);
-            changes.push(HistoryChange { at: from, step: 0.0, slope: next - slope });
+            let next = high.plus(-low) / (to - from);
+            changes.push(HistoryChange { at: from, step: 0.0, slope: next.plus(-slope) });
             slope = next;
         }
         let last = corners[corners.len() - 1][0];

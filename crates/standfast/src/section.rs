@@ -391,8 +391,12 @@ impl Section {
             // As the report's body, to the last bit.
             return Ok(body);
         }
+        // The base of a body that is as wide as it has the body's corners, and not those but for rounding.
+        let half = body.width() / 2.0;
+        let edge =
+            |distance: f64| if (distance - half).abs() > COMPUTED * self.size { distance } else { half };
         let [o, o_prime] = centred.base();
-        let base = BaseEdges { left: 0.0 - o, right: o_prime };
+        let base = BaseEdges { left: edge(0.0 - o), right: edge(o_prime) };
         body.standing(base, centre.x, centre.y)?.with_moment_of_inertia(moment_of_inertia * length)
     }
 
