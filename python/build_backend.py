@@ -39,7 +39,8 @@ def stub(module: str) -> str:
     """The stub of a module."""
     schema = schema_module()
     found = list(schema.classes(module))
-    lines = [HEADER, f"__all__ = {sorted(one.name for one in found)}"]
+    header = HEADER if module == "answers" else f"{HEADER}\nfrom .answers import Summary"
+    lines = [header, f"__all__ = {sorted(one.name for one in found)}"]
     for one in found:
         lines += ["", f"class {one.name}({one.base}):", _docstring(one.words, 4), *_properties(one.keys)]
     if module == "answers":

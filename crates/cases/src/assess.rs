@@ -26,7 +26,7 @@ pub use standfast_answers::assess::{
     AnyCheck, Assessed, Assessment, BaseResponse, CaseCheck, Component, Elastic, MotionAssessment, predicate,
 };
 pub use text::criteria_met;
-pub(crate) use text::{heading, met_words};
+pub(crate) use text::{heading, met_words, note, title};
 
 /// Load factor up to which a rising load is followed where nothing else is said, as a multiple of the full load.
 pub const UP_TO: f64 = 2.0;

@@ -2,17 +2,23 @@
 
 mod boundary;
 mod json;
+mod summary;
 mod text;
 
 use standfast::InputError;
 
 use crate::document::{AnswerFigure, Document};
+use crate::summary::Summary;
 pub use boundary::boundary_csv;
 pub use standfast_answers::design::*;
 
 /// JSON as `docs/design.schema.json` has it.
 impl Document for Design {
     type View = ();
+
+    fn summary(&self) -> Option<Summary> {
+        Some(summary::summary(self))
+    }
 
     fn text(&self, (): &()) -> String {
         text::render(self)

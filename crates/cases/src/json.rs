@@ -1,7 +1,13 @@
 //! JSON documents.
 
 use serde::{Serialize, Serializer};
+use standfast::Modes;
+use standfast_answers::results::ResultValue;
 pub(crate) use standfast_answers::results::number_or_word;
+use standfast_model::Bound;
+
+use crate::assess::{AnyCheck, CaseCheck};
+use crate::motion::{MotionCheck, MotionValue};
 
 /// The version of the documents.
 pub(crate) const SCHEMA: u32 = 1;
@@ -20,5 +26,62 @@ pub(crate) fn optional_number_or_word<S: Serializer>(
     match number {
         Some(number) => number_or_word(number, serializer),
         None => serializer.serialize_none(),
+    }
+}
+
+/// Bound of a criterion: a number in SI units, the modes that are not allowed, or `false` of what must not happen.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum RequiredBound {
+    /// A number.
+    Number(f64),
+    /// Modes.
+    Modes(Modes),
+    /// True or false.
+    Truth(bool),
+}
+
+/// A criterion in a document: its bound, its value and what is used of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct CheckEntry {
+    pub name: &'static str,
+    pub required: RequiredBound,
+    pub value: ResultValue,
+    /// Null for modes, which use no share of anything.
+    #[serde(serialize_with = "optional_number_or_word")]
+    pub utilisation: Option<f64>,
+    pub met: bool,
+}
+
+impl CheckEntry {
+    pub(crate) fn of(check: &AnyCheck<'_>) -> CheckEntry {
+        match check {
+            AnyCheck::Instant(CaseCheck { check, .. }) => CheckEntry {
+                name: check.criterion.name(),
+                required: match check.criterion.bound {
+                    Bound::AtLeast(number) | Bound::AtMost(number) => RequiredBound::Number(number),
+                    Bound::NoneOf(modes) => RequiredBound::Modes(modes),
+                },
+                value: check.value,
+                utilisation: check.utilisation,
+                met: check.met,
+            },
+            AnyCheck::Motion(check, _) => CheckEntry::of_motion(check),
+        }
+    }
+
+    pub(crate) fn of_motion(check: &MotionCheck) -> CheckEntry {
+        let MotionCheck { criterion, value, utilisation, met, .. } = *check;
+        CheckEntry {
+            name: criterion.name(),
+            required: criterion.bound().map_or(RequiredBound::Truth(false), RequiredBound::Number),
+            value: match value {
+                MotionValue::Number(number) => ResultValue::Number(number),
+                MotionValue::Truth(truth) => ResultValue::Truth(truth),
+                MotionValue::None => ResultValue::Nothing,
+            },
+            utilisation,
+            met,
+        }
     }
 }

@@ -42,6 +42,7 @@ mod summary;
 pub use assess::{Assessed, Assessment, AssessmentView, UpToError, check_up_to};
 pub use document::{AnswerFigure, Document};
 pub use interface::Interface;
+pub use json::RequiredBound;
 pub use report::{coloured, report};
 pub use standfast_answers::{CaseCheck, Check, criteria, results, sweep};
 pub use standfast_inputs::{
@@ -49,7 +50,7 @@ pub use standfast_inputs::{
     ReadFile, RecordFile, Value, key, suggest, units,
 };
 pub use standfast_model::{Acting, Bound, Case, CaseFile, Criterion, Warning, case, couple};
-pub use summary::Summary;
+pub use summary::{GoverningCriterion, Summary};
 
 use standfast_inputs::{explained, record};
 

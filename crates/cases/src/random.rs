@@ -2,16 +2,22 @@
 
 mod document;
 mod figures;
+mod summary;
 mod text;
 
 use standfast::InputError;
 
 use crate::document::{AnswerFigure, Document};
+use crate::summary::Summary;
 pub use standfast_answers::random::*;
 
 /// JSON as `docs/probability.schema.json` has it: of the least safe set of loads, and behind it of the others.
 impl Document for Probability {
     type View = ();
+
+    fn summary(&self) -> Option<Summary> {
+        Some(summary::summary(self))
+    }
 
     fn text(&self, (): &()) -> String {
         text::text(self)

@@ -1,26 +1,56 @@
 //! Top of an answer: what is asked first, in three sentences.
 
 use serde::Serialize;
+use standfast_answers::results::ResultValue;
 
+use crate::json::{CheckEntry, RequiredBound, optional_number_or_word};
 use crate::layout::paragraph;
 
-/// Top of an answer, each part a sentence.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+/// Top of an answer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
-    /// Whether the criteria are met, and the governing one; `None` where there is none.
+    /// Whether the criteria are met and which governs, in a sentence; `None` where there is none.
+    #[serde(skip)]
     pub criteria: Option<String>,
-    /// What happens.
-    pub happens: String,
-    /// How near another answer is; `None` where nothing tells.
+    /// What happens, in a sentence.
+    pub answer: String,
+    /// True if all criteria are met; `None` where there is none.
+    pub met: Option<bool>,
+    /// The governing criterion.
+    pub governing: Option<GoverningCriterion>,
+    /// How near another answer is, in a sentence; `None` where nothing tells.
     pub near: Option<String>,
     /// The names of the warnings.
     pub warnings: Vec<&'static str>,
 }
 
+/// The criterion of which most is used.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GoverningCriterion {
+    /// Its name.
+    pub criterion: &'static str,
+    /// The loads under which it is met worst; `None` where there is one set of them.
+    pub situation: Option<String>,
+    /// Its value.
+    pub value: ResultValue,
+    /// Its bound.
+    pub required: RequiredBound,
+    /// Share of the bound that is used, 1 at most where it is met; `None` where nothing is measured.
+    #[serde(serialize_with = "optional_number_or_word")]
+    pub utilisation: Option<f64>,
+}
+
+impl GoverningCriterion {
+    pub(crate) fn of(check: CheckEntry, situation: Option<String>) -> GoverningCriterion {
+        let CheckEntry { name: criterion, required, value, utilisation, .. } = check;
+        GoverningCriterion { criterion, situation, value, required, utilisation }
+    }
+}
+
 impl Summary {
     /// The sentences, each a paragraph, and the names of the warnings.
     pub fn text(&self) -> String {
-        let sentences = [self.criteria.as_ref(), Some(&self.happens), self.near.as_ref()];
+        let sentences = [self.criteria.as_ref(), Some(&self.answer), self.near.as_ref()];
         let mut text: String =
             sentences.into_iter().flatten().map(|sentence| paragraph(sentence, 0)).collect();
         if !self.warnings.is_empty() {

@@ -83,6 +83,32 @@ fn a_criterion_counts_the_upper_end_of_the_interval() {
     assert!(!criterion.is_met() && criterion.counted() == high, "{criterion:?}");
 }
 
+/// The top of the answer says the probability of the law with its period, and the criterion with what is used of it.
+#[test]
+fn the_top_says_what_the_probability_is_of() {
+    let p = above((0.5 * 60e3 * 9.81 - 200e3) / 20e3);
+    let text = format!("{BLOCK}{PUSH}[criteria]\np_not_rest = {:e}\n[random]\n{LAW}", 2.0 * p);
+    let top = answer(&text, ChanceRequest::default()).summary().unwrap();
+    let governing = top.governing.unwrap();
+    assert_eq!((top.met, governing.criterion), (Some(true), "p_not_rest"));
+    assert!((governing.utilisation.unwrap() - 0.5).abs() < 1e-9, "{governing:?}");
+    assert!(top.criteria.unwrap().ends_with("(utilisation 0.5000)."));
+    let shown = |words: &str, after: &str| {
+        let rest = words.split(after).nth(1).unwrap_or_else(|| panic!("{words}"));
+        rest.split(['(', ' ']).next().unwrap().trim_end_matches('.').parse::<f64>().expect("a number")
+    };
+    let event = shown(&top.answer, "in one event is ");
+    assert!((event / p - 1.0).abs() < 5e-4, "{} {p}", top.answer);
+    assert!(top.answer.ends_with("It then slides to the left, SL."), "{}", top.answer);
+
+    // Drawn anew each year, over ten of them.
+    let yearly = text.replace("sd = 20e3 } }", "sd = 20e3 }, every = \"year\" }") + "years = 10\n";
+    let top = answer(&yearly, ChanceRequest::default()).summary().unwrap();
+    assert!((shown(&top.answer, "in one year is ") / p - 1.0).abs() < 5e-4, "{}", top.answer);
+    let life = 1.0 - (1.0 - p).powi(10);
+    assert!((shown(&top.answer, "At least once in 10 years: ") / life - 1.0).abs() < 5e-4, "{}", top.answer);
+}
+
 /// Two forces that act one by one, each with a law of its own: that any of them moves the body is 1 − (1 − p₁)(1 − p₂); with one
 /// friction for both it is the chance of the worse.
 #[test]

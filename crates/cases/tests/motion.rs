@@ -552,7 +552,7 @@ fn a_motion_that_is_cut_off_is_not_at_rest() {
     let follow = |t_max: &str| {
         let file = CaseFile::parse("case.toml", &text(t_max)).unwrap();
         let answers = FollowedMotion::of_file(&file, &Follow::default()).unwrap();
-        let words = answers.summary().unwrap().happens;
+        let words = answers.summary().unwrap().answer;
         (answers.into_iter().next().unwrap().outcome, words)
     };
     let (before, words) = follow("2");

@@ -30,7 +30,7 @@ impl PrintedAnswer {
     pub fn of<D: Document + ?Sized>(
         answer: &D,
         view: &D::View,
-        shown: impl Into<Shown>,
+        shown: Shown,
         figures: Figures<'_>,
         (case, read): (&Path, &FilesRead),
     ) -> PrintedAnswer {
@@ -42,17 +42,13 @@ impl PrintedAnswer {
         } else {
             None
         };
-        let answer = match shown.into() {
-            Shown::Whole(Format::Text) => {
-                let gap = if drawn.is_empty() && undrawn.is_none() { "" } else { "\n" };
-                answer.text(view) + gap + &figures::said(&drawn)
-            }
-            Shown::Whole(Format::Json) => answer.json(view, &figures::files(drawn)),
-            Shown::Brief => {
-                answer.summary().map_or_else(|| answer.text(view), |summary| summary.text())
-                    + &figures::said(&drawn)
-            }
-        };
-        PrintedAnswer { answer, undrawn, met: None }
+        let said = figures::said(&drawn);
+        let mut text = shown.text(answer, view, &figures::files(drawn));
+        if shown != Shown::Whole(Format::Json) {
+            let gap = if said.is_empty() && undrawn.is_none() || shown == Shown::Brief { "" } else { "\n" };
+            text += gap;
+            text += &said;
+        }
+        PrintedAnswer { answer: text, undrawn, met: None }
     }
 }

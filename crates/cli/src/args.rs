@@ -376,6 +376,12 @@ pub struct ProbabilityArgs {
     /// How many threads work; the answer does not depend on it [default: as many as the machine has cores]
     #[arg(long)]
     pub threads: Option<NonZeroUsize>,
+    /// End with exit code 3 if p_not_rest of [criteria] is not met
+    #[arg(long)]
+    pub check: bool,
+    /// Print the top of the answer alone: criterion, probability, what it hangs on; figures only where --output says so
+    #[arg(long, conflicts_with = "format")]
+    pub brief: bool,
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -506,6 +512,9 @@ pub struct DesignArgs {
     /// Pixels of a png per unit of the svg
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true, value_parser = scale)]
     pub scale: f32,
+    /// Print the top of the answer alone: the value found, and what fails just beyond it
+    #[arg(long, conflicts_with_all = ["format", "and"])]
+    pub brief: bool,
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -15,7 +15,7 @@ use crate::case_file;
 use crate::draw::PictureFile;
 use crate::error::{CommandError, Result};
 use crate::files_read::FilesRead;
-use crate::format::Format;
+use crate::format::{Format, Shown};
 use crate::write::{self, ExtensionError};
 
 /// A file for the boundary of two quantities, whose extension says what is written.
@@ -79,10 +79,7 @@ pub fn design(args: &DesignArgs) -> Result<String> {
     };
     let Some(and) = args.and.clone() else {
         let design = Design::of(&file, request)?;
-        return Ok(match args.format {
-            Format::Text => design.text(&()),
-            Format::Json => design.json(&(), &[]),
-        });
+        return Ok(Shown::of(args.brief, args.format).text(&design, &(), &[]));
     };
     let request =
         BoundaryRequest { design: request, and, from: args.and_from.clone(), to: args.and_to.clone() };

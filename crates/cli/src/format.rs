@@ -1,6 +1,7 @@
 //! Formats of an answer.
 
 use clap::ValueEnum;
+use standfast_cases::Document;
 
 /// Format of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -26,10 +27,13 @@ impl Shown {
     pub fn of(brief: bool, format: Format) -> Shown {
         if brief { Shown::Brief } else { Shown::Whole(format) }
     }
-}
 
-impl From<Format> for Shown {
-    fn from(format: Format) -> Shown {
-        Shown::Whole(format)
+    /// This part of an answer; `figures` are the files of its figures.
+    pub fn text<D: Document + ?Sized>(self, answer: &D, view: &D::View, figures: &[String]) -> String {
+        match self {
+            Shown::Whole(Format::Text) => answer.text(view),
+            Shown::Whole(Format::Json) => answer.json(view, figures),
+            Shown::Brief => answer.summary().map_or_else(|| answer.text(view), |summary| summary.text()),
+        }
     }
 }

@@ -77,7 +77,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
             print(&format!("Calculation sheet written to {}\n", args.output))
         }
         Command::Probability(args) => {
-            return ended(probability::probability(&args)?, false);
+            return ended(probability::probability(&args)?, args.check);
         }
         Command::Simulate(args) => {
             return ended(simulate::simulate(&args)?, args.check);

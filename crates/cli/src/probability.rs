@@ -11,10 +11,10 @@ use standfast_tables::{PlainColumn, PlainValues, TableFormat, write_columns};
 use crate::answer::PrintedAnswer;
 use crate::args::{ProbabilityArgs, RotationsArg};
 use crate::case_file;
-use crate::error::Result;
+use crate::error::{CommandError, Result};
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
-use crate::format::Format;
+use crate::format::{Format, Shown};
 use crate::write::{self, ExtensionError, Pending};
 
 /// A file of draws, whose extension says how it is written.
@@ -66,15 +66,24 @@ pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer> {
     let plainly = ChanceRequest { effort, years: args.years, follow, ..ChanceRequest::default() };
     let request = args.method.map_or(plainly, |method| plainly.with(method));
     let answer = &Probability::along(&case, request, args.over.as_ref())?;
+    if args.check && answer.criterion.is_none() {
+        return Err(CommandError::NothingToCheck {
+            path: args.case.clone(),
+            of: " of the probability",
+            example: "p_not_rest = 0.1",
+        });
+    }
     if let Some(file) = &args.draws {
         write_draws(WeighedDraws::of(&case, answer)?, file, &read)?;
     }
-    let figures = Figures::asked(args.output.as_deref(), args.no_figures);
-    let mut printed = PrintedAnswer::of(answer, &(), args.format, figures, (&args.case, &read));
+    let figures =
+        Figures::asked(args.output.as_deref(), args.no_figures || (args.brief && args.output.is_none()));
+    let shown = Shown::of(args.brief, args.format);
+    let mut printed = PrintedAnswer::of(answer, &(), shown, figures, (&args.case, &read));
     if let (Format::Text, Some(file)) = (args.format, &args.draws) {
         let _ = write!(printed.answer, "\nDraws written to {}\n", file.path.display());
     }
-    Ok(printed)
+    Ok(PrintedAnswer { met: answer.criterion.map(|criterion| criterion.is_met()), ..printed })
 }
 
 /// A row for each draw: the numbers, the weight and the mode, and of several sets of loads which.

@@ -11,7 +11,7 @@ use crate::case_file;
 use crate::error::Result;
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
-use crate::format::Format;
+use crate::format::{Format, Shown};
 use crate::progress::Motions;
 use crate::write;
 
@@ -44,7 +44,8 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String> {
         return Ok(spectrum_csv(&spectrum));
     }
     let figures = Figures::asked(args.output.as_deref(), false);
-    let mut printed = PrintedAnswer::of(&spectrum, &(), args.format, figures, (&args.case, &read));
+    let mut printed =
+        PrintedAnswer::of(&spectrum, &(), Shown::Whole(args.format), figures, (&args.case, &read));
     if let Some(error) = printed.undrawn {
         return Err(error);
     }

@@ -21,7 +21,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
             h2 { "Summary" }
             @if let Some(in_time) = assessment.in_time.as_ref().filter(|in_time| !in_time.motions.is_empty()) {
                 @if let Some(top) = in_time.motions.summary() {
-                    p.verdict { strong { (top.happens) } }
+                    p.verdict { strong { (top.answer) } }
                     @if let Some(near) = &top.near { p.note { (near) } }
                 }
                 p.note { "At the first instant, as if the peaks stayed:" }

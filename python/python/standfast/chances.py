@@ -3,5 +3,6 @@
 """
 
 from ._answer import make_classes
+from .answers import Summary as Summary
 
 __all__ = make_classes("chances", globals())

@@ -6,5 +6,6 @@ a number without bound is ``math.inf``.
 """
 
 from ._answer import make_classes
+from .answers import Summary as Summary
 
 __all__ = make_classes("designs", globals())

@@ -64,11 +64,14 @@ impl Quantity {
         format!("from {from} to {to}")
     }
 
-    /// A value with its unit, to four digits.
+    /// A value of the case with its unit, to the digits that are given of most.
     pub fn shown(&self, value: f64) -> String {
-        with_unit(value, &self.variable, DIGITS)
+        with_unit(value, &self.variable, GIVEN)
     }
 }
+
+/// Significant digits that few numbers of a case have more of.
+const GIVEN: usize = 6;
 
 /// A number with the unit of plain numbers, in so many significant digits.
 pub fn with_unit(value: f64, variable: &Variable, count: usize) -> String {

@@ -2,7 +2,6 @@
 //!
 //! A bound is met by a motion that was followed to its end: of a body that still moves when the time is up nobody knows how far it gets.
 
-use serde::{Serialize, Serializer};
 use standfast_model::MotionCriterion;
 use standfast_motion::{End, MotionOutcome};
 
@@ -124,14 +123,4 @@ pub(crate) fn worst_checks(
     let mut checks: Vec<_> = criteria.iter().filter_map(worst).collect();
     checks.sort_by(|(one, _), (two, _)| two.urgency().total_cmp(&one.urgency()));
     checks
-}
-
-impl Serialize for MotionValue {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            MotionValue::Number(number) => serializer.serialize_f64(*number),
-            MotionValue::Truth(truth) => serializer.serialize_bool(*truth),
-            MotionValue::None => serializer.serialize_none(),
-        }
-    }
 }

@@ -21,7 +21,8 @@ use super::subject::{ChanceSubject, problems_of};
 use crate::couple::Variable;
 use crate::digits::digits;
 use crate::units::Dimension;
-use standfast_model::CaseFile;
+use standfast_inputs::random::Rate;
+use standfast_model::{CaseFile, Warning};
 
 /// Method by which probabilities are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -218,12 +219,19 @@ pub struct RandomNumber {
     pub cut: f64,
     /// The dimension of its values, where they have one.
     pub dimension: Option<Dimension>,
+    /// True if it is drawn anew each year.
+    pub yearly: bool,
 }
 
 impl RandomNumber {
     pub(super) fn of(input: &RandomInput) -> RandomNumber {
         let dimension = input.variable().and_then(Variable::dimension);
-        RandomNumber { name: input.name.clone(), cut: input.cut, dimension }
+        RandomNumber {
+            name: input.name.clone(),
+            cut: input.cut,
+            dimension,
+            yearly: input.every == Rate::Year,
+        }
     }
 
     /// A value of it on paper: with its unit, of a dimension.
@@ -265,6 +273,14 @@ pub struct Probability {
 }
 
 impl Probability {
+    /// Unusual numbers of the case at its present values.
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.problem
+            .as_ref()
+            .and_then(|problem| problem.case())
+            .map_or(Vec::new(), |(case, _)| case.warnings())
+    }
+
     /// The answer to a file with a `[random]` table: a case, one in time at its first instant, a `[point]` of the report's plane, or
     /// a `[storm]` without a body.
     ///

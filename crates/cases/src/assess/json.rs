@@ -14,13 +14,11 @@ use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck};
 use crate::case::{self, Acting, Case, PointForce, Waves};
-use crate::json::{SCHEMA, number_or_word, optional_number_or_word, written};
-use crate::motion::{self, MotionValue};
+use crate::json::{CheckEntry, SCHEMA, number_or_word, written};
 use crate::point::{PointDocument, RelationDocument};
 use crate::results::{self, ResultName, ResultValue};
 use crate::summary::Summary;
 use crate::units::Extent;
-use standfast_model::Bound;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -249,34 +247,12 @@ struct OtherEarthquake {
 
 #[derive(Serialize)]
 struct Criterion {
-    name: &'static str,
-    required: Required,
-    value: CheckedValue,
-    /// Null for modes, which use no share of anything.
-    #[serde(serialize_with = "optional_number_or_word")]
-    utilisation: Option<f64>,
-    met: bool,
+    #[serde(flatten)]
+    check: CheckEntry,
     /// The place of the situation.
     situation: usize,
     /// The acceleration of the base that is worst for it.
     earthquake: Option<Earthquake>,
-}
-
-/// Value of a result of the first instant, or of the motion.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum CheckedValue {
-    Instant(ResultValue),
-    Motion(MotionValue),
-}
-
-/// A number in SI units, or the modes that are not allowed.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Required {
-    Number(f64),
-    Modes(Modes),
-    Motion(motion::json::Required),
 }
 
 #[derive(Serialize)]
@@ -498,25 +474,12 @@ impl OtherEarthquake {
 
 impl Criterion {
     fn of(assessment: &Assessment, check: &AnyCheck<'_>) -> Criterion {
-        let (required, value, utilisation, earthquake) = match check {
-            AnyCheck::Instant(CaseCheck { check, assessed }) => {
-                let required = match check.criterion.bound {
-                    Bound::AtLeast(number) | Bound::AtMost(number) => Required::Number(number),
-                    Bound::NoneOf(modes) => Required::Modes(modes),
-                };
-                let earthquake = assessed.earthquake.as_ref().map(Earthquake::of);
-                (required, CheckedValue::Instant(check.value), check.utilisation, earthquake)
-            }
+        let earthquake = match check {
+            AnyCheck::Instant(CaseCheck { assessed, .. }) => assessed.earthquake.as_ref().map(Earthquake::of),
             // The base moves as its records say, with no one acceleration.
-            AnyCheck::Motion(check, _) => (
-                Required::Motion(motion::json::Required::of(check.criterion)),
-                CheckedValue::Motion(check.value),
-                check.utilisation,
-                None,
-            ),
+            AnyCheck::Motion(..) => None,
         };
-        let (name, met, situation) = (check.name(), check.is_met(), check.assessed(assessment).index);
-        Criterion { name, required, value, utilisation, met, situation, earthquake }
+        Criterion { check: CheckEntry::of(check), situation: check.assessed(assessment).index, earthquake }
     }
 }
 

@@ -3,27 +3,35 @@
 use standfast::{Departure, Mode, Verdict};
 
 use super::{AnyCheck, Assessed, Assessment, predicate, verdict};
+use crate::json::CheckEntry;
 use crate::layout::{self, percent};
-use crate::summary::{Summary, criteria, once, sentence};
+use crate::summary::{GoverningCriterion, Summary, criteria, once, sentence};
 
 pub(super) fn summary(assessment: &Assessment) -> Summary {
-    let checks: Vec<(bool, String)> = assessment
-        .all_checks()
-        .iter()
-        .map(|check| (check.is_met(), check_words(assessment, check)))
-        .collect();
+    let checks = assessment.all_checks();
+    let words: Vec<(bool, String)> =
+        checks.iter().map(|check| (check.is_met(), check_words(assessment, check))).collect();
     Summary {
-        criteria: criteria(&checks),
-        happens: happens(assessment),
+        criteria: criteria(&words),
+        answer: happens(assessment),
+        met: assessment.met(),
+        governing: checks.first().map(|check| {
+            GoverningCriterion::of(CheckEntry::of(check), place(assessment, check.assessed(assessment)))
+        }),
         near: near(assessment),
         warnings: once(assessment.case.warnings().iter().map(standfast_model::Warning::name)),
     }
 }
 
+/// The name of a situation, where there are several.
+fn place(assessment: &Assessment, assessed: &Assessed) -> Option<String> {
+    assessment.name(assessed).filter(|_| assessment.all.len() > 1)
+}
+
 /// A criterion with its value: "SF_sliding is 1.178, ≥ 1.2 is asked (utilisation 1.019), in storm".
 fn check_words(assessment: &Assessment, check: &AnyCheck<'_>) -> String {
     let [required, value, utilisation, _] = check.cells();
-    let place = assessment.name(check.assessed(assessment)).filter(|_| assessment.all.len() > 1);
+    let place = place(assessment, check.assessed(assessment));
     let place = place.map_or(String::new(), |name| format!(", in {name}"));
     let used = if utilisation == "–" { String::new() } else { format!(" (utilisation {utilisation})") };
     format!("{} is {value}, {required} is asked{used}{place}", check.name())
@@ -64,8 +72,7 @@ fn happens(assessment: &Assessment) -> String {
 /// How near another answer is: where the rising loads first move the body, and the least of all factors.
 fn near(assessment: &Assessment) -> Option<String> {
     let assessed = assessment.least(|assessed| assessed.departure().load_factor());
-    let place = assessment.name(assessed).filter(|_| assessment.all.len() > 1);
-    let place = place.map_or(String::new(), |name| format!("Under {name}, "));
+    let place = place(assessment, assessed).map_or(String::new(), |name| format!("Under {name}, "));
     let loads = verdict::risen_loads(assessed);
     let departs = match assessed.departure() {
         Departure::AtOnce { permanent: true, verdict } => {

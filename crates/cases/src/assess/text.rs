@@ -103,11 +103,11 @@ pub(crate) fn heading(case: &Case) -> String {
     title(case) + &note(case)
 }
 
-fn title(case: &Case) -> String {
+pub(crate) fn title(case: &Case) -> String {
     case.title.as_ref().map_or(String::new(), |title| paragraph(title, 0) + "\n")
 }
 
-fn note(case: &Case) -> String {
+pub(crate) fn note(case: &Case) -> String {
     case.note.as_ref().map_or(String::new(), |note| paragraph(note, 2) + "\n")
 }
 

@@ -10,6 +10,7 @@ use super::{
 use crate::assess::{Assessed, Assessment};
 use crate::json::SCHEMA;
 use crate::results::{ResultName, ResultValue};
+use crate::summary::Summary;
 use crate::units::Dimension;
 
 #[derive(Serialize)]
@@ -17,6 +18,7 @@ struct Document<'a> {
     schema: u32,
     title: Option<&'a str>,
     note: Option<&'a str>,
+    summary: Summary,
     vary: &'a str,
     unit: Option<&'static str>,
     target: String,
@@ -142,6 +144,7 @@ pub(super) fn render(design: &Design) -> String {
         schema: SCHEMA,
         title: present.case.title.as_deref(),
         note: present.case.note.as_deref(),
+        summary: super::summary::summary(design),
         vary: quantity.variable.name(),
         unit: quantity.variable.dimension().map(Dimension::si),
         target: request.target.to_string(),

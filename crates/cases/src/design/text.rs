@@ -2,18 +2,22 @@
 
 use standfast::Verdict;
 
+use super::summary::summary;
 use super::{
-    DIGITS, Design, End, Extreme, OuterState, SensitivityChange, Stretch, Target, farthest, least,
-    load_factor, overturning, overturns, sliding, steepest, with_unit,
+    Design, End, Extreme, OuterState, SensitivityChange, Stretch, Target, farthest, least, load_factor,
+    overturning, overturns, sliding, steepest, with_unit,
 };
 use crate::assess::verdict::departure_word;
-use crate::assess::{Assessed, Assessment, heading};
+use crate::assess::{Assessed, Assessment, note, title};
 use crate::key::Key;
 use crate::layout::{columns, digits, factor, paragraph, row, significant};
 
 pub(super) fn render(design: &Design) -> String {
     let Design { request, quantity, present, .. } = design;
-    let mut text = heading(&present.case);
+    let mut text = title(&present.case);
+    text += &summary(design).text();
+    text += "\n";
+    text += &note(&present.case);
     text += "Design\n";
     let range = quantity.range_words();
     let (extreme, name, wanted) = (request.extreme, quantity.variable.name(), request.target.words());
@@ -173,7 +177,9 @@ fn sensitivities(design: &Design) -> String {
         let variable = &sensitivity.variable;
         let mut row = row![
             variable.name(),
-            with_unit(sensitivity.value, variable, DIGITS),
+            variable
+                .dimension()
+                .map_or_else(|| digits(sensitivity.value), |dimension| dimension.written(sensitivity.value)),
             signed(sensitivity.sliding),
             signed(sensitivity.overturning),
             signed(sensitivity.load_factor),

@@ -1,7 +1,7 @@
 //! The answer as JSON.
 
-use super::{FollowedMotion, MotionCheck, MotionCriterion, MotionValue, MotionWarning};
-use crate::json::optional_number_or_word;
+use super::{FollowedMotion, MotionWarning};
+use crate::json::CheckEntry;
 use serde::Serialize;
 use standfast::Mode;
 use standfast_answers::motion::Strength;
@@ -44,41 +44,11 @@ struct Document<'a> {
     sensitivity: Option<f64>,
     strength: Option<StrengthEntry>,
     met: Option<bool>,
-    criteria: Vec<CriterionEntry>,
+    criteria: Vec<CheckEntry>,
     events: Vec<EventEntry>,
     warnings: Vec<WarningEntry<'a>>,
     figures: &'a [String],
     others: Vec<Document<'a>>,
-}
-
-#[derive(Serialize)]
-struct CriterionEntry {
-    name: &'static str,
-    required: Required,
-    value: MotionValue,
-    #[serde(serialize_with = "optional_number_or_word")]
-    utilisation: Option<f64>,
-    met: bool,
-}
-
-/// The bound in a document: a number, or `false` of what is not to be.
-#[derive(Serialize)]
-#[serde(untagged)]
-pub(crate) enum Required {
-    Number(f64),
-    Truth(bool),
-}
-
-impl Required {
-    pub(crate) fn of(criterion: MotionCriterion) -> Required {
-        criterion.bound().map_or(Required::Truth(false), Required::Number)
-    }
-}
-
-impl From<MotionCheck> for CriterionEntry {
-    fn from(MotionCheck { criterion, value, utilisation, met, .. }: MotionCheck) -> CriterionEntry {
-        CriterionEntry { name: criterion.name(), required: Required::of(criterion), value, utilisation, met }
-    }
 }
 
 #[derive(Serialize)]
@@ -231,7 +201,7 @@ fn document(followed: &FollowedMotion) -> Document<'_> {
         sensitivity: followed.divergence.map(|divergence| divergence.value),
         strength: followed.strength.as_ref().map(StrengthEntry::of),
         met: followed.met(),
-        criteria: followed.checks().into_iter().map(CriterionEntry::from).collect(),
+        criteria: followed.checks().iter().map(CheckEntry::of_motion).collect(),
         events: events.collect(),
         warnings: warnings.map(WarningEntry::from).collect(),
         figures: &[],

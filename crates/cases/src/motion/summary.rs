@@ -6,8 +6,9 @@ use standfast_motion::strength::{Tried, VerdictStrength};
 
 use super::FollowedMotion;
 use super::text::{far, verdict};
+use crate::json::CheckEntry;
 use crate::layout::{digits, significant};
-use crate::summary::{Summary, criteria, once};
+use crate::summary::{GoverningCriterion, Summary, criteria, once};
 
 /// Relative spread of inputs of which nothing else is known.
 const SPREAD: f64 = 1e-3;
@@ -19,20 +20,25 @@ pub(super) fn summary(answers: &[FollowedMotion]) -> Option<Summary> {
 
 /// The top of one of so many answers.
 pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
-    let checks: Vec<(bool, String)> = worst
-        .checks()
+    let checks = worst.checks();
+    let words: Vec<(bool, String)> = checks
         .iter()
         .map(|check| {
             let required = check.criterion.required(check.si);
             (check.met, format!("{} is {}, {required} is asked", check.criterion.name(), check.value_words()))
         })
         .collect();
-    let place = worst.case.situation.as_ref().filter(|_| count > 1);
-    let place = place.map_or(String::new(), |name| format!("Under {name}, the worst of {count}: "));
+    let situation = worst.case.situation.clone().filter(|_| count > 1);
+    let place =
+        situation.as_ref().map_or(String::new(), |name| format!("Under {name}, the worst of {count}: "));
     let names = worst.warnings.iter().map(|warning| warning.name);
     Summary {
-        criteria: criteria(&checks),
-        happens: format!("{place}{}{}", verdict(worst), far(worst)),
+        criteria: criteria(&words),
+        met: (!checks.is_empty()).then(|| checks.iter().all(|check| check.met)),
+        governing: checks
+            .first()
+            .map(|check| GoverningCriterion::of(CheckEntry::of_motion(check), situation.clone())),
+        answer: format!("{place}{}{}", verdict(worst), far(worst)),
         near: near(worst),
         warnings: once(names),
     }

@@ -12,6 +12,7 @@ use super::{
 };
 use crate::json::SCHEMA;
 use crate::key::Key;
+use crate::summary::Summary;
 
 /// Every key is there in every answer, as docs/probability.schema.json has them: `null`, or an empty list, where there is no such
 /// thing.
@@ -19,6 +20,7 @@ use crate::key::Key;
 struct Document<'a> {
     schema: u32,
     case: &'a str,
+    summary: Summary,
     seed: u64,
     random: Vec<RandomDocument<'a>>,
     /// The number that is integrated rather than drawn.
@@ -288,6 +290,7 @@ pub(super) fn json(answer: &Probability, figures: &[String]) -> String {
     crate::json::written(&Document {
         schema: SCHEMA,
         case: &answer.case,
+        summary: super::summary::summary(answer),
         seed: answer.request.effort.seed,
         random: answer
             .random

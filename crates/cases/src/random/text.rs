@@ -4,24 +4,39 @@ use std::fmt::Write;
 
 use standfast_probability::sample::{Effort, Estimate};
 
+use super::summary::{FEW, period, summary};
 use super::{
     Chances, Exceedance, FirstDeparture, Fit, FollowedWaves, Fragility, Happening, JointChance, Method,
     Overturning, PeakChances, Probability, Pulse, Quantile, RandomNumber, Sliding,
 };
-use crate::layout::{apart, columns, digits, paragraph, row};
+use crate::layout::{columns, digits, paragraph, row, significant};
 
-/// The answer as text.
+/// The answer as text: its top, what was asked for, and what it rests on.
 pub(super) fn text(answer: &Probability) -> String {
-    let note = answer.note.as_ref().map(|note| format!("\n{}", paragraph(&format!("Note: {note}."), 0)));
-    chances_and_slides(answer) + &note.unwrap_or_default()
+    let title = answer.title.as_ref().map_or(String::new(), |title| paragraph(title, 0) + "\n");
+    let mut text = title + &summary(answer).text();
+    for part in [asked(answer), static_modes(answer), warnings(answer), note(answer)] {
+        if !part.is_empty() {
+            text += "\n";
+            text += &part;
+        }
+    }
+    text
 }
 
-/// The answer without its note.
-fn chances_and_slides(answer: &Probability) -> String {
-    let mut text = String::new();
-    if let Some(worst) = answer.situations.first() {
-        text += &chances(answer, worst);
-    }
+/// Curves and slides, which are asked for beside the modes.
+fn asked(answer: &Probability) -> String {
+    let parts = [
+        answer.overturning.as_ref().map(|overturning| overturns(answer, overturning)),
+        answer.fragility.as_ref().map(|fragility| along(fragility, floor(answer))),
+        answer.sliding.as_ref().map(|sliding| slides(answer, sliding)),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join("\n")
+}
+
+/// The modes under each set of loads.
+fn static_modes(answer: &Probability) -> String {
+    let mut text = answer.situations.first().map_or(String::new(), |worst| chances(answer, worst));
     for chances in answer.situations.iter().skip(1) {
         let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
         text += &event_table(chances, floor(answer));
@@ -37,26 +52,19 @@ fn chances_and_slides(answer: &Probability) -> String {
         );
         text += &format!("\n{}", paragraph(&words, 0));
     }
-    if let Some(criterion) = &answer.criterion {
-        let (met, value) = (if criterion.is_met() { "met" } else { "not met" }, criterion.counted());
-        let [value, required] = &apart(&[value, criterion.required])[..] else { unreachable!("of two") };
-        let words =
-            format!("Criterion p_not_rest ≤ {required}: {met}; the upper end of the interval is {value}.");
-        text += &format!("\n{}", paragraph(&words, 0));
-    }
-    if let Some(sliding) = &answer.sliding {
-        if !text.is_empty() {
-            text.push('\n');
-        }
-        text += &slides(answer, sliding);
-    }
-    if let Some(overturning) = &answer.overturning {
-        text += &overturns(answer, overturning);
-    }
-    if let Some(fragility) = &answer.fragility {
-        text += &along(fragility, floor(answer));
-    }
     text
+}
+
+fn warnings(answer: &Probability) -> String {
+    let warnings = answer.warnings();
+    warnings
+        .iter()
+        .map(|warning| paragraph(&format!("Warning ({}): {warning}.", warning.name()), 0))
+        .collect()
+}
+
+fn note(answer: &Probability) -> String {
+    answer.note.as_ref().map_or(String::new(), |note| paragraph(&format!("Note: {note}."), 0))
 }
 
 /// Sentences on the slides of the body in storms.
@@ -73,14 +81,15 @@ fn slides(answer: &Probability, sliding: &Sliding) -> String {
         0,
     );
     let metres = |slide: f64| format!("{} m", digits(slide));
-    let within = |e: Estimate, words: &dyn Fn(f64) -> String| format!("{} … {}", words(e.low), words(e.high));
+    let within = |e: Estimate, words: &dyn Fn(f64) -> String| within(e, words).unwrap_or_default();
     let mut rows = vec![row!["mean", metres(mean.value), within(*mean, &metres)]];
     rows.push(row!["slides at all", probability(sliding.ever.value), within(sliding.ever, &probability)]);
     for Exceedance { slide, probability: p } in exceedance {
         rows.push(row![format!("more than {slide:.2} m"), probability(p.value), within(*p, &probability)]);
     }
-    for Quantile { share, slide } in quantiles {
-        let words = format!("{} % of all lives stay below", digits(100.0 * share));
+    // A life that does not slide tells nothing by its share.
+    for Quantile { share, slide } in quantiles.iter().filter(|quantile| quantile.slide.high > 0.0) {
+        let words = format!("not exceeded in {} % of all lives", digits(100.0 * share));
         rows.push(row![words, metres(slide.value), within(*slide, &metres)]);
     }
     text += &columns(&rows, 2, &[1]);
@@ -124,6 +133,7 @@ fn slides(answer: &Probability, sliding: &Sliding) -> String {
 /// Overturning over the peak of a shaking.
 fn overturns(answer: &Probability, overturning: &Overturning) -> String {
     let Overturning { records, bodies, not_a_body, points, fit, gravity } = overturning;
+    let said_of_records = super::summary::records(records.len());
     let of_records = match &records[..] {
         [one] => format!("the record {one}"),
         many => format!("{} records", many.len()),
@@ -145,25 +155,18 @@ fn overturns(answer: &Probability, overturning: &Overturning) -> String {
             format!("{} … {}", probability(overturned.low), probability(overturned.high))
         ]);
     }
-    let mut text = format!("\n{}", paragraph(&words, 0));
+    let mut text = paragraph(&words, 0);
     text += &columns(&rows, 2, &[0, 1, 2, 3]);
-    let of_whom = match records.len() {
-        1 => "The interval is that of further bodies under this shaking: another one would have its own."
-            .to_owned(),
-        many => format!(
-            "The interval is that of a further record like these {many}, which all bodies share, and of a further body."
-        ),
-    };
-    text += &paragraph(&of_whom, 2);
+    text += &said_of_records.map_or(String::new(), |words| paragraph(&words, 2));
     if *not_a_body > 0 {
         text += &paragraph(&format!("{not_a_body} draws are no body, and are counted as standing."), 2);
     }
-    if let Some(Fit { median, dispersion, misfit }) = fit {
+    if let Some(Fit { median, dispersion, misfit }) = fit.filter(|_| records.len() >= FEW) {
         let words = format!(
-            "A lognormal curve through what overturns: median {} g, dispersion {}; it misses by {} at most.",
-            digits(median / gravity),
-            digits(*dispersion),
-            digits(*misfit)
+            "A lognormal curve through the probabilities of overturning: median {} g, dispersion {}; it misses them by {} at most.",
+            significant(median / gravity, 3),
+            significant(dispersion, 2),
+            significant(misfit, 2)
         );
         text += &paragraph(&words, 2);
     }
@@ -190,7 +193,8 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
     };
     let numbers =
         if numbers == 1 { "1 random number".to_owned() } else { format!("{numbers} random numbers") };
-    let mut text = paragraph(&format!("Probability ({how}, {numbers}, {counted})"), 0);
+    let mut text =
+        paragraph(&format!("Probability of each mode {} ({how}, {numbers}, {counted})", period(answer)), 0);
     if let Some(situation) = &chances.situation {
         let least = if answer.situations.len() > 1 { ", the least safe" } else { "" };
         let _ = writeln!(text, "  under {situation}{least}");
@@ -253,13 +257,13 @@ fn index(chances: &Chances) -> String {
         }
         return paragraph("Nowhere within twelve deviations of the medians does it move.", 2);
     };
-    let mut said = format!("β {}", digits(point.beta));
+    let mut said = format!("β = {} by FORM", digits(point.beta));
     if point.at_change {
-        said += " at a change of formula or of mode";
+        said += ", at a change of formula or of mode";
     }
-    let _ = write!(said, "; Φ(−β) = {} is not P", digits(point.first_order()));
+    let _ = write!(said, " (Φ(−β) = {} only approximates P)", digits(point.first_order()));
     if let Some(beta) = chances.generalized() {
-        let _ = write!(said, "; β_g {}", digits(beta));
+        let _ = write!(said, "; −Φ⁻¹(P) = {}", digits(beta));
     }
     paragraph(&format!("{said}."), 2)
 }
@@ -336,9 +340,20 @@ fn modes_table(method: Method, modes: &[(Happening, Estimate)], not_rest: Estima
         let names: Vec<String> = below.iter().map(|(happening, _)| happening.name()).collect();
         let bound = below.iter().map(|(_, e)| e.high).fold(0.0, f64::max);
         let each = if names.len() > 1 { "each " } else { "" };
-        text += &paragraph(&format!("{}: {each}below {}.", names.join(", "), probability(bound)), 2);
+        let (names, bound) = (names.join(", "), probability(bound));
+        let words = match below.iter().all(|(_, e)| e.value == 0.0) {
+            true => format!("Never met: {names} ({each}below {bound})."),
+            false => format!("{names}: {each}below {bound}."),
+        };
+        text += &paragraph(&words, 2);
     }
     text
+}
+
+/// The interval, where it is more than its value.
+pub(super) fn within(e: Estimate, words: &dyn Fn(f64) -> String) -> Option<String> {
+    let (low, high) = (words(e.low), words(e.high));
+    (low != high).then(|| format!("{low} … {high}"))
 }
 
 fn line(words: &str, e: Estimate, method: Method) -> Vec<String> {
@@ -354,13 +369,14 @@ pub(super) fn words(happening: Happening) -> String {
     happening.words().map_or(name.clone(), |words| format!("{words}, {name}"))
 }
 
-/// A probability; one near 1 by what is missing is clear from the others.
-fn probability(p: f64) -> String {
-    digits(p)
+/// A probability; one that only rounds to 1 is no 1.
+pub(super) fn probability(p: f64) -> String {
+    let text = digits(p);
+    if text == "1" && p < 1.0 { "above 0.9999".to_owned() } else { text }
 }
 
 /// A probability, or the bound of one that was never met.
-fn below_or(e: Estimate) -> String {
+pub(super) fn below_or(e: Estimate) -> String {
     if e.value == 0.0 && e.high > 0.0 { format!("below {}", digits(e.high)) } else { probability(e.value) }
 }
 
@@ -396,7 +412,7 @@ fn along(Fragility { name, unit, points, fit }: &Fragility, floor: f64) -> Strin
         );
     }
     let right: Vec<usize> = (0..rows[0].len()).collect();
-    let mut text = format!("\n{}", columns(&rows, 0, &right));
+    let mut text = columns(&rows, 0, &right);
     text += &match fit {
         Some(Fit { median, dispersion, misfit }) => paragraph(
             &format!(

@@ -1,0 +1,185 @@
+//! Top of the probabilities: criterion, the probability that was asked for with its period, and what it hangs on.
+
+use standfast_answers::results::ResultValue;
+use standfast_probability::sample::Estimate;
+
+use super::text::{below_or, probability, within};
+use super::{Chances, Fragility, FragilityPoint, Happening, Overturning, PeakChances, Probability, Sliding};
+use crate::json::RequiredBound;
+use crate::key::Key;
+use crate::layout::{apart, digits, factor, significant};
+use crate::summary::{GoverningCriterion, Summary, criteria, once};
+
+/// So few records tell nothing of how the next one differs.
+pub(super) const FEW: usize = 3;
+
+/// Share of what moves the body of which one mode alone is spoken.
+const NEARLY_ALL: f64 = 0.99;
+
+pub(super) fn summary(answer: &Probability) -> Summary {
+    let words = criterion_words(answer);
+    Summary {
+        criteria: criteria(words.as_slice()),
+        answer: asked(answer),
+        met: answer.criterion.map(|criterion| criterion.is_met()),
+        governing: answer.criterion.map(|criterion| GoverningCriterion {
+            criterion: Key::GreatestNotRest.name(),
+            situation: None,
+            value: ResultValue::Number(criterion.counted()),
+            required: RequiredBound::Number(criterion.required),
+            utilisation: Some(criterion.counted() / criterion.required),
+        }),
+        near: near(answer),
+        warnings: once(answer.warnings().iter().map(standfast_model::Warning::name)),
+    }
+}
+
+/// The criterion with its value, the upper end of the interval.
+fn criterion_words(answer: &Probability) -> Option<(bool, String)> {
+    let criterion = answer.criterion?;
+    let (counted, required) = (criterion.counted(), criterion.required);
+    let [value, bound] = &apart(&[counted, required])[..] else { unreachable!("of two") };
+    let of = within(criterion.not_rest, &probability).map_or("", |_| ", the upper end of its interval,");
+    let words = format!(
+        "p_not_rest {}{of} is {value}, ≤ {bound} is asked (utilisation {})",
+        period(answer),
+        factor(counted / required)
+    );
+    Some((criterion.is_met(), words))
+}
+
+/// Period that the probabilities of the modes are of.
+pub(super) fn period(answer: &Probability) -> &'static str {
+    if answer.random.iter().any(|number| number.yearly) { "in one year" } else { "in one event" }
+}
+
+/// The probability that was asked for.
+fn asked(answer: &Probability) -> String {
+    if let Some(overturning) = &answer.overturning {
+        return overturns(overturning);
+    }
+    if let Some(fragility) = &answer.fragility {
+        return along(answer, fragility);
+    }
+    match (&answer.sliding, answer.situations.first()) {
+        (Some(sliding), _) => slides(sliding),
+        (None, Some(worst)) => moves(answer, worst),
+        (None, None) => "Nothing is random.".to_owned(),
+    }
+}
+
+fn not_resting(answer: &Probability) -> String {
+    format!("The probability that the body does not stay at rest {}", period(answer))
+}
+
+/// That the body moves in an event, and at least once in a life.
+fn moves(answer: &Probability, worst: &Chances) -> String {
+    let not_rest = answer.joined.as_ref().map_or(worst.not_rest, |joint| joint.not_rest);
+    let place = match (&answer.joined, &worst.situation) {
+        (Some(joint), _) => format!(" under any of the {} sets of loads", joint.count),
+        (None, Some(situation)) => format!(" under {situation}"),
+        (None, None) => String::new(),
+    };
+    let mut parts: Vec<_> = worst.modes.iter().filter(|(mode, _)| *mode != Happening::REST).collect();
+    parts.sort_by(|one, two| two.1.value.total_cmp(&one.1.value));
+    let most = parts.first().filter(|(_, e)| e.value >= NEARLY_ALL * worst.not_rest.value && e.value > 0.0);
+    let goes = most.map_or(String::new(), |(mode, _)| format!(" It then {}.", super::text::words(*mode)));
+    let life = worst.life.as_ref().map_or(String::new(), |life| {
+        format!(" At least once in {}: {}.", years(life.years), known(life.not_rest))
+    });
+    format!("{} is {}{place}.{goes}{life}", not_resting(answer), known(not_rest))
+}
+
+/// How far the body slides in a life.
+fn slides(sliding: &Sliding) -> String {
+    let metres = |slide: f64| format!("{} m", digits(slide));
+    let over = sliding.exceedance.last().map_or(String::new(), |over| {
+        format!(", and by more than {:.2} m {}", over.slide, below_or(over.probability))
+    });
+    format!(
+        "In {} the body slides {} on average{}. The probability that it slides at all is {}{over}.",
+        years(sliding.years),
+        metres(sliding.mean.value),
+        within(sliding.mean, &metres).map_or(String::new(), |within| format!(" ({within})")),
+        known(sliding.ever)
+    )
+}
+
+/// That the body overturns, over the peak of the shaking.
+fn overturns(overturning: &Overturning) -> String {
+    let Overturning { points, fit, gravity, .. } = overturning;
+    let at = |point: &PeakChances| (below_or(point.overturned), digits(point.peak / gravity) + " g");
+    let median = fit.filter(|_| overturning.records.len() >= FEW).map_or(String::new(), |fit| {
+        format!(" By a lognormal curve half overturn at {} g.", significant(fit.median / gravity, 3))
+    });
+    format!("The probability of overturning in one shaking is {}.{median}", from_to(points.iter().map(at)))
+}
+
+/// That the body moves, along a number of the case.
+fn along(answer: &Probability, fragility: &Fragility) -> String {
+    let unit = fragility.unit.map_or(String::new(), |unit| format!(" {unit}"));
+    let at = |point: &FragilityPoint| {
+        (below_or(point.not_rest), format!("{} = {}{unit}", fragility.name, digits(point.value)))
+    };
+    format!("{} is {}.", not_resting(answer), from_to(fragility.points.iter().map(at)))
+}
+
+/// Probabilities at the first and the last place of a curve.
+fn from_to(mut points: impl DoubleEndedIterator<Item = (String, String)>) -> String {
+    let (first, last) = (points.next(), points.next_back());
+    let at = |(p, place): (String, String)| format!("{p} at {place}");
+    [first, last].into_iter().flatten().map(at).collect::<Vec<_>>().join(" and ")
+}
+
+/// What the answer hangs on: records where motions are followed, else the number that matters most.
+fn near(answer: &Probability) -> Option<String> {
+    if let Some(overturning) = &answer.overturning {
+        return records(overturning.records.len());
+    }
+    let worst = answer.situations.first().filter(|_| answer.fragility.is_none())?;
+    if answer.sliding.is_some() {
+        let year = format!("{} is {}.", not_resting(answer), known(worst.not_rest));
+        return Some(
+            [Some(year), matters(answer, worst)].into_iter().flatten().collect::<Vec<_>>().join(" "),
+        );
+    }
+    let beta =
+        worst.generalized().map(|beta| format!("That is a reliability index of {}.", significant(beta, 3)));
+    let sentences: Vec<String> = [beta, matters(answer, worst)].into_iter().flatten().collect();
+    (!sentences.is_empty()).then(|| sentences.join(" "))
+}
+
+/// Sentence on what so many records tell.
+pub(super) fn records(count: usize) -> Option<String> {
+    match count {
+        0 => None,
+        1 => Some(
+            "One record tells nothing of another one: the intervals are those of further bodies.".to_owned(),
+        ),
+        count if count < FEW => {
+            Some("Two records tell nothing of how records differ: take ten or more.".to_owned())
+        }
+        count => Some(format!("The intervals are those of a further record like these {count}.")),
+    }
+}
+
+/// Sentence on the number that matters most.
+fn matters(answer: &Probability, worst: &Chances) -> Option<String> {
+    let point = worst.design_point.as_ref().filter(|_| answer.random.len() > 1)?;
+    let most =
+        (0..answer.random.len()).max_by(|a, b| point.alpha[*a].abs().total_cmp(&point.alpha[*b].abs()))?;
+    let (name, known) = (&answer.random[most].name, worst.known.get(most)?);
+    Some(format!("It hangs most on {name}: were that known, the probability would be {}.", below_or(*known)))
+}
+
+/// A probability with its interval, where it has one.
+fn known(e: Estimate) -> String {
+    let value = below_or(e);
+    within(e, &probability)
+        .filter(|_| e.value > 0.0)
+        .map_or(value.clone(), |within| format!("{value} ({within})"))
+}
+
+fn years(years: f64) -> String {
+    if years == 1.0 { "one year".to_owned() } else { format!("{} years", digits(years)) }
+}
