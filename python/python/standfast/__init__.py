@@ -9,7 +9,7 @@ any body under any wrench: added mass, two frictions      :func:`contact`
 what does the whole k-μ plane look like?                  :class:`Diagram`
 a body with its loads: water, waves, earthquakes          :func:`assess`
 many of them: tables, sweeps, samples                     :func:`assess_table`
-what is enough: the least width, the greatest force       :func:`design`
+the least width, the greatest force that is enough        :func:`design`
 what becomes of it in time: slide, rock, overturn         :func:`simulate`, :func:`spectrum`
 how likely is each mode, if numbers are random            :func:`probability`, :func:`draws`
 the calculation, to be filed and signed                   :func:`sheet`

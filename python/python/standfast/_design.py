@@ -121,7 +121,7 @@ def design(
     and_lower: float | str | None = None,
     and_upper: float | str | None = None,
 ) -> Design | Boundary:
-    """What is enough: the least, or greatest, value of a quantity that meets a target in every situation of a case.
+    """Find the least, or greatest, value of a quantity that meets a target in every situation of a case.
 
     The value is rounded to the safe side and assessed as it is printed; one more or less in its last digit fails.
 
@@ -134,7 +134,7 @@ def design(
         greatest: the greatest value that meets the target in place of the least.
         lower, upper: where to look, a number in SI units or a text with a unit, as the case file has the quantity; a fifth and
             five times the present value if not given.
-        and_: another quantity: the answer for each of many values of it, the boundary of what is enough.
+        and_: another quantity: the answer for each of many values of it, as a curve.
         and_lower, and_upper: its range; half and twice the present value if not given.
 
     Returns:

@@ -348,7 +348,7 @@ class Sweep:
 
     @property
     def warnings(self) -> list[tuple[str, str]]:
-        """What may be a slip: names and words."""
+        """Warnings: names and words."""
 
     @property
     def results(self) -> list[tuple[str, str | None, str | None]]:
