@@ -21,7 +21,7 @@ use crate::margins;
 use crate::number::digits;
 use crate::outlines::{OutlinedLine, Outlines, polygons};
 use crate::palette::{BEHIND, FAINT, INK, verdict_symbol, verdict_tint};
-use crate::plot::{Arc, Piece, View, clip_strips, hatch, outline};
+use crate::plot::{Arc, Fall, Piece, View, clip_strips, hatch};
 use crate::scene::Pen;
 use crate::text::Text;
 use crate::{DesignPoint, DiagramContent, Figure, map, outlines};
@@ -178,7 +178,7 @@ impl Draft {
     fn figure(mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Figure {
         let axes = self.canvas.board.axes;
         for (verdict, pieces) in &self.areas {
-            self.canvas.scene.fill(&outline(&axes, pieces), verdict_tint(*verdict));
+            self.canvas.region(pieces, *verdict);
         }
         self.hatching(plane, content);
         for part in plane.rigid_lines(self.window) {
@@ -209,7 +209,7 @@ impl Draft {
         let axes = self.canvas.board.axes;
         let (strips, modes) = crush::undecided(chart, &axes.view());
         let pieces = clip_strips(&strips, &axes.view());
-        self.canvas.scene.stroke(&hatch(&axes, &pieces, 9.0, false), Pen::solid(FAINT, 0.4));
+        self.canvas.scene.stroke(&hatch(&axes, &pieces, 9.0, Fall::Rising), Pen::solid(FAINT, 0.4));
         for (verdict, own) in &self.areas {
             self.canvas.hatched.push((common(&pieces, own), verdict_tint(*verdict)));
         }

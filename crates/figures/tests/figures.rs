@@ -33,11 +33,39 @@ fn identifiers_read_back_and_errors_list_what_exists() {
     assert!(error.to_string().starts_with("the report has no figure \"3.12\"; it has 2.1, 3.1, 3.2, 3.3a,"));
 }
 
+/// A colour on paper.
+fn paper(property: &str) -> &'static str {
+    standfast_figures::colours().find(|colour| colour.0 == property).expect("a colour").1
+}
+
+/// Every colour of a drawing has its counterpart in a dark page, written beside it, and nothing else is coloured.
+#[test]
+fn every_colour_has_its_counterpart_in_a_dark_page() {
+    let colours: Vec<_> = standfast_figures::colours().collect();
+    for id in FigureId::ALL {
+        let figure = report_figure(id);
+        let (_, rest) = figure.svg().split_once("<style>").expect("a style");
+        let (style, body) = rest.split_once("</style>").expect("its end");
+        assert_eq!(figure.svg_on_paper(), figure.svg().replace(&format!("<style>{style}</style>\n"), ""));
+        assert!(style.starts_with("@media (prefers-color-scheme:dark){") && style.ends_with("}}"), "{style}");
+        for attribute in ["fill", "stroke"] {
+            for piece in body.split(&format!(" {attribute}=\"#")).skip(1) {
+                let light = format!("#{}", &piece[..6]);
+                let (.., dark) =
+                    colours.iter().find(|colour| colour.1 == light).expect("a colour of the palette");
+                let rule = format!("[{attribute}=\"{light}\"]{{{attribute}:{dark}}}");
+                assert!(style.contains(&rule), "{rule} in {id}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_regions_of_a_picture_have_the_colours_of_their_modes() {
     let figure = report_figure("3.10".parse().expect("a figure"));
-    for tint in ["#f1f4f7", "#f7de8b", "#aad2f0", "#f0ab6b"] {
-        assert_eq!(figure.svg().matches(tint).count(), 1, "{tint}");
+    for property in ["rest", "slide", "rock", "slide-rock-left"] {
+        let filled = format!("fill=\"{}\"/>", paper(property));
+        assert_eq!(figure.svg().matches(&filled).count(), 1, "{property}");
     }
 }
 
