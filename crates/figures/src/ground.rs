@@ -96,11 +96,13 @@ impl GroundPlane<'_> {
                     if k_bf > 0.0 { (3.0 * k_bf / unit).min(1.0) } else { 1.0 }
                 }
             };
-            let mut window = Window { k: share * k_max, mu: share * mu_max };
-            for (k, mu) in content.marked() {
-                window = Window { k: window.k.max(1.12 * k), mu: window.mu.max(1.12 * mu) };
-            }
-            window
+            let corner = match self {
+                GroundPlane::Crushing(_) => map::unit(&self.rigid()),
+                GroundPlane::Failing(plane) => plane.k_bf(),
+            };
+            let most = (share * k_max, share * mu_max);
+            let View { k_max: k, mu_max: mu, .. } = map::framed(most, (corner, corner), &content.marked());
+            Window { k, mu }
         })
     }
 

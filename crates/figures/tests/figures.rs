@@ -223,3 +223,22 @@ fn numbers_for_another_tool_are_those_of_the_figures() {
         }
     }
 }
+
+/// A plane shows its design point and the corner A, and not the rest of the plane: within three times the point, or the corner with
+/// its room.
+#[test]
+fn a_plane_is_framed_around_its_point() {
+    use standfast::Diagram;
+    use standfast_figures::DiagramContent;
+    for (gamma, k_prime) in [(0.7, 0.23), (1.0, 0.4), (3.0, 0.8), (1.0, -0.6), (4.0, -0.55)] {
+        let body = Diagram::new(gamma, k_prime).expect("a body");
+        let k_a = body.chart().k_a();
+        for share in [0.2, 0.9, 1.4, 5.0] {
+            let (k, mu) = (share * k_a, 0.6);
+            let window = DiagramContent { cloud: &[(k, mu)], ..DiagramContent::default() }.window_of(&body);
+            assert!(window.k > k.max(k_a) && window.mu > mu.max(k_a), "{window:?} for {k} at γ = {gamma}");
+            assert!(window.k <= (3.0 * k).max(1.35 * k_a) * (1.0 + 1e-12), "{window:?} for {k}");
+            assert!(window.mu <= (3.0 * mu).max(1.35 * k_a) * (1.0 + 1e-12), "{window:?} for {k}");
+        }
+    }
+}
