@@ -262,3 +262,25 @@ fn inside(picture: &figures::Picture, x: f64, y: f64) -> Option<(f64, f64)> {
     let plot = picture.plot;
     (x.is_finite() && y.is_finite()).then(|| (x.clamp(plot.x0, plot.x1), y.clamp(plot.y0, plot.y1)))
 }
+
+#[cfg(test)]
+mod tests {
+    /// The page has the colours of the figures in both themes.
+    #[test]
+    fn the_page_has_the_colours_of_the_figures() {
+        let style = include_str!("../page/style.css");
+        let (light, dark) = style.split_once(":root[data-theme=\"dark\"]").expect("two themes");
+        // Those of its own page, behind the drawings.
+        for (property, on_paper, in_dark) in super::figures::colours().filter(|colour| colour.0 != "paper") {
+            if light.contains(&format!("--{property}:")) {
+                assert!(light.contains(&format!("--{property}: {on_paper};")), "{property}");
+                assert!(dark.contains(&format!("--{property}: {in_dark};")), "{property}");
+            }
+        }
+        for mode in standfast::Mode::ALL {
+            let tint = super::figures::tint_on_screen(mode);
+            let property = tint.trim_start_matches("var(").split(',').next().expect("a property");
+            assert!(light.contains(property) && dark.contains(property), "{property}");
+        }
+    }
+}

@@ -22,7 +22,7 @@ pub struct PageVerdict {
     /// "The body slides to the left"
     sentence: String,
     /// The mode's colour as CSS.
-    tint: &'static str,
+    tint: String,
     unique: bool,
     uniqueness: String,
     /// The verdict for a screen reader.
@@ -94,7 +94,7 @@ impl PageVerdict {
                 symbol: "—".to_owned(),
                 scope: scope(state, None),
                 sentence: format!("No answer. {fault}"),
-                tint: "none",
+                tint: "none".to_owned(),
                 unique: true,
                 plain: format!("No answer. {fault}"),
                 ..PageVerdict::default()

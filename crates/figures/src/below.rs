@@ -1,13 +1,16 @@
 //! Parts below a plot: a key, and the words that end a figure.
 
-use standfast::Mode;
+use standfast::{Mode, Verdict};
 
 use crate::Figure;
 use crate::caption::{SIZE, SMALL, shortened};
 use crate::margins;
-use crate::palette::{FAINT, INK, symbol, tint};
+use crate::palette::{FAINT, INK, symbol};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
+
+/// Size of a patch: wide enough to show stripes.
+const PATCH: (f64, f64) = (18.0, 12.0);
 
 /// A key in rows between two edges.
 pub(crate) struct Key {
@@ -31,15 +34,15 @@ impl Key {
         place
     }
 
-    /// A patch of a colour, and what it is.
-    pub(crate) fn patch(&mut self, scene: &mut Scene, colour: &str, words: &[Text]) {
+    /// A patch, painted as it is in the plot, and what it is.
+    pub(crate) fn patch(&mut self, scene: &mut Scene, paint: impl FnOnce(&mut Scene, &Rect), words: &[Text]) {
         let gaps = 6.0 * (words.len() - 1) as f64;
-        let width = 16.0 + words.iter().map(|text| text.width).sum::<f64>() + gaps;
+        let width = PATCH.0 + 4.0 + words.iter().map(|text| text.width).sum::<f64>() + gaps;
         let (mut x, y) = self.entry(width, 16.0);
-        let patch = Path::rectangle(&Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 });
-        scene.fill(&patch, colour);
-        scene.stroke(&patch, Pen::solid(FAINT, 0.5));
-        x += 16.0;
+        let patch = Rect { x0: x, y0: y, x1: x + PATCH.0, y1: y + PATCH.1 };
+        paint(scene, &patch);
+        scene.stroke(&Path::rectangle(&patch), Pen::solid(FAINT, 0.5));
+        x += PATCH.0 + 4.0;
         for text in words {
             scene.text(text, x, y + 10.5, INK);
             x += text.width + 6.0;
@@ -57,7 +60,8 @@ pub(crate) fn modes_key(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), to
     let mut key = Key::new(edges, top);
     for &mode in modes {
         let words = Text::verbatim(&mode.words().replace('\'', "′"), SMALL);
-        key.patch(scene, tint(mode), &[Text::new(symbol(mode), SMALL), words]);
+        let paint = |scene: &mut Scene, patch: &Rect| scene.area(&patch.corners(), Verdict::Begins(mode));
+        key.patch(scene, paint, &[Text::new(symbol(mode), SMALL), words]);
     }
     key.below()
 }

@@ -1,12 +1,15 @@
 //! A drawing under way: what is on the page already, and the labels, leaders and marks that keep off it.
 
+use standfast::Verdict;
+
 use crate::axes::Axes;
 use crate::ground::arcs;
 use crate::labels::{Board, Leader, Lines};
-use crate::palette::{INK, MARK, PAPER};
-use crate::plot::{Arc, Piece, arcs_path};
+use crate::palette::{INK, MARK, PAPER, verdict_texture, verdict_tint};
+use crate::plot::{Arc, Piece, arcs_path, outline};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
+use crate::texture::{self, Texture};
 use crate::{DesignPoint, is_drawable};
 
 /// The type size of formulas and of the names of design points.
@@ -23,6 +26,17 @@ pub(crate) struct Canvas {
 impl Canvas {
     pub(crate) fn new(axes: Axes) -> Canvas {
         Canvas { scene: Scene::default(), board: Board::new(axes), hatched: Vec::new() }
+    }
+
+    /// Fills the region of a verdict; labels on its texture are laid on its tint.
+    pub(crate) fn region(&mut self, pieces: &[Piece], verdict: Verdict) {
+        let axes = self.board.axes;
+        let tint = verdict_tint(verdict);
+        self.scene.fill(&outline(&axes, pieces), tint);
+        texture::over_pieces(&mut self.scene, &axes, pieces, verdict);
+        if verdict_texture(verdict) != Texture::Plain {
+            self.hatched.push((pieces.to_vec(), tint));
+        }
     }
 
     /// Sets a label, if there is a place for it, and keeps others off.

@@ -1,16 +1,16 @@
-//! Figures of probabilities: bars, what matters, lines with their intervals, and clouds of draws.
+//! Figures of probabilities: points with their intervals, what matters, lines with their intervals, and clouds of draws.
 //!
 //! Figures are given by numbers and words. Everything that has a name has it beside the plot or in a key below, so that
 //! no label lies on another, whatever the numbers are.
 
-mod bars;
 mod cloud;
 mod lines;
+mod rows;
 mod tornado;
 
-pub use bars::{ChanceBar, ChanceBars, ChanceGroup, chance_bars};
 pub use cloud::{ChanceCloud, CloudPanel, chance_cloud};
 pub use lines::{ChanceLine, ChanceLines, ChanceMark, LineLook, chance_lines};
+pub use rows::{ChanceGroup, ChanceRow, ChanceRows, chance_rows};
 pub use tornado::{Importance, Tornado, chance_tornado};
 
 use crate::Figure;

@@ -3,9 +3,9 @@
 //! Drawing order: tints, hatching, drop lines, curves, axes, points, then labels: letters of points, design points,
 //! the lens, names of regions, formulas. What finds no free place goes to the plot's edge, and then to the caption.
 
-use standfast::Mode;
 use standfast::initiation::NamedPoint;
 use standfast::region::Strip;
+use standfast::{Mode, Verdict};
 
 use crate::axes::{Axes, Names};
 use crate::below::Words;
@@ -14,7 +14,7 @@ use crate::caption::SIZE;
 use crate::drawing::Drawing;
 use crate::margins::{self, Tab};
 use crate::palette::{FAINT, INK, PAPER, symbol, tint};
-use crate::plot::{Arc, Piece, View, clip, clip_strips, hatch, level, outline};
+use crate::plot::{Arc, Fall, Piece, View, clip, clip_strips, hatch, level};
 use crate::scene::{Pen, Rect};
 use crate::sheet::{Line, Mark, Naming, Part, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
@@ -32,6 +32,11 @@ struct Area {
     name: String,
     /// Number of the unresolved part, counted from zero.
     unresolved: Option<usize>,
+}
+
+/// The way of hatching: parts that touch differ in it.
+fn way(which: usize) -> Fall {
+    if which % 2 == 1 { Fall::Falling } else { Fall::Rising }
 }
 
 /// The drawing under way.
@@ -160,17 +165,17 @@ impl<'a> Draft<'a> {
     pub(crate) fn tints(&mut self) {
         let axes = self.canvas.board.axes;
         for area in &self.areas {
-            self.canvas.scene.fill(&outline(&axes, &area.pieces), tint(area.mode));
+            self.canvas.region(&area.pieces, Verdict::Begins(area.mode));
         }
         for area in &self.areas {
             if let Some(which) = area.unresolved {
-                let lines = hatch(&axes, &area.pieces, 9.0, which % 2 == 1);
+                let lines = hatch(&axes, &area.pieces, 9.0, way(which));
                 self.canvas.scene.stroke(&lines, Pen::solid(INK, 0.45));
             }
         }
         for (i, part) in self.given.hatched.iter().enumerate() {
             let pieces = clip_strips(&part.strips, &axes.view());
-            let lines = hatch(&axes, &pieces, 9.0, i % 2 == 1);
+            let lines = hatch(&axes, &pieces, 9.0, way(i));
             self.canvas.scene.stroke(&lines, Pen::solid(FAINT, 0.4));
             self.canvas.hatched.push((pieces, tint(part.resolved_as)));
         }

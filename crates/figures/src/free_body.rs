@@ -7,7 +7,7 @@ use standfast::ground::strength::{CrushPoint, Stretch};
 use standfast::{Corner, CornerAcceleration, Mode, Motion, Point, Verdict};
 
 use crate::Figure;
-use crate::palette::{FAINT, INK, MARK, PAPER, PUSH, verdict_symbol, verdict_tint};
+use crate::palette::{FAINT, INK, MARK, PAPER, PUSH, verdict_symbol};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -208,11 +208,12 @@ impl Sketch {
     }
 
     fn body(&self, scene: &mut Scene) {
-        let mut path = Path::through(&self.outline());
-        path.close();
+        let corners = self.outline();
         let middle = (self.centre, self.base - self.tall / 2.0);
         scene.open("class=\"body\"");
-        scene.fill(&path, verdict_tint(self.verdict));
+        scene.area(&corners, self.verdict);
+        let mut path = Path::through(&corners);
+        path.close();
         scene.stroke(&path, Pen::solid(INK, 1.5));
         scene.dot(middle, 2.4, INK, None);
         if self.half > 22.0 && self.tall > 44.0 {

@@ -21,7 +21,7 @@ use crate::margins;
 use crate::number::digits;
 use crate::outlines::{OutlinedLine, Outlines, polygons};
 use crate::palette::{BEHIND, FAINT, INK, verdict_symbol, verdict_tint};
-use crate::plot::{Arc, Piece, View, clip_strips, hatch, outline};
+use crate::plot::{Arc, Fall, Piece, View, clip_strips, hatch};
 use crate::scene::Pen;
 use crate::text::Text;
 use crate::{DesignPoint, DiagramContent, Figure, map, outlines};
@@ -96,11 +96,13 @@ impl GroundPlane<'_> {
                     if k_bf > 0.0 { (3.0 * k_bf / unit).min(1.0) } else { 1.0 }
                 }
             };
-            let mut window = Window { k: share * k_max, mu: share * mu_max };
-            for (k, mu) in content.marked() {
-                window = Window { k: window.k.max(1.12 * k), mu: window.mu.max(1.12 * mu) };
-            }
-            window
+            let corner = match self {
+                GroundPlane::Crushing(_) => map::unit(&self.rigid()),
+                GroundPlane::Failing(plane) => plane.k_bf(),
+            };
+            let most = (share * k_max, share * mu_max);
+            let View { k_max: k, mu_max: mu, .. } = map::framed(most, (corner, corner), &content.marked());
+            Window { k, mu }
         })
     }
 
@@ -178,7 +180,7 @@ impl Draft {
     fn figure(mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Figure {
         let axes = self.canvas.board.axes;
         for (verdict, pieces) in &self.areas {
-            self.canvas.scene.fill(&outline(&axes, pieces), verdict_tint(*verdict));
+            self.canvas.region(pieces, *verdict);
         }
         self.hatching(plane, content);
         for part in plane.rigid_lines(self.window) {
@@ -209,7 +211,7 @@ impl Draft {
         let axes = self.canvas.board.axes;
         let (strips, modes) = crush::undecided(chart, &axes.view());
         let pieces = clip_strips(&strips, &axes.view());
-        self.canvas.scene.stroke(&hatch(&axes, &pieces, 9.0, false), Pen::solid(FAINT, 0.4));
+        self.canvas.scene.stroke(&hatch(&axes, &pieces, 9.0, Fall::Rising), Pen::solid(FAINT, 0.4));
         for (verdict, own) in &self.areas {
             self.canvas.hatched.push((common(&pieces, own), verdict_tint(*verdict)));
         }

@@ -18,7 +18,7 @@
 //! |---|---|
 //! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `ground` (the k–μ plane where the base gives way), `rotation` (moment and rotation of an elastic base), `feasible` (two quantities of a design) |
 //! | What stands where, and what presses on it? | [`section`](fn@section) |
-//! | How likely is each mode? | `chances`: bars, what matters, lines with intervals, clouds of draws |
+//! | How likely is each mode? | `chances`: points with intervals, what matters, lines with intervals, clouds of draws |
 //! | What became of a body in time? | `motion`: histories, positions, a picture that moves |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
 //! | Where does it lie on the page? | `axes`, `scale` (numbers of an axis), `plot`, `canvas`, `chart` (of a `drawing`), `inset` |
@@ -66,6 +66,7 @@ mod screen;
 mod section;
 mod sheet;
 mod text;
+mod texture;
 
 use standfast::diagram::Window;
 use standfast::ground::bearing::BearingPlane;
@@ -79,8 +80,8 @@ use ground::GroundPlane;
 pub use axes::{Axis, AxisNumbers, axis_numbers};
 pub use cases::cases_on_screen;
 pub use chances::{
-    Chance, ChanceBar, ChanceBars, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, CloudPanel,
-    Importance, LineLook, Tornado, chance_bars, chance_cloud, chance_lines, chance_tornado,
+    Chance, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, ChanceRow, ChanceRows, CloudPanel,
+    Importance, LineLook, Tornado, chance_cloud, chance_lines, chance_rows, chance_tornado,
 };
 pub use feasible::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
@@ -91,6 +92,8 @@ pub use motion::{
 };
 pub use number::significant;
 pub use outlines::outlines;
+#[doc(hidden)]
+pub use palette::colours;
 pub use plot::View;
 #[cfg(feature = "render")]
 pub use render::RenderError;
@@ -115,9 +118,17 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// The SVG document.
+    /// The SVG document; in a dark page it takes dark colours.
     pub fn svg(&self) -> &str {
         &self.svg
+    }
+
+    /// The SVG document for a page that is always light.
+    pub fn svg_on_paper(&self) -> String {
+        match (self.svg.split_once("<style>"), self.svg.split_once("</style>\n")) {
+            (Some((before, _)), Some((_, after))) => before.to_owned() + after,
+            _ => self.svg.clone(),
+        }
     }
 
     /// Title of the figure, in a line of plain characters: `Fig. 3.11 All modes, case 3, …`.

@@ -199,9 +199,19 @@ pub(crate) fn window(diagram: &Diagram, points: &[(f64, f64)]) -> View {
         ChartCase::BelowBase => mu = mu.max(1.3 * rises(chart.mu_star_star())),
         _ => {}
     }
-    for point in points {
-        k = k.max(1.12 * point.0);
-        mu = mu.max(1.12 * point.1);
-    }
-    View::from_origin(k, mu)
+    let corner = (base, base);
+    framed((k, mu), corner, points)
+}
+
+/// A window of at most this size that shows points to be read off: not much farther than three times them, and the corner where
+/// regions meet.
+pub(crate) fn framed((k, mu): (f64, f64), corner: (f64, f64), points: &[(f64, f64)]) -> View {
+    const AROUND: f64 = 3.0;
+    const CORNER: f64 = 1.35;
+    let farthest = points.iter().fold((0.0, 0.0), |far: (f64, f64), at| (far.0.max(at.0), far.1.max(at.1)));
+    let side = |most: f64, point: f64, corner: f64| {
+        let framed = if points.is_empty() { most } else { most.min((AROUND * point).max(CORNER * corner)) };
+        framed.max(1.12 * point)
+    };
+    View::from_origin(side(k, farthest.0, corner.0), side(mu, farthest.1, corner.1))
 }

@@ -8,13 +8,13 @@ mod histories;
 mod positions;
 mod spectra;
 
-use standfast::Mode;
+use standfast::{Mode, Verdict};
 
 use crate::Figure;
 use crate::axes::{Axes, Axis, Look, NUMBER};
 use crate::below::{Words, modes_key};
 use crate::caption::SMALL;
-use crate::palette::{INK, symbol, tint};
+use crate::palette::{INK, symbol};
 use crate::scene::{Path, Rect, Scene};
 use crate::text::Text;
 
@@ -153,7 +153,7 @@ fn band(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect, symbols: boo
     let x = |part: usize| area.x0 + (area.x1 - area.x0) * part as f64 / count as f64;
     for (from, to, mode) in bands(picture.states, picture.end, count) {
         let stretch = Rect { x0: x(from), x1: x(to), ..area };
-        scene.fill(&Path::rectangle(&stretch), tint(mode));
+        scene.area(&stretch.corners(), Verdict::Begins(mode));
         let text = Text::new(symbol(mode), SMALL);
         if symbols && text.width + 5.0 <= stretch.x1 - stretch.x0 {
             scene.text_in(&text, &stretch, INK);

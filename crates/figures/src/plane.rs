@@ -18,8 +18,8 @@ use crate::labels::Lines;
 use crate::margins::{self, Tab};
 use crate::number::{digits, distinct_digits};
 use crate::outlines::Polyline;
-use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol, verdict_tint};
-use crate::plot::{Arc, Piece, View, clip_strips, level, outline};
+use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol};
+use crate::plot::{Arc, Piece, View, clip_strips, level};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{Figure, LoadPlane, caption};
@@ -113,7 +113,7 @@ fn drawn(given: &Plan, across: f64, scene: Scene) -> Figure {
     canvas.scene = scene;
 
     for area in &areas {
-        canvas.scene.fill(&outline(&axes, &area.pieces), verdict_tint(area.verdict));
+        canvas.region(&area.pieces, area.verdict);
     }
     let behind = self::areas(&given.rigid, &window);
     boundaries(&mut canvas, &given.rigid, &behind, RIGID);

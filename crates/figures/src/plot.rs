@@ -8,6 +8,7 @@ use standfast::region::{Curve, Strip};
 
 use crate::axes::{Axes, Axis};
 use crate::scene::{Path, Rect};
+use crate::texture::Segment;
 
 /// The rectangle of the plane that a plot shows: `k_min` ≤ k ≤ `k_max`, `mu_min` ≤ μ ≤ `mu_max`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -227,16 +228,45 @@ pub(crate) fn outline(axes: &Axes, pieces: &[Piece]) -> Path {
     path
 }
 
+/// The way of lines on the page, from left to right.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Fall {
+    Rising,
+    Falling,
+    Level,
+}
+
+impl Fall {
+    /// dy/dx on the page, y down.
+    pub(crate) fn slope(self) -> f64 {
+        match self {
+            Fall::Rising => -1.0,
+            Fall::Falling => 1.0,
+            Fall::Level => 0.0,
+        }
+    }
+}
+
 /// Hatching: lines that rise or fall at 45° on the page, `spacing` apart, cut where they leave the pieces.
-pub(crate) fn hatch(axes: &Axes, pieces: &[Piece], spacing: f64, falling: bool) -> Path {
+pub(crate) fn hatch(axes: &Axes, pieces: &[Piece], spacing: f64, fall: Fall) -> Path {
     let mut path = Path::default();
+    for (from, to) in ruled(axes, pieces, spacing, fall) {
+        path.move_to(from.0, from.1);
+        path.line_to(to.0, to.1);
+    }
+    path
+}
+
+/// Lines at 45° on the page or level, `spacing` apart, cut where they leave the pieces.
+pub(crate) fn ruled(axes: &Axes, pieces: &[Piece], spacing: f64, fall: Fall) -> Vec<Segment> {
+    let mut segments = Vec::new();
     let (Rect { x0, y0, x1, y1 }, window) = (axes.area, axes.view());
-    let sign = if falling { 1.0 } else { -1.0 };
-    // On the page y = start + sign (x − x0); all starts whose line meets the plot.
-    let (first, last) = if falling { (y0 - (x1 - x0), y1) } else { (y0, y1 + (x1 - x0)) };
+    let slope = fall.slope();
+    // On the page y = start + slope (x − x0); all starts whose line meets the plot.
+    let (first, last) = (y0 - slope.max(0.0) * (x1 - x0), y1 - slope.min(0.0) * (x1 - x0));
     for step in 0..=((last - first) / spacing) as usize {
         let start = first + spacing * step as f64;
-        let mu = |k: f64| axes.up_at(start + sign * (axes.x(k) - x0));
+        let mu = |k: f64| axes.up_at(start + slope * (axes.x(k) - x0));
         let slope = (mu(window.k_max) - mu(window.k_min)) / window.width();
         let line = (mu(window.k_min) - slope * window.k_min, slope);
         for piece in pieces {
@@ -247,14 +277,12 @@ pub(crate) fn hatch(axes: &Axes, pieces: &[Piece], spacing: f64, falling: bool) 
             for pair in cuts.windows(2) {
                 let middle = (pair[0] + pair[1]) / 2.0;
                 if (piece.lower.at(middle)..=piece.upper.at(middle)).contains(&mu(middle)) {
-                    let (from, to) = (axes.at(pair[0], mu(pair[0])), axes.at(pair[1], mu(pair[1])));
-                    path.move_to(from.0, from.1);
-                    path.line_to(to.0, to.1);
+                    segments.push((axes.at(pair[0], mu(pair[0])), axes.at(pair[1], mu(pair[1]))));
                 }
             }
         }
     }
-    path
+    segments
 }
 
 /// The values of k where a curve meets the line μ = `at_zero` + `slope` k.

@@ -1,11 +1,14 @@
 //! Drawings as SVG: paths, rules and glyphs in drawing order, coordinates in pixels, y down.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use crate::font::Face;
 use crate::palette::{self, INK, PAPER};
 use crate::text::Text;
+use crate::texture;
+use standfast::Verdict;
 
 /// An axis-parallel rectangle, `x0 ≤ x1`, `y0 ≤ y1`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +42,12 @@ impl Rect {
     /// Grown by `by` on all sides.
     pub(crate) fn grown(&self, by: f64) -> Rect {
         Rect { x0: self.x0 - by, y0: self.y0 - by, x1: self.x1 + by, y1: self.y1 + by }
+    }
+
+    /// The corners, clockwise on the page.
+    pub(crate) fn corners(&self) -> [(f64, f64); 4] {
+        let Rect { x0, y0, x1, y1 } = *self;
+        [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
     }
 
     /// The centre.
@@ -76,8 +85,8 @@ impl Pen {
 pub(crate) struct Path(String);
 
 impl Path {
-    pub(crate) fn rectangle(&Rect { x0, y0, x1, y1 }: &Rect) -> Path {
-        let mut path = Path::through(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
+    pub(crate) fn rectangle(rect: &Rect) -> Path {
+        let mut path = Path::through(&rect.corners());
         path.close();
         path
     }
@@ -143,8 +152,8 @@ impl Scene {
         Scene { themed: true, ..Scene::default() }
     }
 
-    fn paint<'a>(&self, colour: &'a str) -> &'a str {
-        if self.themed { palette::themed(colour) } else { colour }
+    fn paint<'a>(&self, colour: &'a str) -> Cow<'a, str> {
+        if self.themed { palette::themed(colour) } else { Cow::Borrowed(colour) }
     }
 
     /// Opens a group with attributes, to be closed by [`close`](Scene::close).
@@ -168,6 +177,14 @@ impl Scene {
         if !path.is_empty() {
             self.write(format_args!("<path d=\"{}\" fill=\"{colour}\"/>\n", path.0));
         }
+    }
+
+    /// Fills a polygon as a verdict, with its tint and its texture.
+    pub(crate) fn area(&mut self, corners: &[(f64, f64)], verdict: Verdict) {
+        let mut path = Path::through(corners);
+        path.close();
+        self.fill(&path, palette::verdict_tint(verdict));
+        texture::over_polygon(self, corners, verdict);
     }
 
     /// Draws a path as a line.
@@ -298,6 +315,12 @@ impl Scene {
         } else {
             format!("<path d=\"M0 0H{width}V{height}H0Z\" fill=\"{PAPER}\"/>\n")
         };
+        let root = format!("{paper}<g fill=\"{}\">\n", self.paint(INK));
+        let style = if self.themed {
+            String::new()
+        } else {
+            format!("<style>{}</style>\n", palette::dark_style(&(root.clone() + &self.body)))
+        };
         let mut svg = String::with_capacity(self.body.len() + 24_000);
         let put =
             |svg: &mut String, text: std::fmt::Arguments| svg.write_fmt(text).expect("writing to a string");
@@ -305,7 +328,7 @@ impl Scene {
             &mut svg,
             format_args!(
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-                 viewBox=\"0 0 {width} {height}\" role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n<defs>\n",
+                 viewBox=\"0 0 {width} {height}\" role=\"img\" class=\"standfast\">\n<title>{}</title>\n<desc>{}</desc>\n{style}<defs>\n",
                 escaped(title),
                 escaped(description)
             ),
@@ -314,10 +337,7 @@ impl Scene {
             let glyph = face.glyph(character);
             put(&mut svg, format_args!("<path id=\"{}\" d=\"{}\"/>\n", face.id(character), glyph.outline));
         }
-        put(
-            &mut svg,
-            format_args!("</defs>\n{paper}<g fill=\"{}\">\n{}</g>\n</svg>\n", self.paint(INK), self.body),
-        );
+        put(&mut svg, format_args!("</defs>\n{root}{}</g>\n</svg>\n", self.body));
         (svg, self.labels)
     }
 

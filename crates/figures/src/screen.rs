@@ -248,6 +248,6 @@ fn named_points(drawing: &Drawing) -> String {
 }
 
 /// The tint of a mode as CSS, for legends beside a picture.
-pub fn tint_on_screen(mode: Mode) -> &'static str {
-    crate::palette::themed(crate::palette::tint(mode))
+pub fn tint_on_screen(mode: Mode) -> String {
+    crate::palette::themed(crate::palette::tint(mode)).into_owned()
 }

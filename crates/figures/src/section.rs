@@ -9,7 +9,7 @@
 //!                                         legend
 //! ```
 //!
-//! Lengths are to one scale and pressures to another; arrows of forces say their size in figures. Every column and every row has
+//! Lengths are to one scale, pressures to another, arrows of forces to a third. Every column and every row has
 //! a strip of the page of its own, as wide as what stands in it, and within a strip labels are spread: so none lies on another,
 //! whatever the numbers.
 
@@ -87,6 +87,8 @@ pub struct Arrow {
     pub towards: (f64, f64),
     /// True if it acts on the mass and is drawn within the body, rather than on a face.
     pub is_inside: bool,
+    /// Its size, above zero, N or N/m.
+    pub size: f64,
     /// Its size as it is written.
     pub label: String,
     /// Name and amount, for the legend.
@@ -118,6 +120,8 @@ pub struct Mound {
 pub struct BaseReaction {
     /// Point of application.
     pub at: f64,
+    /// Its size, above zero, N or N/m.
+    pub size: f64,
     /// The ends of what bears it; the same twice where that is an edge.
     pub pressed: (f64, f64),
     /// The point about which the body turns, if it does.
@@ -149,6 +153,8 @@ pub struct Section<'a> {
     pub heights: Vec<Vec<Measure>>,
     /// Mound that the body stands on; a floor if none.
     pub mound: Option<Mound>,
+    /// Crest of the wave at the right wall, m above the base; its surface falls from there to the water at the right.
+    pub wave_crest: Option<f64>,
     /// Reaction of the base.
     pub reaction: Option<BaseReaction>,
     /// Sentences below the legend; not markup.
@@ -176,6 +182,7 @@ pub struct Section<'a> {
 ///     widths: Vec::new(),
 ///     heights: Vec::new(),
 ///     mound: None,
+///     wave_crest: None,
 ///     reaction: None,
 ///     notes: vec!["1 m by 2 m".to_owned()],
 /// });

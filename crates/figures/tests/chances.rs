@@ -2,8 +2,8 @@
 
 use standfast::Mode;
 use standfast_figures::{
-    Chance, ChanceBar, ChanceBars, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, CloudPanel,
-    Figure, Importance, LineLook, Rect, SpectrumAxis, Tornado, chance_bars, chance_cloud, chance_lines,
+    Chance, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, ChanceRow, ChanceRows, CloudPanel,
+    Figure, Importance, LineLook, Rect, SpectrumAxis, Tornado, chance_cloud, chance_lines, chance_rows,
     chance_tornado,
 };
 
@@ -30,7 +30,7 @@ fn within(value: f64) -> Chance {
 }
 
 #[test]
-fn bars_are_tidy_for_any_probabilities() {
+fn rows_are_tidy_for_any_probabilities() {
     let sets: [&[f64]; 6] = [
         &[1.0, 0.0, 0.0],
         &[0.97, 0.02, 3e-9],
@@ -42,21 +42,21 @@ fn bars_are_tidy_for_any_probabilities() {
     for values in sets {
         for make in [certain, within] {
             let modes = [Mode::Rest, Mode::SlideRockOLeft, Mode::SlideRockOPrimeLeft];
-            let bars: Vec<ChanceBar<'_>> = values
+            let rows: Vec<ChanceRow<'_>> = values
                 .iter()
                 .zip(modes)
-                .map(|(p, mode)| ChanceBar { mode: Some(mode), words: mode.words(), chance: make(*p) })
-                .chain([ChanceBar {
+                .map(|(p, mode)| ChanceRow { mode: Some(mode), words: mode.words(), chance: make(*p) })
+                .chain([ChanceRow {
                     mode: None,
                     words: "never met",
                     chance: Chance { value: 0.0, low: 0.0, high: 3e-4 },
                 }])
                 .collect();
             let groups = [
-                ChanceGroup { heading: "Under the loads of one event", bars: &bars },
-                ChanceGroup { heading: "At least once in 50 years", bars: &bars },
+                ChanceGroup { heading: "Under the loads of one event", rows: &rows },
+                ChanceGroup { heading: "At least once in 50 years", rows: &rows },
             ];
-            assert_tidy(&chance_bars(&ChanceBars {
+            assert_tidy(&chance_rows(&ChanceRows {
                 title: "A body",
                 caption: "By counting.",
                 groups: &groups,
@@ -165,17 +165,19 @@ fn rectangles(figure: &Figure, colour: &str) -> Vec<[f64; 4]> {
 /// On an axis of equal factors a probability a hundred times as small is two decades to the left: 10⁻² lies half as far as 1 where
 /// the axis begins at 10⁻⁴.
 #[test]
-fn a_bar_is_as_long_as_its_probability() {
-    let bar = |mode: Mode, p| ChanceBar { mode: Some(mode), words: mode.words(), chance: certain(p) };
-    let bars = [bar(Mode::Rest, 1.0), bar(Mode::SlideLeft, 1e-2), bar(Mode::RockO, 2.1e-4)];
-    let groups = [ChanceGroup { heading: "One event", bars: &bars }];
-    let figure = chance_bars(&ChanceBars { title: "", caption: "", groups: &groups });
-    let length = |colour| {
+fn a_point_lies_where_its_probability_is() {
+    let row = |mode: Mode, p| ChanceRow { mode: Some(mode), words: mode.words(), chance: certain(p) };
+    let rows = [row(Mode::Rest, 1.0), row(Mode::SlideLeft, 1e-2), row(Mode::RockO, 2.1e-4)];
+    let groups = [ChanceGroup { heading: "One event", rows: &rows }];
+    let figure = chance_rows(&ChanceRows { title: "", caption: "", groups: &groups });
+    let place = |property: &str| {
+        let (_, colour, _) =
+            standfast_figures::colours().find(|colour| colour.0 == property).expect("a colour");
         let [x0, _, x1, _] = rectangles(&figure, colour)[0];
-        x1 - x0
+        (x0 + x1) / 2.0
     };
-    let whole = length("#f1f4f7");
-    assert!((length("#f7de8b") / whole - 0.5).abs() < 1e-3, "{} of {whole}", length("#f7de8b"));
-    let rock = 1.0 + 2.1e-4f64.log10() / 4.0;
-    assert!((length("#aad2f0") / whole - rock).abs() < 1e-3);
+    let [one, hundredth, rare] = ["rest", "slide", "rock"].map(place);
+    let decade = (one - hundredth) / 2.0;
+    assert!(decade > 100.0, "{decade}");
+    assert!((one - rare - decade * -(2.1e-4f64.log10())).abs() < 0.02, "{one} {hundredth} {rare}");
 }

@@ -33,11 +33,39 @@ fn identifiers_read_back_and_errors_list_what_exists() {
     assert!(error.to_string().starts_with("the report has no figure \"3.12\"; it has 2.1, 3.1, 3.2, 3.3a,"));
 }
 
+/// A colour on paper.
+fn paper(property: &str) -> &'static str {
+    standfast_figures::colours().find(|colour| colour.0 == property).expect("a colour").1
+}
+
+/// Every colour of a drawing has its counterpart in a dark page, written beside it, and nothing else is coloured.
+#[test]
+fn every_colour_has_its_counterpart_in_a_dark_page() {
+    let colours: Vec<_> = standfast_figures::colours().collect();
+    for id in FigureId::ALL {
+        let figure = report_figure(id);
+        let (_, rest) = figure.svg().split_once("<style>").expect("a style");
+        let (style, body) = rest.split_once("</style>").expect("its end");
+        assert_eq!(figure.svg_on_paper(), figure.svg().replace(&format!("<style>{style}</style>\n"), ""));
+        assert!(style.starts_with("@media (prefers-color-scheme:dark){") && style.ends_with("}}"), "{style}");
+        for attribute in ["fill", "stroke"] {
+            for piece in body.split(&format!(" {attribute}=\"#")).skip(1) {
+                let light = format!("#{}", &piece[..6]);
+                let (.., dark) =
+                    colours.iter().find(|colour| colour.1 == light).expect("a colour of the palette");
+                let rule = format!("[{attribute}=\"{light}\"]{{{attribute}:{dark}}}");
+                assert!(style.contains(&rule), "{rule} in {id}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_regions_of_a_picture_have_the_colours_of_their_modes() {
     let figure = report_figure("3.10".parse().expect("a figure"));
-    for tint in ["#f1f4f7", "#f7de8b", "#aad2f0", "#f0ab6b"] {
-        assert_eq!(figure.svg().matches(tint).count(), 1, "{tint}");
+    for property in ["rest", "slide", "rock", "slide-rock-left"] {
+        let filled = format!("fill=\"{}\"/>", paper(property));
+        assert_eq!(figure.svg().matches(&filled).count(), 1, "{property}");
     }
 }
 
@@ -192,6 +220,25 @@ fn numbers_for_another_tool_are_those_of_the_figures() {
                 theirs.iter().any(|one| (one - number).abs() < 1e-12),
                 "{number} is not among {theirs:?}"
             );
+        }
+    }
+}
+
+/// A plane shows its design point and the corner A, and not the rest of the plane: within three times the point, or the corner with
+/// its room.
+#[test]
+fn a_plane_is_framed_around_its_point() {
+    use standfast::Diagram;
+    use standfast_figures::DiagramContent;
+    for (gamma, k_prime) in [(0.7, 0.23), (1.0, 0.4), (3.0, 0.8), (1.0, -0.6), (4.0, -0.55)] {
+        let body = Diagram::new(gamma, k_prime).expect("a body");
+        let k_a = body.chart().k_a();
+        for share in [0.2, 0.9, 1.4, 5.0] {
+            let (k, mu) = (share * k_a, 0.6);
+            let window = DiagramContent { cloud: &[(k, mu)], ..DiagramContent::default() }.window_of(&body);
+            assert!(window.k > k.max(k_a) && window.mu > mu.max(k_a), "{window:?} for {k} at γ = {gamma}");
+            assert!(window.k <= (3.0 * k).max(1.35 * k_a) * (1.0 + 1e-12), "{window:?} for {k}");
+            assert!(window.mu <= (3.0 * mu).max(1.35 * k_a) * (1.0 + 1e-12), "{window:?} for {k}");
         }
     }
 }

@@ -290,9 +290,16 @@ fn a_force_to_the_right_has_the_same_lines() {
     let cases = gallery();
     let [left, right] = [0, 4].map(|i| cases[i].figure());
     assert_eq!(right.caption(), left.caption().replace("SL", "SL₊"));
-    for tint in ["#f7de8b", "#f0ab6b"] {
-        assert_eq!(right.svg().matches(tint).count(), left.svg().matches(tint).count());
+    for property in ["slide", "slide-rock-left"] {
+        let (_, tint, _) =
+            standfast_figures::colours().find(|colour| colour.0 == property).expect("a colour");
+        let filled = format!("fill=\"{tint}\"/>");
+        assert!(right.svg().contains(&filled) && left.svg().contains(&filled));
     }
+    // The mirror image is striped, as its tint is its partner's.
+    let stripes =
+        |figure: &Figure| figure.svg().matches("stroke-width=\"1.15\" stroke-linejoin=\"round\"/>").count();
+    assert!(stripes(&right) > stripes(&left));
     assert!(right.labels().iter().any(|label| label.text == "SRO′₊"));
 }
 

@@ -88,7 +88,8 @@ fn the_text_of_a_pdf_lies_where_the_letters_are_drawn_and_is_not_seen() {
 /// At true scale the lens A–B′ of Fig. 4.5a is some three pixels high; the lines that bound it must leave some of it.
 #[test]
 fn the_lens_is_seen_at_true_scale() {
-    const LENS: [u8; 3] = [0xf0, 0xab, 0x6b];
+    let (_, lens, _) =
+        standfast_figures::colours().find(|colour| colour.0 == "slide-rock-left").expect("a colour");
     let figure = report_figure("4.5a".parse().expect("a figure"));
     let png = tiny_skia::Pixmap::decode_png(&figure.png(2.0).expect("a PNG")).expect("a picture");
     let place = |name: &str| {
@@ -100,8 +101,18 @@ fn the_lens_is_seen_at_true_scale() {
     let seen = (a.0 as u32..b.0 as u32).flat_map(|x| (b.1 as u32..a.1 as u32).map(move |y| (x, y)));
     let seen = seen.filter_map(|(x, y)| png.pixel(x, y)).filter(|pixel| {
         let pixel = pixel.demultiply();
-        [pixel.red(), pixel.green(), pixel.blue()] == LENS
+        format!("#{:02x}{:02x}{:02x}", pixel.red(), pixel.green(), pixel.blue()) == lens
     });
     let count = seen.count();
     assert!(count > 150, "{count} pixels of the lens");
+}
+
+/// Renderers that know no dark pages draw the light colours: the style is no part of what they draw.
+#[test]
+fn pixels_have_the_colours_of_paper() {
+    let figure = report_figure("3.9a".parse().expect("a figure"));
+    let png = figure.png(1.0).expect("a picture");
+    let pixels = resvg::tiny_skia::Pixmap::decode_png(&png).expect("pixels");
+    let white = pixels.pixel(0, 0).expect("a corner");
+    assert_eq!((white.red(), white.green(), white.blue()), (255, 255, 255));
 }

@@ -41,6 +41,7 @@ fn bare(parts: &[Outline], width: f64) -> Section<'_> {
         widths: Vec::new(),
         heights: Vec::new(),
         mound: None,
+        wave_crest: None,
         reaction: None,
         notes: Vec::new(),
     }
@@ -69,6 +70,7 @@ fn arrow(dice: &mut Dice, (width, height): (f64, f64)) -> Arrow {
         at: (width * (dice.roll() - 0.5), 1.3 * height * dice.roll()),
         towards,
         is_inside: dice.roll() < 0.2,
+        size: 1e6 * dice.roll(),
         label: "1234 kN/m".to_owned(),
         words: "force, 1234 kN/m".to_owned(),
     }
@@ -104,11 +106,13 @@ fn random(dice: &mut Dice, parts: &[Outline], (width, height): (f64, f64)) -> Fi
             let (one, other) = (width * (dice.roll() - 0.5), width * (dice.roll() - 0.5));
             BaseReaction {
                 at: (one + other) / 2.0,
+                size: 1e6 * dice.roll(),
                 pressed: (one.min(other), one.max(other)),
                 neutral: (dice.roll() < 0.5).then_some(one.max(other)),
                 label: "2319 kN/m".to_owned(),
             }
         }),
+        wave_crest: (dice.roll() < 0.3).then(|| 2.0 * height * dice.roll()),
         centroid: (0.3 * width * (dice.roll() - 0.5), height * (0.2 + 0.6 * dice.roll())),
         notes: vec!["A sentence below all.".to_owned()],
         ..bare(parts, width)
@@ -155,6 +159,7 @@ fn lengths_are_to_one_scale() {
         at: (x, 8.0),
         towards: (0.0, -1.0),
         is_inside: false,
+        size: 1.0,
         label: format!("{x} N"),
         words: String::new(),
     });
@@ -169,6 +174,68 @@ fn lengths_are_to_one_scale() {
     let across = (at(" 1 N").0 - at("-1 N").0) / 2.0;
     // The labels of the forces may be spread.
     assert!(across >= per_metre - 1e-9);
+}
+
+/// The ends of the lines of this look, from left and right.
+fn lines(figure: &Figure, look: &str) -> Vec<[(f64, f64); 2]> {
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    let read = |line: &str| {
+        let data = line.split_once("d=\"M").expect("a path").1.split_once('"').expect("its end").0;
+        let (from, to) = data.split_once('L')?;
+        let place = |text: &str| text.split_once(' ').map(|(x, y)| (number(x), number(y)));
+        Some([place(from)?, place(to)?])
+    };
+    figure.svg().lines().filter(|line| line.contains(look)).filter_map(read).collect()
+}
+
+/// Arrows of forces of 60, 40 and 20 are as 3 : 2 : 1, heads among them.
+#[test]
+fn arrows_of_forces_are_to_one_scale() {
+    let parts = [block(4.0, 8.0)];
+    let arrow = |elevation: f64, size: f64| Arrow {
+        at: (2.0, elevation),
+        towards: (-1.0, 0.0),
+        is_inside: false,
+        size,
+        label: format!("{size} N"),
+        words: String::new(),
+    };
+    let arrows = vec![arrow(2.0, 60.0), arrow(4.0, 40.0), arrow(6.0, 20.0)];
+    let figure = section(&Section { arrows, ..bare(&parts, 4.0) });
+    let strong = lines(&figure, "stroke=\"#a3123f\" stroke-width=\"2\"");
+    // The line ends inside the head, six units before its tip.
+    let lengths: Vec<f64> = strong.iter().map(|[tail, end]| (tail.0 - end.0).abs() + 6.0).collect();
+    assert_eq!(lengths.len(), 3);
+    assert!(
+        (lengths[0] - 3.0 * lengths[2]).abs() < 0.1 && (lengths[1] - 2.0 * lengths[2]).abs() < 0.1,
+        "{lengths:?}"
+    );
+}
+
+/// A force on a stem that stands back from the toe of its footing ends on the stem.
+#[test]
+fn a_force_ends_on_the_face_that_it_pushes() {
+    let at = |left: f64, right: f64, bottom: f64, top: f64| Outline {
+        vertices: vec![(left, bottom), (right, bottom), (right, top), (left, top)],
+        material: Material::Solid,
+        label: String::new(),
+    };
+    let parts = [at(-3.0, 3.0, 0.0, 1.0), at(-2.0, -1.0, 1.0, 5.0)];
+    let arrow = Arrow {
+        at: (3.0, 3.0),
+        towards: (-1.0, 0.0),
+        is_inside: false,
+        size: 1.0,
+        label: "1 N".to_owned(),
+        words: String::new(),
+    };
+    let widths = vec![vec![Measure { ends: (-3.0, 3.0), label: "6 m".to_owned() }]];
+    let figure = section(&Section { arrows: vec![arrow], widths, ..bare(&parts, 6.0) });
+    let [tail, end] = lines(&figure, "stroke=\"#a3123f\" stroke-width=\"2\"")[0];
+    let tip = end.0 - 6.0;
+    let [left, right] = lines(&figure, "stroke-width=\"0.8\"")[0];
+    let metre = (right.0 - left.0) / 6.0;
+    assert!(tail.0 > tip && (tip - (left.0 + 2.0 * metre)).abs() < 2.0, "{tip} {left:?} {metre}");
 }
 
 #[test]
@@ -198,7 +265,8 @@ fn what_is_drawn_nearer_is_said_to_be() {
     assert!(!mound(-2.0, 4.0) && mound(-40.0, 4.0) && mound(-2.0, 80.0));
     let force = |x: f64, y: f64, towards: (f64, f64)| {
         let words = "force".to_owned();
-        let arrow = Arrow { at: (x, y), towards, is_inside: false, label: "1 kN/m".to_owned(), words };
+        let arrow =
+            Arrow { at: (x, y), towards, is_inside: false, size: 1.0, label: "1 kN/m".to_owned(), words };
         says(Section { arrows: vec![arrow], ..bare(&parts, 10.0) })
     };
     assert!(!force(0.0, 9.0, (-1.0, 0.0)) && force(0.0, 900.0, (-1.0, 0.0)));

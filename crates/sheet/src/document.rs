@@ -205,7 +205,7 @@ fn of_case(index: usize, figure: &AnswerFigure) -> Markup {
 /// A figure, its glyphs renamed so that those of several do not clash.
 fn drawing(index: usize, is_section: bool, figure: &Figure, words: &str) -> Markup {
     let own = format!("f{}-", index + 1);
-    let svg = figure.svg().replace("\"sf-", &format!("\"{own}")).replace("#sf-", &format!("#{own}"));
+    let svg = figure.svg_on_paper().replace("\"sf-", &format!("\"{own}")).replace("#sf-", &format!("#{own}"));
     html! {
         figure.section[is_section] {
             (PreEscaped(svg))

@@ -13,9 +13,10 @@ use crate::case::{Acting, Case, Waves};
 use crate::layout::digits;
 use crate::units::Extent;
 
-const SCALES: &str = "Lengths are to one scale, pressures to another, arrows of forces to none. Values are those of the case, \
-    before any factor of a combination.";
+const SCALES: &str = "Lengths are to one scale, pressures to another, arrows of forces to a third; the smallest of these are drawn \
+    longer, to be seen. Values are those of the case, before any factor of a combination.";
 const EQUAL: &str = "Water stands equally high on both sides: its pressures there cancel, and are no load.";
+const WAVE: &str = "The wave is drawn to η*, where its pressure would end; its shape is a sketch. Pressures are those above still water.";
 const SLOPES: &str = "How steep the mound is, the case does not say.";
 const SHAKEN: &str = "The earthquake is drawn as it is given; the other directions are tried as well.";
 
@@ -43,6 +44,7 @@ pub(super) fn figure(assessment: &Assessment) -> Result<Figure, InputError> {
         widths,
         heights,
         mound: case.wave.as_ref().and_then(mound),
+        wave_crest: case.wave.as_ref().map(|wave| wave.section.base_depth + wave.goda.eta_star),
         reaction,
         notes,
     };
@@ -74,7 +76,7 @@ fn reaction(case: &Case, assessed: &Assessed, ground: &BaseResponse) -> Option<B
         }
     };
     let neutral = crush.and_then(|crush| crush.neutral).map(|neutral| centre + neutral);
-    Some(BaseReaction { at, pressed, neutral, label: case.extent.kilonewtons(force) })
+    Some(BaseReaction { at, size: force.abs(), pressed, neutral, label: case.extent.kilonewtons(force) })
 }
 
 /// The width that bears the reaction; none of an edge.
@@ -170,10 +172,12 @@ fn levels(case: &Case) -> Vec<Level> {
         let wet = sides.into_iter().filter(|(_, elevation)| *elevation > 0.0);
         levels.extend(wet.map(|(side, elevation)| level(side, elevation, "water", true)));
     }
-    if let Some(Waves { sea, section, .. }) = &case.wave {
+    if let Some(Waves { sea, section, goda, .. }) = &case.wave {
         let still = section.base_depth;
-        levels.retain(|level| (level.side, level.is_water) != (Side::Right, true));
-        levels.push(level(Side::Right, still, "still water", true));
+        levels.retain(|level| !level.is_water);
+        // Goda's pressures are those above still water, which stands in the harbour as well.
+        levels.extend([Side::Left, Side::Right].map(|side| level(side, still, "still water", true)));
+        levels.push(level(Side::Right, still + goda.eta_star, "η*", false));
         levels.push(level(Side::Right, still - section.depth_above_berm, "berm", false));
         levels.push(level(Side::Right, still - sea.water_depth, "sea bed", false));
     }
@@ -231,13 +235,23 @@ fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
         };
         words += &place.replace(" -", " −");
     }
-    (size != 0.0).then(|| Arrow { at, towards, is_inside, label: extent.kilonewtons(size.abs()), words })
+    (size != 0.0).then(|| Arrow {
+        at,
+        towards,
+        is_inside,
+        size: size.abs(),
+        label: extent.kilonewtons(size.abs()),
+        words,
+    })
 }
 
 fn notes(case: &Case) -> Vec<String> {
     let mut notes = vec![SCALES];
     if case.water.as_ref().is_some_and(|water| water.left() == water.right()) {
         notes.push(EQUAL);
+    }
+    if case.wave.is_some() {
+        notes.push(WAVE);
     }
     if case.wave.as_ref().and_then(mound).is_some() {
         notes.push(SLOPES);

@@ -2,8 +2,8 @@
 
 use standfast::Mode;
 use standfast_figures::{
-    Chance, ChanceBar, ChanceBars, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, Figure, Importance,
-    LineLook, SpectrumAxis, Tornado, chance_bars, chance_lines, chance_tornado,
+    Chance, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, ChanceRow, ChanceRows, Figure, Importance,
+    LineLook, SpectrumAxis, Tornado, chance_lines, chance_rows, chance_tornado,
 };
 use standfast_probability::lognormal::Lognormal;
 use standfast_probability::sample::Estimate;
@@ -64,7 +64,11 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
                 Some(mode) => (Some(mode), mode.words().to_owned(), chance(*e)),
                 None => (None, happening.name(), chance(*e)),
             };
-            modes.iter().map(bar).chain([(None, "does not rest".to_owned(), chance(not_rest))]).collect()
+            // One mode alone is all that does not rest.
+            let moved: Vec<_> = modes.iter().filter(|(mode, _)| mode.mode() != Some(Mode::Rest)).collect();
+            let is_all = matches!(moved[..], [(_, e)] if digits(e.value) == digits(not_rest.value));
+            let whole = (None, "does not rest".to_owned(), chance(not_rest));
+            modes.iter().map(bar).chain((!is_all).then_some(whole)).collect()
         };
     let mut groups = vec![(
         match &worst.situation {
@@ -79,16 +83,16 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
         let heading = format!("At least once in {} years", digits(life.years));
         groups.push((heading, in_words(&chosen(&moved), life.not_rest)));
     }
-    let bars: Vec<Vec<ChanceBar<'_>>> = groups
+    let bars: Vec<Vec<ChanceRow<'_>>> = groups
         .iter()
         .map(|(_, bars)| {
             bars.iter()
-                .map(|(mode, words, chance)| ChanceBar { mode: *mode, words, chance: *chance })
+                .map(|(mode, words, chance)| ChanceRow { mode: *mode, words, chance: *chance })
                 .collect()
         })
         .collect();
     let groups: Vec<ChanceGroup<'_>> =
-        groups.iter().zip(&bars).map(|((heading, _), bars)| ChanceGroup { heading, bars }).collect();
+        groups.iter().zip(&bars).map(|((heading, _), rows)| ChanceGroup { heading, rows }).collect();
     let mut caption = match worst.method {
         Method::Integrate => "Integrated.".to_owned(),
         method => format!("By {method}; intervals of 95 %."),
@@ -106,7 +110,7 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
         caption += &format!(" β = {}; Φ(−β) = {} is not P.", digits(point.beta), digits(point.first_order()));
     }
     let title = format!("How likely each mode is: {title}");
-    chance_bars(&ChanceBars { title: &title, caption: &caption, groups: &groups })
+    chance_rows(&ChanceRows { title: &title, caption: &caption, groups: &groups })
 }
 
 fn matters_drawn(answer: &Probability, worst: &Chances, title: &str) -> Option<Figure> {

@@ -1,14 +1,17 @@
 //! Draws as dots in the colours of their modes.
 
-use standfast::Mode;
+use standfast::{Mode, Verdict};
 
 use super::{LEFT, LOOK, finished, plot};
 use crate::Figure;
 use crate::axes::Axes;
-use crate::below::modes_key;
+use crate::below::{Key, modes_key};
+use crate::caption::SMALL;
 use crate::motion::SpectrumAxis;
-use crate::palette::{FAINT, tint};
+use crate::palette::{FAINT, INK, symbol, texture, tint};
 use crate::scene::{Path, Pen, Scene};
+use crate::text::Text;
+use crate::texture::Texture;
 
 const TOP: f64 = 36.0;
 const DOWN: f64 = 280.0;
@@ -75,6 +78,9 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
             scene.stroke(&dots, Pen { colour: FAINT, width: 4.6, dashes: "0 9" });
             let inner = mode.map_or(crate::palette::PAPER, tint);
             scene.stroke(&dots, Pen { colour: inner, width: 3.4, dashes: "0 9" });
+            if mode.is_some_and(|mode| texture(mode) != Texture::Plain) {
+                scene.stroke(&dots, RING);
+            }
         }
         plot.draw(&mut scene, LOOK, 36.0, (left, TOP - 14.0));
         let [across, up] = plot.names();
@@ -87,23 +93,38 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
     let modes: Vec<Mode> =
         Mode::ALL.into_iter().filter(|m| order.iter().any(|(_, o)| *o == Some(*m)) || has_area(m)).collect();
     let below = modes_key(&mut scene, &modes, (LEFT, right), bottom + 8.0);
+    let below = rings_key(&mut scene, &order, (LEFT, right), below);
     let description = format!("Draws as dots: {}.", names.join("; "));
     finished(scene, (chart.title, chart.caption), (right, below + 8.0), &description)
 }
 
+/// Heart of the dots of a mode that shares its tint with its mirror image.
+const RING: Pen = Pen { colour: INK, width: 1.3, dashes: "0 9" };
+
+/// What rings are, if there are any; returns the y below.
+fn rings_key(scene: &mut Scene, order: &[(usize, Option<Mode>)], edges: (f64, f64), top: f64) -> f64 {
+    let ringed = order.iter().filter_map(|(_, mode)| *mode).filter(|mode| texture(*mode) != Texture::Plain);
+    let symbols: Vec<&str> = ringed.map(symbol).collect();
+    if symbols.is_empty() {
+        return top;
+    }
+    let text = Text::inline(&format!("dots with a heart: {}", symbols.join(", ")), SMALL);
+    let mut key = Key::new(edges, top);
+    let (x, y) = key.entry(text.width, 0.0);
+    scene.text(&text, x, y + 10.5, INK);
+    key.below()
+}
+
 /// Areas in the colours of their modes, and thin lines where they meet.
 fn paint(scene: &mut Scene, axes: &Axes, areas: &[(Mode, Vec<(f64, f64)>)]) {
-    let outline = |corners: &[(f64, f64)]| {
-        let mut path = Path::through(&corners.iter().map(|(x, y)| axes.held(*x, *y)).collect::<Vec<_>>());
-        path.close();
-        path
-    };
     for mode in Mode::ALL {
         for (_, corners) in areas.iter().filter(|(other, _)| *other == mode) {
-            let path = outline(corners);
-            scene.fill(&path, tint(mode));
+            let places: Vec<_> = corners.iter().map(|(x, y)| axes.held(*x, *y)).collect();
+            let mut path = Path::through(&places);
+            path.close();
             // Neighbours of one colour show no seam.
             scene.stroke(&path, Pen::solid(tint(mode), 0.6));
+            scene.area(&places, Verdict::Begins(mode));
         }
     }
 }

@@ -9,16 +9,15 @@ use crate::below::Key;
 use crate::caption::SMALL;
 use crate::labels::spread;
 use crate::motion::SpectrumAxis;
-use crate::palette::{FAINT, INK, MARK, tint};
+use crate::palette::{BAND, BAND_OF_MODE, FAINT, INK, MARK, texture, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
+use crate::texture::Texture;
 
 const PLOT: (f64, f64) = (470.0, 300.0);
 /// Above the axes: the name of an axis, and what marks are.
 const TOP: f64 = 30.0;
 const MARKS: f64 = 22.0;
-const BAND: &str = "#dfe3e8";
-const BAND_OF_MODE: &str = "#f1f2f4";
 
 /// Look of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,7 +94,11 @@ fn pens(look: LineLook) -> Vec<Pen> {
     match look {
         LineLook::Answer => vec![Pen::solid(INK, 1.6)],
         // A tint on paper is seen by its rim.
-        LineLook::Mode(mode) => vec![Pen::solid(FAINT, 4.0), Pen::solid(tint(mode), 2.8)],
+        LineLook::Mode(mode) => {
+            // Its mirror image has the same tint.
+            let dashes = if texture(mode) == Texture::Plain { "" } else { "9 4" };
+            [(FAINT, 4.0), (tint(mode), 2.8)].map(|(colour, width)| Pen { colour, width, dashes }).to_vec()
+        }
         LineLook::Fit => vec![Pen { colour: MARK, width: 1.4, dashes: "6 3.5" }],
     }
 }

@@ -5,7 +5,7 @@ use crate::Figure;
 use crate::axes::{Axes, Axis, NUMBER};
 use crate::caption::{SMALL, shortened};
 use crate::number::{digits, significant};
-use crate::palette::{BEHIND, FAINT, INK, MARK};
+use crate::palette::{BEHIND, FAINT, INK, LOWERS, MARK, RAISES};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -15,9 +15,6 @@ const SHARES: f64 = 150.0;
 const KNOWN: f64 = 250.0;
 const TOP: f64 = 44.0;
 const LEAST: f64 = 1e-12;
-/// Bars: of α², and of a probability that knowing lowers or raises.
-const LOWERS: &str = "#8fb4d6";
-const RAISES: &str = "#e2a5b5";
 
 /// A random number and what it does.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,10 +1,12 @@
 //! The body at some moments, side by side and to scale.
 
+use standfast::Verdict;
+
 use super::{MotionOutline, MotionPicture, MotionPose, extent, finished, polygon};
 use crate::Figure;
 use crate::axes::NUMBER;
 use crate::number::significant;
-use crate::palette::{FAINT, INK, symbol, tint};
+use crate::palette::{FAINT, INK, symbol};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -68,7 +70,7 @@ fn body(
     place: &dyn Fn((f64, f64)) -> (f64, f64),
 ) {
     let of = |pose: &MotionPose| polygon(&outline.corners(pose).map(place));
-    scene.fill(&of(pose), tint(pose.mode));
+    scene.area(&outline.corners(pose).map(place), Verdict::Begins(pose.mode));
     if let Some(standing) = standing {
         scene.stroke(&of(standing), GHOST);
     }

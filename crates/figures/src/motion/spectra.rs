@@ -5,7 +5,7 @@ use crate::axes::{Axis, Look, NUMBER, Plot, Tick};
 use crate::below::{Key, Words};
 use crate::caption::SMALL;
 use crate::number::significant;
-use crate::palette::{INK, MARK, PUSH};
+use crate::palette::{INK, MARK, OVERTURNS, PUSH, ROCKING};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -16,7 +16,6 @@ const LINES: [Pen; 3] = [
     Pen { colour: PUSH, width: 1.3, dashes: "6 3" },
     Pen { colour: MARK, width: 1.3, dashes: "2 2.4" },
 ];
-const SHADED: &str = "#f3d5dc";
 
 /// A quantity along an axis of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,8 +66,8 @@ pub struct SpectrumMap<'a> {
     pub rows: &'a [f64],
     /// The class of each column and row, column by column: a number of `classes`.
     pub cells: &'a [usize],
-    /// Each class: its colour, and its words in markup.
-    pub classes: &'a [(&'static str, &'a str)],
+    /// Words of each class, in markup: does not rock, four of rotations up to the angle of balance, beyond it, overturns.
+    pub classes: [&'a str; 7],
 }
 
 /// Draws a map of classes.
@@ -90,14 +89,15 @@ pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
         for run in classes.chunk_by(|one, two| one == two) {
             let cell =
                 Rect { x0: column[0], x1: (column[1] + 0.7).min(area.x1), y0: ys[j + run.len()], y1: ys[j] };
-            scene.fill(&Path::rectangle(&cell), map.classes[run[0]].0);
+            scene.fill(&Path::rectangle(&cell), ROCKING[run[0]]);
             j += run.len();
         }
     }
     let mut key = key(&mut scene, &plot);
-    for (i, (colour, words)) in map.classes.iter().enumerate() {
+    for (i, (words, colour)) in map.classes.iter().zip(ROCKING).enumerate() {
         if map.cells.contains(&i) {
-            key.patch(&mut scene, colour, &[Text::inline(words, SMALL)]);
+            let paint = |scene: &mut Scene, patch: &Rect| scene.fill(&Path::rectangle(patch), colour);
+            key.patch(&mut scene, paint, &[Text::inline(words, SMALL)]);
         }
     }
     finished(scene, &plot, &key, (map.title, map.caption))
@@ -129,7 +129,7 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
         let [x0, x1] = [from, to].map(|value| axes.x(axes.across.held(*value)));
         // A stretch too narrow to be seen is seen all the same.
         let x1 = x1.max(x0 + 0.8);
-        scene.fill(&Path::rectangle(&Rect { x0, x1, ..area }), SHADED);
+        scene.fill(&Path::rectangle(&Rect { x0, x1, ..area }), OVERTURNS);
     }
     for ((_, points), pen) in chart.lines.iter().zip(LINES) {
         let mut path = Path::default();
@@ -159,7 +159,7 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
     }
     if !chart.shaded.0.is_empty() {
         let patch = |scene: &mut Scene, x: f64, y: f64| {
-            scene.fill(&Path::rectangle(&Rect { x0: x, y0: y, x1: x + 24.0, y1: y + 12.0 }), SHADED);
+            scene.fill(&Path::rectangle(&Rect { x0: x, y0: y, x1: x + 24.0, y1: y + 12.0 }), OVERTURNS);
         };
         swatch(&mut scene, chart.shaded.1, &patch);
     }

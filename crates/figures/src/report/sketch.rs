@@ -2,7 +2,7 @@
 
 use crate::Figure;
 use crate::margins;
-use crate::palette::{FAINT, INK, MARK, PUSH};
+use crate::palette::{FAINT, INK, MARK, PUSH, REST};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -48,7 +48,7 @@ fn block(scene: &mut Scene) {
     let (left, right, top) = (C.0 - B, C.0 + B, BASE - 2.0 * H);
     let mut body = Path::through(&[(left, BASE), (left, top), (right, top), (right, BASE)]);
     body.close();
-    scene.fill(&body, "#f1f4f7");
+    scene.fill(&body, REST);
     scene.line((60.0, BASE), (420.0, BASE), Pen::solid(INK, 1.4));
     let mut ground = Path::default();
     for i in 0..45 {

@@ -11,9 +11,10 @@ use crate::text::Text;
 pub(super) const GAP: f64 = 26.0;
 /// Room between columns, and between rows.
 pub(super) const APART: f64 = 14.0;
-/// The largest pressure is drawn as long as this, and forces are.
+/// The largest pressure is drawn as long as this, and the largest force at most.
 pub(super) const LONGEST: f64 = 56.0;
-pub(super) const FORCE: f64 = 46.0;
+/// The shortest arrow of a force that is seen.
+const SHORTEST: f64 = 14.0;
 /// Room between a thing and its label.
 const NEAR: f64 = 6.0;
 /// Distance of the middle of a number above or below the end of a diagram.
@@ -71,7 +72,8 @@ impl Painter<'_> {
         let inside = self.given.arrows.iter().filter(|arrow| arrow.is_inside);
         // A vertical one may be moved aside, a letter stands beside each.
         let reach = inside.map(|arrow| {
-            let along = if arrow.towards.0 * out > 0.0 { FORCE } else { 2.0 * FORCE * arrow.towards.1.abs() };
+            let along =
+                if arrow.towards.0 * out > 0.0 { LONGEST } else { 1.6 * LONGEST * arrow.towards.1.abs() };
             ((self.near_body(arrow.at).0 - edge) * self.scale) * out + along + APART
         });
         reach.fold(0.0, f64::max)
@@ -87,20 +89,26 @@ impl Painter<'_> {
             return;
         }
         let crest = self.place(0.0, self.bounds.y1).1;
+        let longest = arrows.iter().map(|(_, arrow)| self.force_length(arrow.size)).fold(0.0, f64::max);
+        let start = column.end - GAP + longest + NEAR;
         let mut spots = Vec::new();
         for (index, arrow) in arrows {
             let (_, level) = self.place(0.0, self.near_body(arrow.at).1);
-            let tip = (column.x(1.5), level);
-            let tail = (column.x(column.end - GAP + FORCE), level);
+            // It ends on the face that it pushes, and not where the body is widest.
+            let face = self.place(self.face(self.near_body(arrow.at).1, column.out), 0.0).0;
+            let tip = (face + column.out * 1.5, level);
+            let tail = (tip.0 + column.out * self.force_length(arrow.size), level);
+            if (column.x(start) - tail.0) * column.out > 2.0 * NEAR {
+                self.line((tail.0 + column.out * 2.0, level), (column.x(start - 2.0), level), THIN);
+            }
             if level < crest {
                 let lever = Pen { colour: MARK, width: 0.8, dashes: "2.5 2.2" };
                 self.line((column.wall, crest), (column.wall, level), lever);
             }
             self.drawn.scene.arrow(tail, tip, Pen::solid(MARK, 2.0));
             let text = Text::new(&format!("${}$ {}", tag(first + index), arrow.label), LABEL);
-            spots.push(Spot { at: tail, text, colour: MARK });
+            spots.push(Spot { at: (column.x(start - NEAR), level), text, colour: MARK });
         }
-        let start = column.end - GAP + FORCE + NEAR;
         column.end = self.names(column, start, spots, reach);
     }
 
@@ -145,6 +153,15 @@ impl Painter<'_> {
             true => end + APART,
             false => self.names(column, end + NEAR, spots, reach),
         };
+    }
+
+    /// Length to which a force is drawn: all to one scale, but none so short that it is not seen.
+    pub(super) fn force_length(&self, size: f64) -> f64 {
+        let reaction = self.given.reaction.iter().map(|reaction| reaction.size);
+        let largest = self.given.arrows.iter().map(|arrow| arrow.size).chain(reaction).fold(0.0, f64::max);
+        let tall = (self.bounds.y1 - self.bounds.y0) * self.scale;
+        let longest = (0.4 * tall).clamp(2.0 * SHORTEST, LONGEST);
+        if largest > 0.0 { (longest * size / largest).max(SHORTEST) } else { SHORTEST }
     }
 
     /// Length to which a pascal is drawn.
@@ -242,7 +259,8 @@ impl Painter<'_> {
         for Level { elevation, label, is_water, .. } in levels {
             let (_, y) = self.place(0.0, self.shown(elevation));
             let pen = if is_water { Pen::solid(PUSH, 1.0) } else { THIN };
-            self.level_line(y, (column.wall, column.x(end)), pen);
+            let face = self.place(self.face(elevation, column.out), 0.0).0;
+            self.level_line(y, (face, column.x(end)), pen);
             if is_water {
                 let x = column.x(GAP / 2.0);
                 let mut sign = Path::through(&[(x, y), (x - 5.0, y - 8.0), (x + 5.0, y - 8.0)]);

@@ -4,7 +4,7 @@ use standfast::loads::Face;
 
 use super::{Arrow, LABEL, Material, Mound, Outline, Painting, Section, Side, legend, tag};
 use crate::margins;
-use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, MOUND, PAPER, WATER};
+use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, MOUND, PAPER, PUSH, WATER};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -34,7 +34,7 @@ pub(super) struct Painter<'a> {
     /// The body's bounds, m.
     pub bounds: Rect,
     /// The bed, m above the base as it is drawn.
-    bed: Option<f64>,
+    pub bed: Option<f64>,
     /// Labels with their places, to be laid over all lines.
     labels: Vec<(Text, Rect, &'static str)>,
 }
@@ -122,8 +122,9 @@ impl<'a> Painter<'a> {
         self.labels.iter().any(|(_, other, _)| other.overlaps(rect))
     }
 
-    /// The level at which something is drawn: that of the bed at the lowest.
+    /// The level at which something is drawn: that of the bed at the lowest, and no farther above the body than a quarter of it.
     pub(super) fn shown(&self, elevation: f64) -> f64 {
+        let elevation = elevation.min(1.25 * self.bounds.y1);
         self.bed.map_or(elevation, |bed| elevation.max(bed))
     }
 
@@ -139,20 +140,72 @@ impl<'a> Painter<'a> {
         let [west, east] = [room.0, room.1].map(|x| (x - self.origin.0) / self.scale);
         let floor = self.bed.unwrap_or(0.0).min(0.0);
         for level in self.given.levels.iter().filter(|level| level.is_water) {
-            let (x0, x1) = match level.side {
-                Side::Left => (west, self.bounds.x0),
-                Side::Right => (self.bounds.x1, east),
-            };
             let y = level.elevation;
+            // The body, which is wider below, is drawn over it.
+            let (x0, x1) = match level.side {
+                Side::Left => (west, self.face(y, -1.0)),
+                Side::Right => (self.face(y, 1.0), east),
+            };
             let path = self.polygon(&[(x0, floor), (x1, floor), (x1, y), (x0, y)]);
             self.drawn.scene.fill(&path, WATER);
         }
+        self.wave(east);
         if let (Some(mound), Some(bed)) = (self.given.mound, self.bed) {
             self.mound(&mound, bed, (west, east));
         } else {
             let (left, right) = (self.bounds.x0 - 26.0 / self.scale, self.bounds.x1 + 26.0 / self.scale);
             self.ground(0.0, (left, right));
         }
+    }
+
+    /// The surface of the wave, from its crest at the wall to the water at the right: half a wave of any length.
+    fn wave(&mut self, east: f64) {
+        const STEPS: u32 = 24;
+        let still = self.given.levels.iter().find(|level| level.is_water && level.side == Side::Right);
+        let (Some(still), Some(crest)) = (still, self.given.wave_crest) else { return };
+        let still = still.elevation;
+        let (wall, crest) = (self.face(still, 1.0), self.shown(crest));
+        let surface = |i: u32| {
+            let share = f64::from(i) / f64::from(STEPS);
+            let height = (1.0 + (std::f64::consts::PI * share).cos()) / 2.0;
+            (wall + share * (east - wall), still + height * (crest - still))
+        };
+        let line: Vec<(f64, f64)> = (0..=STEPS).map(surface).collect();
+        let mut area = line.clone();
+        area.push((wall, still));
+        let path = self.polygon(&area);
+        self.drawn.scene.fill(&path, WATER);
+        let line: Vec<_> = line.into_iter().map(|(x, y)| self.place(x, y)).collect();
+        self.hold(&Rect { x0: line[0].0, y0: line[0].1, x1: line[0].0, y1: line[0].1 });
+        self.drawn.scene.stroke(&Path::through(&line), Pen::solid(PUSH, 1.2));
+    }
+
+    /// How far the body reaches to a side at a height, m; its widest there where it has none.
+    pub(super) fn face(&self, height: f64, out: f64) -> f64 {
+        let widest = if out < 0.0 { self.bounds.x0 } else { self.bounds.x1 };
+        // At a corner the part below counts.
+        let level = height.min(self.bounds.y1) - 1e-6 * self.bounds.y1;
+        let met = self.crossed(|(x, y)| (y, x), level);
+        met.into_iter().reduce(|one, two| if (two - one) * out > 0.0 { two } else { one }).unwrap_or(widest)
+    }
+
+    /// The top of the body at a distance from mid-width, m above the base.
+    pub(super) fn top(&self, x: f64) -> f64 {
+        self.crossed(|corner| corner, x).into_iter().reduce(f64::max).unwrap_or(self.bounds.y1)
+    }
+
+    /// Where the outlines cross a line on which the first coordinate is `level`.
+    fn crossed(&self, turned: impl Fn((f64, f64)) -> (f64, f64), level: f64) -> Vec<f64> {
+        let mut met = Vec::new();
+        for part in self.given.parts {
+            let ends = part.vertices.iter().zip(part.vertices.iter().cycle().skip(1));
+            for (one, other) in ends.map(|(one, other)| (turned(*one), turned(*other))) {
+                if (one.0 > level) != (other.0 > level) {
+                    met.push(one.1 + (level - one.0) / (other.0 - one.0) * (other.1 - one.1));
+                }
+            }
+        }
+        met
     }
 
     fn mound(&mut self, mound: &Mound, bed: f64, (west, east): (f64, f64)) {
@@ -182,7 +235,8 @@ impl<'a> Painter<'a> {
         let mound = self.given.mound.is_some_and(|mound| {
             self.bed.is_some_and(|bed| bed > mound.bed) || self.berm_reach(&mound) < mound.berm_width
         });
-        mound || self.given.arrows.iter().any(|arrow| self.near_body(arrow.at) != arrow.at)
+        let wave = self.given.wave_crest.is_some_and(|crest| self.shown(crest) < crest);
+        mound || wave || self.given.arrows.iter().any(|arrow| self.near_body(arrow.at) != arrow.at)
     }
 
     /// Place at which a force is drawn that may act far off: no farther from the body than half its size.
@@ -269,8 +323,7 @@ impl<'a> Painter<'a> {
     fn inner_arrow(&mut self, arrow: &Arrow, from: (f64, f64), text: &Text, taken: &mut Vec<Rect>) {
         /// Room for a letter beside the tip.
         const OFF: f64 = 10.0;
-        let tall = (self.bounds.y1 - self.bounds.y0) * self.scale;
-        let length = (0.26 * tall).clamp(20.0, 44.0);
+        let length = self.force_length(arrow.size);
         let tip = (from.0 + arrow.towards.0 * length, from.1 - arrow.towards.1 * length);
         self.drawn.scene.arrow(from, tip, Pen::solid(MARK, 2.0));
         self.hold(&Rect::around(tip.0, tip.1, 6.0, 6.0));

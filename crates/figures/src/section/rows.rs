@@ -2,7 +2,7 @@
 
 use standfast::loads::Face;
 
-use super::columns::{ANYWHERE, APART, FORCE, GAP, MOVED, Spot, Stalk, numbers};
+use super::columns::{ANYWHERE, APART, GAP, MOVED, Spot, Stalk, numbers};
 use super::paint::{Painter, THIN};
 use super::{Arrow, BaseReaction, LABEL, Pressed, tag};
 use crate::labels::spread;
@@ -31,12 +31,13 @@ impl Painter<'_> {
         let mut spots = Vec::new();
         for (index, arrow) in arrows {
             let x = self.place(self.near_body(arrow.at).0, 0.0).0;
-            let (near, far) = ((x, crest - 1.5), (x, crest - FORCE));
+            let top = self.place(0.0, self.top(self.near_body(arrow.at).0)).1;
+            let (near, far) = ((x, top - 1.5), (x, top - 1.5 - self.force_length(arrow.size)));
             let (tail, tip) = if arrow.towards.1 < 0.0 { (far, near) } else { (near, far) };
             self.drawn.scene.arrow(tail, tip, Pen::solid(MARK, 2.0));
             let text = Text::new(&format!("${}$ {}", tag(first + index), arrow.label), LABEL);
             spots.push(Spot { at: far, text, colour: MARK });
-            y = crest - FORCE;
+            y = y.min(far.1);
         }
         if !spots.is_empty() {
             y = self.row(spots, y.min(roof), UP);
@@ -52,7 +53,10 @@ impl Painter<'_> {
     pub(super) fn below(&mut self, cellar: f64) -> f64 {
         let base = self.place(0.0, 0.0).1;
         let given = self.given;
-        let mut y = base + GAP - APART;
+        // Under the bed, and not in the mound.
+        let bed = self.place(0.0, self.bed.unwrap_or(0.0).min(0.0)).1;
+        let cellar = cellar.max(if self.bed.is_some() { bed + APART } else { base });
+        let mut y = if self.bed.is_some() { bed } else { base + GAP - APART };
         if let Some(reaction) = &given.reaction {
             y = self.reaction(reaction, cellar);
         }
@@ -76,7 +80,7 @@ impl Painter<'_> {
             self.drawn.scene.fill(&band, WET);
             self.drawn.scene.stroke(&band, Pen::solid(PUSH, 1.0));
         }
-        let tail = (x, base + BAND + FORCE);
+        let tail = (x, base + BAND + 1.5 + self.force_length(reaction.size));
         self.drawn.scene.arrow(tail, (x, base + BAND + 1.5), Pen::solid(PUSH, 2.0));
         self.hold(&Rect { x0: from.min(x - 6.0), y0: base, x1: to.max(x + 6.0), y1: tail.1 });
         if let Some(neutral) = reaction.neutral {

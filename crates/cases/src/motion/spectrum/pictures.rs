@@ -4,22 +4,22 @@ use standfast_answers::motion::{Spectrum, SpectrumPoints};
 use standfast_figures::{Figure, SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map};
 use standfast_motion::spectrum::{Rocked, Slid};
 
-/// Classes of the rotation of a block: the greatest share of the angle of balance of each, with its colour and words.
-const CLASSES: [(f64, &str, &str); 7] = [
-    (0.0, "#f1f4f7", "does not rock"),
-    (0.1, "#dcebf6", "$|θ| ≤ 0.1 α$"),
-    (0.25, "#b7d7ee", "$≤ 0.25 α$"),
-    (0.5, "#83b8de", "$≤ 0.5 α$"),
-    (1.0, "#4a8ec2", "$≤ α$"),
-    (f64::INFINITY, "#1d5f99", "beyond $α$, and comes back"),
-    (f64::INFINITY, "#a3123f", "overturns"),
+/// Classes of the rotation of a block: the greatest share of the angle of balance of each, and its words.
+const CLASSES: [(f64, &str); 7] = [
+    (0.0, "does not rock"),
+    (0.1, "$|θ| ≤ 0.1 α$"),
+    (0.25, "$≤ 0.25 α$"),
+    (0.5, "$≤ 0.5 α$"),
+    (1.0, "$≤ α$"),
+    (f64::INFINITY, "beyond $α$, and comes back"),
+    (f64::INFINITY, "overturns"),
 ];
 
 fn class(block: &Rocked) -> usize {
     if block.overturned {
         return CLASSES.len() - 1;
     }
-    CLASSES.iter().position(|(most, ..)| block.of_balance <= *most).unwrap_or(CLASSES.len() - 2)
+    CLASSES.iter().position(|(most, _)| block.of_balance <= *most).unwrap_or(CLASSES.len() - 2)
 }
 
 /// The figure.
@@ -30,7 +30,7 @@ pub(super) fn figure(spectrum: &Spectrum) -> Figure {
     match &spectrum.points {
         SpectrumPoints::Rocking { sizes, slendernesses, blocks } => {
             let cells: Vec<usize> = blocks.iter().map(class).collect();
-            let classes = CLASSES.map(|(_, colour, words)| (colour, words));
+            let classes = CLASSES.map(|(_, words)| words);
             let size = metres("half diagonal $R$");
             spectrum_map(&SpectrumMap {
                 title: &format!("{title}: rocking spectrum"),
@@ -40,7 +40,7 @@ pub(super) fn figure(spectrum: &Spectrum) -> Figure {
                 columns: sizes,
                 rows: slendernesses,
                 cells: &cells,
-                classes: &classes,
+                classes,
             })
         }
         SpectrumPoints::Newmark { ratios, slides } => {
