@@ -7,6 +7,7 @@
 use serde::{Serialize, Serializer};
 use standfast::ground::bearing::{LoadFactors, Reaction};
 use standfast::ground::impact::{ImpactEvent, ImpactResponse};
+use standfast::wave::Goda;
 use standfast::{Bearing, Departure, Margins, Modes, Response, Verdict};
 
 use crate::assess::Assessed;
@@ -246,6 +247,63 @@ listed! {
         |a| a.outcome.full.effective.map_or(ResultValue::Nothing, |reduced| ResultValue::Number(reduced.point.k())));
     KPrimeEff = number("k_prime_eff", None, "k' of the load in the report's diagram",
         |a| a.outcome.full.effective.map_or(ResultValue::Nothing, |reduced| ResultValue::Number(reduced.point.k_prime())));
+}
+
+/// Everything that is said of a result of the sea.
+#[derive(Clone, Copy)]
+pub struct SeaInfo {
+    /// Its name.
+    pub name: &'static str,
+    /// Its dimension; `None` of a number without unit.
+    pub dimension: Option<Dimension>,
+    /// Its meaning, in words.
+    pub words: &'static str,
+    of: fn(&Goda) -> f64,
+}
+
+const fn sea(
+    name: &'static str,
+    dimension: Option<Dimension>,
+    words: &'static str,
+    of: fn(&Goda) -> f64,
+) -> SeaInfo {
+    SeaInfo { name, dimension, words, of }
+}
+
+listed! {
+    /// A result of the waves by Goda's formulas, on the way to what they press with.
+    SeaResult: SeaInfo;
+
+    H13 = sea("H13", Some(Dimension::Length), "significant wave height at the wall", |goda| goda.h_13);
+    Hmax = sea("Hmax", Some(Dimension::Length), "design wave height", |goda| goda.h_max);
+    DeepWaterWavelength = sea("deep_water_wavelength", Some(Dimension::Length), "L₀", |goda| goda.deep_water_wavelength);
+    Wavelength = sea("wavelength", Some(Dimension::Length), "L at the wall", |goda| goda.wavelength);
+    Hb = sea("h_b", Some(Dimension::Length), "depth at five significant wave heights seaward", |goda| goda.h_b);
+    Angle = sea("angle_deg", None, "β after the turn towards the normal, degrees", |goda| goda.angle_deg);
+    EtaStar = sea("eta_star", Some(Dimension::Length), "η*, how far above still water the pressure would reach", |goda| goda.eta_star);
+    HcStar = sea("h_c_star", Some(Dimension::Length), "h_c*, how far above still water the pressure reaches on the wall", |goda| goda.h_c_star);
+    Alpha1 = sea("alpha_1", None, "α₁", |goda| goda.alpha_1);
+    Alpha2 = sea("alpha_2", None, "α₂", |goda| goda.alpha_2);
+    Alpha3 = sea("alpha_3", None, "α₃", |goda| goda.alpha_3);
+    Alpha4 = sea("alpha_4", None, "α₄", |goda| goda.alpha_4);
+    AlphaI = sea("alpha_I", None, "α_I, the impulsive coefficient, whether used or not", |goda| goda.alpha_impulsive);
+    AlphaStar = sea("alpha_star", None, "α*, the larger of α₂ and α_I, or α₂", |goda| goda.alpha_star);
+    P1 = sea("p1", Some(Dimension::Pressure), "pressure at still water", |goda| goda.p1);
+    P3 = sea("p3", Some(Dimension::Pressure), "pressure at the base", |goda| goda.p3);
+    P4 = sea("p4", Some(Dimension::Pressure), "pressure at the top of the loaded wall", |goda| goda.p4);
+    Pu = sea("pu", Some(Dimension::Pressure), "uplift pressure at the seaward toe; zero at the heel", |goda| goda.pu);
+}
+
+impl SeaResult {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        self.info().name
+    }
+
+    /// Its value, SI.
+    pub fn of(self, goda: &Goda) -> f64 {
+        (self.info().of)(goda)
+    }
 }
 
 impl ResultName {

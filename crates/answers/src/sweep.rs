@@ -27,13 +27,13 @@ use standfast::loads::Earthquake;
 pub use factor::{Factor, NoFactor, heading};
 
 use crate::assess::{Assessed, Assessment};
-use crate::case::{Case, blamed};
+use crate::case::{Biases, Case, blamed};
 use crate::couple::{STAYS, Variable, change, moved};
 use crate::criteria::Check;
 use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Key, Table};
-use crate::results::{ResultKind, ResultName, ResultValue};
+use crate::results::{ResultKind, ResultName, ResultValue, SeaResult};
 use standfast_model::CaseFile;
 use standfast_model::Warning;
 
@@ -80,7 +80,12 @@ pub enum SweepResult {
     Warnings,
     /// Of the governing situation.
     Of(ResultName),
+    /// Of the waves.
+    Sea(SeaResult),
 }
+
+/// A factor on loads beyond which no number is taken.
+const LARGEST_BIAS: f64 = 1e50;
 
 /// The names of criteria, which are those of the keys that ask for them.
 const CRITERIA: [&str; 15] = [
@@ -111,9 +116,9 @@ impl Sweep {
             return Err(file.error(Fault::new(Problem::TableInTime, table)));
         }
         let case = file.case()?;
-        let asks = |key: Key| key == Key::GreatestNotRest;
-        let varied = factors.iter().any(|factor| asks(factor.variable().id().key));
-        if varied || case.criteria.iter().any(|criterion| asks(criterion.key)) {
+        let asks = Key::GreatestNotRest;
+        let varied = factors.iter().any(|factor| factor.is(asks));
+        if varied || case.criteria.iter().any(|criterion| criterion.key == asks) {
             let why = "of the rows of a table none is found; `standfast probability` and `design` have it"
                 .to_owned();
             return Err(file.no_chance(why));
@@ -121,9 +126,9 @@ impl Sweep {
         let mut inputs = file.inputs().clone();
         // What is said of the case is not said again for every answer.
         [Key::Title, Key::Note].into_iter().for_each(|key| inputs.remove(key.into()));
-        let variables: Vec<_> = factors.iter().map(Factor::variable).collect();
+        let variables: Vec<_> = factors.iter().filter_map(Factor::variable).collect();
         let moved = moved(&inputs, &case, &variables).into_iter();
-        let gravity = factors.iter().any(|factor| factor.variable().id().key == Key::Gravity);
+        let gravity = factors.iter().any(|factor| factor.is(Key::Gravity));
         let factors =
             if gravity { factors.into_iter().map(Factor::under_any_gravity).collect() } else { factors };
         let moved = moved.filter_map(|key| Some((key, inputs.get(key)?.clone()))).collect();
@@ -142,7 +147,7 @@ impl Sweep {
 
     /// Notes on the numbers that go with those that vary, in sentences.
     pub fn notes(&self) -> Vec<String> {
-        notes(&self.factors.iter().map(Factor::variable).collect::<Vec<_>>(), &self.inputs, &self.case)
+        notes(&self.factors.iter().filter_map(Factor::variable).collect::<Vec<_>>(), &self.inputs, &self.case)
     }
 
     /// The names of the situations, by their places; none where there is only one.
@@ -153,7 +158,7 @@ impl Sweep {
 
     /// The results that the case has, in the order in which they are shown.
     pub fn results(&self) -> Vec<SweepResult> {
-        let asked = |factor: &Factor| factor.variable().id().key.info().table == Table::Criteria;
+        let asked = |factor: &Factor| factor.id().is_some_and(|id| id.key.info().table == Table::Criteria);
         let has_criteria = !self.case.criteria.is_empty() || self.factors.iter().any(asked);
         SweepResult::all()
             .filter(|result| match result {
@@ -163,6 +168,7 @@ impl Sweep {
                 }
                 SweepResult::Met | SweepResult::Utilisation | SweepResult::Criterion => has_criteria,
                 SweepResult::Of(name) => !name.is_of_ground() || self.case.ground.is_some(),
+                SweepResult::Sea(_) => self.case.wave.is_some(),
                 SweepResult::Warnings => true,
             })
             .collect()
@@ -183,12 +189,16 @@ impl Sweep {
         for (key, value) in &self.moved {
             inputs.put((*key).into(), value.clone());
         }
-        let variables = self.factors.iter().map(Factor::variable);
-        change(inputs, &self.inputs, &self.case, variables.zip(values.iter().copied()));
-        for (factor, value) in self.factors.iter().zip(values).filter(|(factor, _)| factor.counts_gravity()) {
-            inputs.put(factor.variable().id(), Value::InGravity(*value));
+        let varied = || self.factors.iter().zip(values.iter().copied());
+        let numbers = varied().filter_map(|(factor, value)| Some((factor.variable()?, value)));
+        change(inputs, &self.inputs, &self.case, numbers);
+        for (factor, value) in varied().filter(|(factor, _)| factor.counts_gravity()) {
+            if let Some(id) = factor.id() {
+                inputs.put(id, Value::InGravity(value));
+            }
         }
-        let case = Case::sharing(Arc::clone(shared))?;
+        let mut case = Case::sharing(Arc::clone(shared))?;
+        case.biases = biases(varied())?;
         let assessment = Assessment::owning(case).map_err(|error| blamed(shared, error))?;
         Ok(Answer::of(assessment))
     }
@@ -196,9 +206,26 @@ impl Sweep {
     /// Places of the varied numbers that a fault is about; none if it is about others.
     pub fn blamed(&self, fault: &Fault) -> Vec<usize> {
         let places = || std::iter::once(fault.at).chain(fault.and);
-        let is_it = |factor: &Factor| places().any(|place| place == factor.variable().id().into());
+        let is_it = |factor: &Factor| match (factor.bias(), factor.id()) {
+            (Some(bias), _) => matches!(fault.problem, Problem::Bias { name, .. } if name == bias.name()),
+            (None, Some(id)) => places().any(|place| place == id.into()),
+            (None, None) => false,
+        };
         (0..self.factors.len()).filter(|place| is_it(&self.factors[*place])).collect()
     }
+}
+
+/// The factors on loads among values that vary.
+fn biases<'a>(varied: impl Iterator<Item = (&'a Factor, f64)>) -> Result<Biases, Fault> {
+    let mut biases = Biases::default();
+    for (factor, value) in varied {
+        let Some(bias) = factor.bias() else { continue };
+        if !(0.0..=LARGEST_BIAS).contains(&value) {
+            return Err(Fault::new(Problem::Bias { name: bias.name(), value }, bias.table()));
+        }
+        biases.set(bias, value);
+    }
+    Ok(biases)
 }
 
 /// The table that makes a case one in time, where it is so.
@@ -273,6 +300,10 @@ impl Answer {
                 name.map_or(ResultValue::Nothing, ResultValue::Word)
             }
             SweepResult::Of(name) => name.of(self.governing()),
+            SweepResult::Sea(name) => {
+                let waves = self.assessment.case.wave.as_ref();
+                waves.map_or(ResultValue::Nothing, |waves| ResultValue::Number(name.of(&waves.goda)))
+            }
         }
     }
 }
@@ -289,7 +320,13 @@ impl SweepResult {
             SweepResult::Criterion,
             SweepResult::Warnings,
         ];
-        of_case.into_iter().chain(ResultName::ALL.iter().copied().map(SweepResult::Of))
+        let of_situation = ResultName::ALL.iter().copied().map(SweepResult::Of);
+        of_case.into_iter().chain(of_situation).chain(SeaResult::ALL.iter().copied().map(SweepResult::Sea))
+    }
+
+    /// True if it is given only where it is asked for by its name, as tables have columns of such names themselves.
+    pub fn is_by_name(self) -> bool {
+        matches!(self, SweepResult::Sea(_))
     }
 
     /// The result of a name.
@@ -308,6 +345,7 @@ impl SweepResult {
             SweepResult::Criterion => "criterion",
             SweepResult::Warnings => "warnings",
             SweepResult::Of(name) => name.name(),
+            SweepResult::Sea(name) => name.name(),
         }
     }
 
@@ -324,6 +362,7 @@ impl SweepResult {
             SweepResult::Criterion => ResultKind::Word(&CRITERIA),
             SweepResult::Warnings => ResultKind::Names,
             SweepResult::Of(name) => name.info().kind,
+            SweepResult::Sea(name) => ResultKind::Number(name.info().dimension),
         }
     }
 
@@ -344,6 +383,7 @@ impl SweepResult {
             SweepResult::Criterion => "the governing criterion",
             SweepResult::Warnings => "the names of the warnings about the case, which may be slips",
             SweepResult::Of(name) => name.info().words,
+            SweepResult::Sea(name) => name.info().words,
         }
     }
 }

@@ -43,6 +43,12 @@ fn steps_end_where_they_are_to() {
     for wrong in ["1e50,2e50", "1,1e50", "0,1", "1,2,10000001"] {
         assert!(wrong.parse::<SpectrumSteps>().is_err(), "{wrong}");
     }
+    let read = |text: &str| text.parse::<SpectrumSteps>();
+    assert_eq!(read("0.2..0.6:41"), read("0.2,0.6,41"));
+    assert_eq!(read("1 .. 2e1"), read("1,20"));
+    for wrong in ["0.2..0.6:", "1..2..3", "..2", "2..1:3", "1..2:1"] {
+        assert!(read(wrong).is_err(), "{wrong}");
+    }
     assert!("1,2,10000000".parse::<SpectrumSteps>().is_ok());
 }
 

@@ -120,6 +120,14 @@ pub enum Problem {
         /// Values it may have, in words.
         expected: &'static str,
     },
+    /// A factor on loads that none can have.
+    #[error("`{name}` is {value}; expected a number from 0 to 1e50")]
+    Bias {
+        /// The factor.
+        name: &'static str,
+        /// The number that was tried.
+        value: f64,
+    },
     /// The force does not hit the body.
     #[error("`elevation` is above the crest of the body, which is {height} m high")]
     AboveCrest {

@@ -24,6 +24,7 @@
 //!
 //! Nothing here reads text, so that a case may be varied millions of times.
 
+mod bias;
 mod ground;
 mod history;
 mod loads;
@@ -40,6 +41,7 @@ use standfast::section::{Part, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
 use standfast::{Ball, Body, InputError, Scalar, Situation, Wrench};
 
+pub use bias::{Bias, Biases, biased};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub(crate) use history::HistoryOf;
 pub use history::history_shapes;
@@ -101,6 +103,8 @@ pub struct Case<T = f64> {
     pub pressures: Vec<FacePressure<T>>,
     /// Forces.
     pub forces: Vec<PointForce<T>>,
+    /// Factors between what formulas give and what acts; no file says them, but draws and tables do.
+    pub biases: Biases,
     /// Loads that act together, and their factors.
     pub combinations: Vec<Combination>,
     /// Criteria on the results.
@@ -180,6 +184,7 @@ impl Case {
     /// The situation decided by the numbers as they are written.
     pub fn as_written(&self, situation: Situation, acting: Acting, shaking: Option<[f64; 2]>) -> Situation {
         let written = Case::<Ball>::in_scalars(Arc::clone(&self.inputs)).ok();
+        let written = written.map(|case| Case { biases: self.biases, ..case });
         let written = written
             .and_then(|case| case.situation(acting, shaking.and_then(|signs| case.shaken(signs))).ok());
         match written {
@@ -280,6 +285,7 @@ impl<T: Scalar> Case<T> {
             },
             pressures,
             forces,
+            biases: Biases::default(),
             combinations,
             criteria: Criterion::all(inputs),
             motion,
@@ -313,6 +319,7 @@ impl<T: Scalar> Case<T> {
                 Acting::All | Acting::Alone(_) => T::of(1.0),
             };
             if factor != T::of(0.0) {
+                let load = self.biases.on(load, &self.body, self.gravity.clone());
                 situation = situation.with(load.times(factor).with_id(of.into()));
             }
         }

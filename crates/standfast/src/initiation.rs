@@ -212,6 +212,7 @@ impl Point {
     }
 
     /// As [`polynomials`](Point::polynomials), for the corner O (g = γ) or O' (g = −γ).
+    #[inline(always)]
     fn polynomials_about<const N: usize>(
         &self,
         g: f64,

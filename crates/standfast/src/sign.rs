@@ -220,6 +220,11 @@ pub(crate) fn code(point: [f64; 4]) -> u8 {
 #[cold]
 pub(crate) fn exact(point: [f64; 4]) -> u32 {
     let (mode, stays, sticks, _) = decide(terms::<Approx>(point));
-    let is_known = |value: Approx| value.sign().is_some();
-    if is_known(stays) && is_known(sticks) { mode } else { decide(terms::<Exact>(point)).0 }
+    // Of a body with both corners on the base nobody asks whether one would slip.
+    let is_known = match stays.sign() {
+        Some(sign) if sign.is_ge() => true,
+        Some(_) => sticks.sign().is_some(),
+        None => false,
+    };
+    if is_known { mode } else { decide(terms::<Exact>(point)).0 }
 }

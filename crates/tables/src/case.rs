@@ -152,10 +152,10 @@ impl CaseRows {
         let columns = Search { options, case, found }.columns()?;
         let places: Vec<_> = columns.iter().map(|(place, _)| *place).collect();
         let factors: Vec<_> = columns.into_iter().map(|(_, factor)| factor).collect();
-        let of_columns = places.iter().zip(&factors).map(|(place, factor)| VariedColumn {
-            column: found[*place].clone(),
-            key: factor.variable().id().to_string(),
-        });
+        let of_columns = places
+            .iter()
+            .zip(&factors)
+            .map(|(place, factor)| VariedColumn { column: found[*place].clone(), key: factor.key() });
         let of_columns: Vec<_> = of_columns.collect();
         let sweep = Sweep::of(&case.file, factors).map_err(TableError::Case)?;
         let results = asked(&sweep, case, options.interface)?;
@@ -304,7 +304,8 @@ fn asked(sweep: &Sweep, case: &CaseTable, interface: Interface) -> Result<Vec<Sw
             return Err(TableError::ResultTwice { option: interface.columns(), column: result.name() });
         }
     }
-    Ok(if case.results.is_empty() { all } else { case.results.clone() })
+    let plain = || all.iter().copied().filter(|result| !result.is_by_name()).collect();
+    Ok(if case.results.is_empty() { plain() } else { case.results.clone() })
 }
 
 /// Looks for the columns that vary the case.
@@ -325,13 +326,13 @@ impl Search<'_> {
         let mut columns: Vec<(usize, Factor)> = Vec::new();
         for (place, column) in self.found.iter().enumerate() {
             let Some(factor) = self.factor(column)? else { continue };
-            let id = factor.variable().id();
-            if let Some((earlier, _)) = columns.iter().find(|(_, factor)| factor.variable().id() == id) {
+            let key = factor.key();
+            if let Some((earlier, _)) = columns.iter().find(|(_, factor)| factor.key() == key) {
                 return Err(TableError::SameKey {
                     name: self.options.name.clone(),
                     one: self.found[*earlier].clone(),
                     two: column.clone(),
-                    key: id.to_string(),
+                    key,
                 });
             }
             columns.push((place, factor));
@@ -449,7 +450,7 @@ fn begins_like_key(column: &str) -> bool {
     let of_top = |known: &Table| known.parent() == Some(Table::Top);
     let known =
         |table: &str| Table::ALL.iter().filter(|table| of_top(table)).any(|known| known.name() == table);
-    // Biases multiply loads in [random], which is no table here.
+    // Factors on loads, which stand in no table of a case.
     table.is_some_and(|table| table == "bias" || known(table))
 }
 

@@ -155,6 +155,14 @@ pub enum DesignError {
     },
 }
 
+impl DesignError {
+    /// True if the request is understood, and no value meets its target, or every one does.
+    pub fn is_without_solution(&self) -> bool {
+        use DesignError::{NoEnd, NoInfluence, Unmet, UnmetThroughout};
+        matches!(self, Unmet { .. } | NoEnd { .. } | UnmetThroughout { .. } | NoInfluence { .. })
+    }
+}
+
 impl Explained for DesignError {
     fn passed_on(&self) -> Option<&dyn Explained> {
         match self {

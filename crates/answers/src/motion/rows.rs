@@ -12,7 +12,7 @@ use thiserror::Error;
 
 use super::{Follow, FollowedMotion};
 use crate::case::Case;
-use crate::couple::vary;
+use crate::couple::{Variable, vary};
 use crate::error::{CaseError, Problem};
 use crate::explained::Explained;
 use crate::inputs::{Inputs, Value};
@@ -64,6 +64,12 @@ pub enum ColumnError {
         /// The column.
         column: String,
     },
+    /// A factor on loads, of which a motion has none.
+    #[error("column {column}: a factor on loads varies with a case at rest; a motion has none")]
+    Bias {
+        /// The column.
+        column: String,
+    },
     /// It names a table, or a list.
     #[error(
         "column {column} is a table or a list of the case file; expected a key with one value, as in motion.base.horizontal.file"
@@ -107,7 +113,7 @@ impl Explained for ColumnError {
 #[derive(Debug, Clone)]
 enum Varied {
     /// A number, with what goes with it.
-    Number(Factor),
+    Number(Factor, Variable),
     /// Words, true or false, or the name of a file.
     Word(Id),
 }
@@ -115,7 +121,7 @@ enum Varied {
 impl Varied {
     fn id(&self) -> Id {
         match self {
-            Varied::Number(factor) => factor.variable().id(),
+            Varied::Number(_, variable) => variable.id(),
             Varied::Word(id) => *id,
         }
     }
@@ -165,7 +171,7 @@ impl MotionRows {
             case => case.unwrap_or_default(),
         };
         let numbers = varied.iter().filter_map(|(_, how)| match how {
-            Varied::Number(factor) => Some(factor.variable()),
+            Varied::Number(_, variable) => Some(variable),
             Varied::Word(_) => None,
         });
         let numbers: Vec<_> = numbers.collect();
@@ -207,12 +213,12 @@ impl MotionRows {
             let cell = cells.get(*place).copied().unwrap_or_default().trim();
             let wrong = |what: String| format!("column {} has \"{cell}\": {what}", self.columns[*place]);
             match how {
-                Varied::Number(factor) => {
+                Varied::Number(factor, variable) => {
                     let value = factor.parse(cell);
                     let value =
                         value.map_err(|error| wrong(format!("{error}; expected {}", factor.expected())))?;
                     let gravity = if factor.counts_gravity() { self.inputs.gravity() } else { 1.0 };
-                    numbers.push((factor.variable(), value * gravity));
+                    numbers.push((variable, value * gravity));
                 }
                 Varied::Word(id) if id.key.info().kind == Kind::File => {
                     words.push((*id, Value::Record(self.record(cell, file)?)));
@@ -287,7 +293,10 @@ fn find(column: &str, inputs: &Inputs) -> Result<Option<Varied>, ColumnError> {
     let word = |kind| matches!(kind, Kind::Text | Kind::File | Kind::Truth | Kind::Choice { .. });
     let named = || inputs.values().map(|(id, _)| id).find(|id| id.to_string() == name);
     match Factor::find(name, unit, inputs) {
-        Ok(factor) => Ok(Some(Varied::Number(factor))),
+        Ok(factor) => match factor.variable().cloned() {
+            Some(variable) => Ok(Some(Varied::Number(factor, variable))),
+            None => Err(ColumnError::Bias { column: column.to_owned() }),
+        },
         Err(NoFactor::Unknown(_)) => match named() {
             Some(id) if word(id.key.info().kind) => Ok(Some(Varied::Word(id))),
             Some(_) => Err(ColumnError::NoValue { column: column.to_owned() }),

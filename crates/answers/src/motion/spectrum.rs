@@ -43,7 +43,7 @@ impl SpectrumSteps {
     }
 }
 
-/// `FROM,TO` or `FROM,TO,COUNT`; a count of 0 is one that was left out.
+/// `FROM..TO` or `FROM..TO:COUNT`, or with commas `FROM,TO` or `FROM,TO,COUNT`; a count of 0 is one that was left out.
 impl FromStr for SpectrumSteps {
     type Err = String;
 
@@ -51,7 +51,8 @@ impl FromStr for SpectrumSteps {
         let expected = || {
             format!("{text} is none; expected FROM,TO or FROM,TO,COUNT with 0 < FROM < TO and COUNT from 2")
         };
-        let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+        let by_commas = text.replacen("..", ",", 1).replacen(':', ",", 1);
+        let parts: Vec<&str> = by_commas.split(',').map(str::trim).collect();
         let (&[from, to] | &[from, to, _]) = &parts[..] else { return Err(expected()) };
         let number = |part: &str| part.parse::<f64>().ok().filter(|value| *value > 0.0 && *value < 1e50);
         let (Some(from), Some(to)) = (number(from), number(to)) else { return Err(expected()) };

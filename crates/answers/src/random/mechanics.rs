@@ -9,7 +9,7 @@ use standfast::{Departure, InputError, Situation, Wrench};
 use super::base;
 use super::outcome::LIFTED;
 use super::quantity::Bias;
-use crate::case::{Acting, Case, Foundation, Waves};
+use crate::case::{Acting, Case, Foundation, Waves, biased};
 
 /// The contact problem that values make.
 #[derive(Debug, Clone, Copy)]
@@ -103,11 +103,7 @@ impl Components {
         let times = |wrench: Wrench, force: Bias, moment: Option<Bias>| {
             let of_force = bias(force).unwrap_or(1.0);
             let of_moment = moment.and_then(&bias).unwrap_or(of_force);
-            // About O, where engineers have M_p and M_U: C lies at (b₁, d) from it.
-            let lever = |x: f64, p: f64| -b1 * p - d * x;
-            let about_heel = (wrench.m + lever(wrench.x, wrench.p)) * of_moment;
-            let (x, p) = (wrench.x * of_force, wrench.p * of_force);
-            Wrench { x, p, m: about_heel - lever(x, p) }
+            biased(wrench, [b1, d], of_force, of_moment)
         };
         let [permanent, variable] =
             [0, 1].map(|which| self.others[which] + times(self.forces[which], Bias::Force, None));

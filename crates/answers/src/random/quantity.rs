@@ -4,6 +4,7 @@ use super::storm::StormField;
 use crate::couple::Variable;
 use crate::key::{Id, Key, Range};
 use standfast_inputs::random::Rate;
+pub use standfast_model::case::Bias;
 
 /// Quantity that a random number is.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,38 +54,6 @@ impl Coordinate {
     /// Range of its values.
     pub fn range(self) -> Range {
         self.key().info().range().unwrap_or(Range::Finite)
-    }
-}
-
-/// A factor between what formulas give and what acts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Bias {
-    /// On the horizontal wave force, and on its moment unless that has one of its own.
-    Thrust,
-    /// On the uplift of the wave, and on its moment unless that has one of its own.
-    Uplift,
-    /// On the moment of the horizontal wave force about the heel.
-    ThrustMoment,
-    /// On the moment of the uplift about the heel.
-    UpliftMoment,
-    /// On every force of `[[load]]`.
-    Force,
-}
-
-impl Bias {
-    /// All of them.
-    pub const ALL: [Bias; 5] =
-        [Bias::Thrust, Bias::Uplift, Bias::ThrustMoment, Bias::UpliftMoment, Bias::Force];
-
-    /// Its name in a case file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Bias::Thrust => "bias.P",
-            Bias::Uplift => "bias.U",
-            Bias::ThrustMoment => "bias.M_p",
-            Bias::UpliftMoment => "bias.M_U",
-            Bias::Force => "bias.force",
-        }
     }
 }
 

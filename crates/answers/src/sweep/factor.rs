@@ -3,7 +3,7 @@
 use standfast_motion::record::STANDARD_GRAVITY;
 use thiserror::Error;
 
-use crate::case::OF_PARTS;
+use crate::case::{Bias, OF_PARTS};
 use crate::couple::{Unknown, Variable};
 use crate::explained::Explained;
 use crate::inputs::Inputs;
@@ -11,13 +11,20 @@ use crate::key::{Id, Key, Kind, Moves, Table};
 use crate::suggest::closest;
 use crate::units::{Dimension, Unit, UnitError, in_gravity};
 
-/// A number of a case that varies.
+/// A number of a case that varies, or a factor on its loads.
 #[derive(Debug, Clone)]
 pub struct Factor {
-    variable: Variable,
+    quantity: Varies,
     unit: Counted,
     /// True if plain numbers have to have a unit, and none is said: of the acceleration of a base.
     unsaid: bool,
+}
+
+/// What varies.
+#[derive(Debug, Clone, PartialEq)]
+enum Varies {
+    Number(Variable),
+    Bias(Bias),
 }
 
 /// Unit that a plain number counts.
@@ -49,6 +56,12 @@ pub enum NoFactor {
         name: String,
         /// The numbers of the case.
         names: Vec<String>,
+    },
+    /// A factor on loads that the case does not have.
+    #[error("the case has no {} for `{}` to be a factor on", if *bias == Bias::Force { "[[load]]" } else { "waves" }, bias.name())]
+    NoLoad {
+        /// The factor.
+        bias: Bias,
     },
     /// A unit of something else.
     #[error("`{name}` in `{unit}`: the unit does not fit; expected {expected}")]
@@ -84,6 +97,9 @@ fn unknown(unknown: &Unknown) -> String {
     }
 }
 
+/// What stands in brackets where a number has no unit.
+const PLAIN: [&str; 3] = ["-", "1", ""];
+
 /// The name that heads a column, and the unit in brackets behind it. As in `load[2].force` the bracket is part of the name where
 /// nothing parts the two.
 pub fn heading(column: &str) -> (&str, Option<&str>) {
@@ -102,6 +118,9 @@ impl Factor {
     /// # Errors
     /// If there is no such number, or the unit is not one of it.
     pub fn find(name: &str, unit: Option<&str>, inputs: &Inputs) -> Result<Factor, NoFactor> {
+        if let Some(bias) = Bias::find(name) {
+            return Factor::of_bias(bias, unit, inputs);
+        }
         let variable = match Variable::find(name, inputs) {
             Ok(variable) => variable,
             Err(unknown) => match silent(inputs).find(|id| id.to_string() == name) {
@@ -125,7 +144,8 @@ impl Factor {
         let unit = match (unit, variable.dimension()) {
             (None | Some("g"), _) if gravity => Counted::Gravity(Some(inputs.gravity())),
             (Some("g"), _) if of_base => Counted::StandardGravity,
-            (None, _) | (Some("-" | "1" | ""), None) => Counted::Si,
+            (None, _) => Counted::Si,
+            (Some(unit), None) if PLAIN.contains(&unit) => Counted::Si,
             (Some(unit), dimension) => {
                 let known = dimension.and_then(|dimension| dimension.unit(unit));
                 let expected = || expected(dimension, gravity);
@@ -134,12 +154,25 @@ impl Factor {
                 Counted::Unit(known.ok_or_else(wrong)?)
             }
         };
-        Ok(Factor { variable, unit, unsaid })
+        Ok(Factor { quantity: Varies::Number(variable), unit, unsaid })
     }
 
-    /// The numbers of a case that can vary: those that its file has, and those that it leaves to what is taken for them.
+    fn of_bias(bias: Bias, unit: Option<&str>, inputs: &Inputs) -> Result<Factor, NoFactor> {
+        if !inputs.has(bias.table()) {
+            return Err(NoFactor::NoLoad { bias });
+        }
+        if let Some(unit) = unit.filter(|unit| !PLAIN.contains(unit)) {
+            let (name, unit, expected) = (bias.name().to_owned(), unit.to_owned(), expected(None, false));
+            return Err(NoFactor::Unit { name, unit, expected });
+        }
+        Ok(Factor { quantity: Varies::Bias(bias), unit: Counted::Si, unsaid: false })
+    }
+
+    /// What of a case can vary: the numbers that its file has, those that it leaves to what is taken for them, and factors on its loads.
     pub fn names(inputs: &Inputs) -> Vec<String> {
-        Variable::all(inputs).chain(silent(inputs)).map(|id| id.to_string()).collect()
+        let biases = Bias::ALL.into_iter().filter(|bias| inputs.has(bias.table()));
+        let numbers = Variable::all(inputs).chain(silent(inputs)).map(|id| id.to_string());
+        numbers.chain(biases.map(|bias| bias.name().to_owned())).collect()
     }
 
     /// The key that a name means which is right but for its table and its capitals, of a table that the case has, and which the case
@@ -167,9 +200,47 @@ impl Factor {
         }
     }
 
-    /// The number of the case.
-    pub fn variable(&self) -> &Variable {
-        &self.variable
+    /// The number of the case; `None` of a factor on its loads.
+    pub fn variable(&self) -> Option<&Variable> {
+        match &self.quantity {
+            Varies::Number(variable) => Some(variable),
+            Varies::Bias(_) => None,
+        }
+    }
+
+    /// The factor on loads of the case, if it is one.
+    pub fn bias(&self) -> Option<Bias> {
+        match self.quantity {
+            Varies::Number(_) => None,
+            Varies::Bias(bias) => Some(bias),
+        }
+    }
+
+    /// The key of the number of the case; `None` of a factor on its loads.
+    pub fn id(&self) -> Option<Id> {
+        self.variable().map(Variable::id)
+    }
+
+    /// The key of what varies, as a case file writes it.
+    pub fn key(&self) -> String {
+        match &self.quantity {
+            Varies::Number(variable) => variable.id().to_string(),
+            Varies::Bias(bias) => bias.name().to_owned(),
+        }
+    }
+
+    /// True if it is the number under this key.
+    pub(super) fn is(&self, key: Key) -> bool {
+        self.id().is_some_and(|id| id.key == key)
+    }
+
+    fn dimension(&self) -> Option<Dimension> {
+        self.variable().and_then(Variable::dimension)
+    }
+
+    /// True if it is the acceleration of a base that moves.
+    fn is_of_base(&self) -> bool {
+        self.id().is_some_and(|id| id.key.info().kind == Kind::Reached)
     }
 
     /// True if its values count the acceleration of gravity, and are not in SI units.
@@ -205,7 +276,7 @@ impl Factor {
     /// # Errors
     /// If it is neither.
     pub fn parse(&self, text: &str) -> Result<f64, UnitError> {
-        match (text.trim().parse::<f64>(), self.unit, self.variable.dimension()) {
+        match (text.trim().parse::<f64>(), self.unit, self.dimension()) {
             (Ok(number), _, _) => self.value(number),
             (_, Counted::Gravity(gravity), Some(dimension)) => {
                 match (in_gravity(text), dimension.parse(text)) {
@@ -216,13 +287,10 @@ impl Factor {
                     (None, Err(error)) => Err(error),
                 }
             }
-            (_, _, Some(dimension)) => {
-                let of_base = self.variable.id().key.info().kind == Kind::Reached;
-                match in_gravity(text).filter(|_| of_base) {
-                    Some(share) => Ok(0.0 + share * STANDARD_GRAVITY),
-                    None => Ok(0.0 + dimension.parse(text)?),
-                }
-            }
+            (_, _, Some(dimension)) => match in_gravity(text).filter(|_| self.is_of_base()) {
+                Some(share) => Ok(0.0 + share * STANDARD_GRAVITY),
+                None => Ok(0.0 + dimension.parse(text)?),
+            },
             // Two numbers to the one, a decimal to the other.
             (_, _, None) if text.trim().replace(',', ".").parse::<f64>().is_ok() => Err(UnitError::Comma),
             (_, _, None) => Err(UnitError::Number),
@@ -231,7 +299,7 @@ impl Factor {
 
     /// Values that it takes, in words.
     pub fn expected(&self) -> String {
-        let name = self.variable.id();
+        let name = self.key();
         match self.unit {
             Counted::Gravity(None) => {
                 format!("a number with the unit g, as gravity varies as well; or the name `{name} [g]`")
@@ -244,7 +312,7 @@ impl Factor {
                 let units = Dimension::Acceleration.understood();
                 format!("a number, which counts g, or one with its unit: g, {units}")
             }
-            _ => match self.variable.dimension() {
+            _ => match self.dimension() {
                 Some(dimension) => {
                     format!("a number, or {} in {}", dimension.words(), dimension.understood())
                 }

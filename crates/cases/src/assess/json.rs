@@ -9,14 +9,13 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use standfast::ground::impact::EventFound;
 use standfast::loads::{self, LoadKind, LoadSource};
-use standfast::wave::Goda;
 use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck};
 use crate::case::{self, Acting, Case, PointForce, Waves};
 use crate::json::{CheckEntry, SCHEMA, number_or_word, written};
 use crate::point::{PointDocument, RelationDocument};
-use crate::results::{self, ResultName, ResultValue};
+use crate::results::{self, ResultName, ResultValue, SeaResult};
 use crate::summary::Summary;
 use crate::units::Extent;
 
@@ -31,7 +30,7 @@ struct Document<'a> {
     body: Body<'a>,
     weight_counted_as: &'static str,
     water: Option<Water>,
-    wave: Option<Wave>,
+    wave: Option<Wave<'a>>,
     /// What is asked first, in sentences.
     summary: Summary,
     warnings: Vec<Warning>,
@@ -90,33 +89,8 @@ struct Warning {
     message: String,
 }
 
-#[derive(Serialize)]
-struct Wave {
-    #[serde(rename = "H13")]
-    h_13: f64,
-    #[serde(rename = "Hmax")]
-    h_max: f64,
-    deep_water_wavelength: f64,
-    wavelength: f64,
-    h_b: f64,
-    angle_deg: f64,
-    turn_deg: f64,
-    impulsive: bool,
-    lambda: [f64; 3],
-    eta_star: f64,
-    h_c_star: f64,
-    alpha_1: f64,
-    alpha_2: f64,
-    alpha_3: f64,
-    alpha_4: f64,
-    #[serde(rename = "alpha_I")]
-    alpha_impulsive: f64,
-    alpha_star: f64,
-    p1: f64,
-    p3: f64,
-    p4: f64,
-    pu: f64,
-}
+/// Waves: their results, and the choices in the formulas behind the angle.
+struct Wave<'a>(&'a Waves);
 
 #[derive(Serialize)]
 struct Situation<'a> {
@@ -291,7 +265,7 @@ pub(super) fn render(assessment: &Assessment, view: &AssessmentView, files: &[St
             right: water.right(),
             density: water.density(),
         }),
-        wave: case.wave.as_ref().map(Wave::of),
+        wave: case.wave.as_ref().map(Wave),
         summary: super::summary::summary(assessment),
         warnings: case
             .warnings()
@@ -345,34 +319,19 @@ impl<'a> Part<'a> {
     }
 }
 
-impl Wave {
-    fn of(Waves { choices, goda, .. }: &Waves) -> Wave {
-        let Goda { h_13, h_max, deep_water_wavelength, wavelength, h_b, angle_deg, .. } = *goda;
-        let Goda { eta_star, h_c_star, alpha_1, alpha_2, alpha_3, alpha_4, .. } = *goda;
-        let Goda { alpha_impulsive, alpha_star, p1, p3, p4, pu, .. } = *goda;
-        Wave {
-            h_13,
-            h_max,
-            deep_water_wavelength,
-            wavelength,
-            h_b,
-            angle_deg,
-            turn_deg: choices.turn_deg,
-            impulsive: choices.impulsive,
-            lambda: choices.lambda,
-            eta_star,
-            h_c_star,
-            alpha_1,
-            alpha_2,
-            alpha_3,
-            alpha_4,
-            alpha_impulsive,
-            alpha_star,
-            p1,
-            p3,
-            p4,
-            pu,
+impl Serialize for Wave<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Wave(Waves { choices, goda, .. }) = self;
+        let mut map = serializer.serialize_map(None)?;
+        for result in SeaResult::ALL {
+            map.serialize_entry(result.name(), &result.of(goda))?;
+            if *result == SeaResult::Angle {
+                map.serialize_entry("turn_deg", &choices.turn_deg)?;
+                map.serialize_entry("impulsive", &choices.impulsive)?;
+                map.serialize_entry("lambda", &choices.lambda)?;
+            }
         }
+        map.end()
     }
 }
 

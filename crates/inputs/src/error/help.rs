@@ -206,7 +206,8 @@ impl Problem {
             | Problem::Motion(_)
             | Problem::NotOfBlock { .. }
             | Problem::MissingTableIn { .. }
-            | Problem::Impossible { .. } => return None,
+            | Problem::Impossible { .. }
+            | Problem::Bias { .. } => return None,
         };
         Some(help)
     }

@@ -18,6 +18,7 @@
 
 use super::Point;
 use super::polynomials::{Need, Polynomials};
+use crate::approx::Approx;
 
 /// The limit states of a [`Point`]: negative where what they are named for happens.
 ///
@@ -113,7 +114,7 @@ impl LimitState {
         }
     }
 
-    /// Its value.
+    /// Its value of those of a point.
     pub fn of(self, states: &LimitStates) -> f64 {
         match self {
             LimitState::Slide => states.slide,
@@ -130,32 +131,66 @@ impl LimitState {
             LimitState::SfOverturning => states.sf_overturning,
         }
     }
+
+    /// Its value at a point, without those of the others.
+    #[inline]
+    pub fn at(self, point: &Point) -> f64 {
+        // About O, and about O', with the sign of one polynomial alone.
+        let about = |g: f64, of: fn(&Polynomials<Approx>) -> Approx| {
+            point.polynomials_about(g, Need::Sign, |p| [of(p)])
+        };
+        let (o, o_prime) = (point.gamma, -point.gamma);
+        // What the polynomials of slip are multiplied out by: μf_y ∓ f_x of the rock is theirs over 4(1+γ²).
+        let inertia = 4.0 * (1.0 + point.gamma * point.gamma);
+        match self {
+            LimitState::Slide => point.mu - point.k,
+            // `0.0 − x` rather than `−x`, so that nothing becomes −0.
+            LimitState::RockO => 0.0 - about(o, |p| p.tip).tip,
+            LimitState::RockOPrime => 0.0 - about(o_prime, |p| p.tip).tip,
+            LimitState::TurnO => 0.0 - about(o, |p| p.turn).turn,
+            LimitState::TurnOPrime => 0.0 - about(o_prime, |p| p.turn).turn,
+            LimitState::SlipOLeft => about(o, |p| p.slip_left).slip_left / inertia,
+            LimitState::SlipORight => about(o, |p| p.slip_right).slip_right / inertia,
+            LimitState::SlipOPrimeLeft => about(o_prime, |p| p.slip_left).slip_left / inertia,
+            LimitState::SlipOPrimeRight => about(o_prime, |p| p.slip_right).slip_right / inertia,
+            LimitState::LoadFactor => point.safety_against_sliding().min(point.safety_against_overturning()),
+            LimitState::SfSliding => point.safety_against_sliding(),
+            LimitState::SfOverturning => point.safety_against_overturning(),
+        }
+    }
+
+    /// That of the mirror image, which has its value under a force that points right.
+    pub fn mirrored(self) -> LimitState {
+        match self {
+            LimitState::RockO => LimitState::RockOPrime,
+            LimitState::RockOPrime => LimitState::RockO,
+            LimitState::TurnO => LimitState::TurnOPrime,
+            LimitState::TurnOPrime => LimitState::TurnO,
+            LimitState::SlipOLeft => LimitState::SlipOPrimeRight,
+            LimitState::SlipORight => LimitState::SlipOPrimeLeft,
+            LimitState::SlipOPrimeLeft => LimitState::SlipORight,
+            LimitState::SlipOPrimeRight => LimitState::SlipOLeft,
+            other => other,
+        }
+    }
 }
 
 impl LimitStates {
     pub(super) fn of(point: &Point) -> LimitStates {
-        let about =
-            |g: f64| point.polynomials_about(g, Need::Sign, |p| [p.tip, p.turn, p.slip_left, p.slip_right]);
-        let Polynomials { tip, turn, slip_left, slip_right, .. } = about(point.gamma);
-        let beyond = about(-point.gamma);
-        // What the polynomials of slip are multiplied out by: μf_y ∓ f_x of the rock is theirs over 4(1+γ²).
-        let inertia = 4.0 * (1.0 + point.gamma * point.gamma);
-        let (sf_sliding, sf_overturning) =
-            (point.safety_against_sliding(), point.safety_against_overturning());
+        let at = |state: LimitState| state.at(point);
         LimitStates {
-            slide: point.mu - point.k,
-            // `0.0 − x` rather than `−x`, so that nothing becomes −0.
-            rock_o: 0.0 - tip,
-            rock_o_prime: 0.0 - beyond.tip,
-            turn_o: 0.0 - turn,
-            turn_o_prime: 0.0 - beyond.turn,
-            slip_o_left: slip_left / inertia,
-            slip_o_right: slip_right / inertia,
-            slip_o_prime_left: beyond.slip_left / inertia,
-            slip_o_prime_right: beyond.slip_right / inertia,
-            load_factor: sf_sliding.min(sf_overturning),
-            sf_sliding,
-            sf_overturning,
+            slide: at(LimitState::Slide),
+            rock_o: at(LimitState::RockO),
+            rock_o_prime: at(LimitState::RockOPrime),
+            turn_o: at(LimitState::TurnO),
+            turn_o_prime: at(LimitState::TurnOPrime),
+            slip_o_left: at(LimitState::SlipOLeft),
+            slip_o_right: at(LimitState::SlipORight),
+            slip_o_prime_left: at(LimitState::SlipOPrimeLeft),
+            slip_o_prime_right: at(LimitState::SlipOPrimeRight),
+            load_factor: at(LimitState::LoadFactor),
+            sf_sliding: at(LimitState::SfSliding),
+            sf_overturning: at(LimitState::SfOverturning),
         }
     }
 
