@@ -36,6 +36,23 @@ const OTHER_NAMES: [(&str, &[&str]); 15] = [
     ("mu_k", &["μ_k", "muk", "kinetic friction"]),
 ];
 
+/// Other names that people give columns of a case, in small letters, and the last part of the key.
+const KEY_NAMES: [(&str, &[&str]); 7] = [
+    ("period", &["tp", "ts", "tm", "t13", "t1/3", "tm-1,0", "tm02"]),
+    ("H13", &["hs", "hm0", "h1/3", "h_s", "significant wave height"]),
+    ("deep_water_height", &["h0", "h0'", "h_0"]),
+    ("water_level", &["wl", "swl", "tide", "level", "sea level"]),
+    ("angle_deg", &["beta", "β", "dir", "direction", "mwd"]),
+    ("friction", &["mu", "μ", "friction coefficient"]),
+    ("horizontal", &["pga", "kh", "k_h"]),
+];
+
+/// Last part of the key that a column is often meant by.
+pub fn key_meant(column: &str) -> Option<&'static str> {
+    let column = column.to_lowercase();
+    KEY_NAMES.iter().find(|(_, others)| others.contains(&column.as_str())).map(|(key, _)| *key)
+}
+
 /// Of the columns `found` in a table the one that is most likely meant by `column`, of the columns `needed`.
 pub fn similar<'a>(column: &str, found: &[&'a str], needed: &[&str]) -> Option<&'a str> {
     let other = OTHER_NAMES.iter().find(|(name, _)| *name == column).map_or(&[][..], |(_, others)| others);

@@ -5,6 +5,7 @@ mod search;
 
 use std::fmt;
 
+use standfast::loads::Face;
 use standfast::{Slip, wave};
 
 use crate::digits::{apart, digits};
@@ -127,6 +128,24 @@ pub enum Warning {
         /// At its top, Pa.
         top: f64,
     },
+    /// A permanent pressure pushes the body against the higher water.
+    PressureAgainstWater {
+        /// Place of the table.
+        index: usize,
+        /// Face that it presses on.
+        face: Face,
+        /// Level of the water there, m.
+        low: f64,
+        /// Level on the other side, m.
+        high: f64,
+    },
+    /// More uplift on the side away from the push.
+    UpliftAwayFromPush {
+        /// At O, Pa.
+        left: f64,
+        /// At O', Pa.
+        right: f64,
+    },
     /// A variable load acts in no combination.
     LoadInNoCombination {
         /// Its table.
@@ -242,6 +261,8 @@ impl Warning {
             Warning::SmallPressure { .. } => "small-pressure",
             Warning::SmallForce { .. } => "small-force",
             Warning::PressureFallsWithDepth { .. } => "pressure-falls-with-depth",
+            Warning::PressureAgainstWater { .. } => "pressure-against-water",
+            Warning::UpliftAwayFromPush { .. } => "uplift-away-from-push",
             Warning::LoadInNoCombination { .. } => "load-in-no-combination",
             Warning::LoadBesideBody { .. } => "load-beside-body",
             Warning::SmallBearing { .. } => "small-bearing",
@@ -383,6 +404,27 @@ impl fmt::Display for Warning {
                 kilopascals(*top),
                 kilopascals(*foot)
             ),
+            Warning::PressureAgainstWater { index, face, low, high } => {
+                let [low, high] = apart(&[*low, *high]).try_into().unwrap_or_default();
+                write!(
+                    f,
+                    "[[pressure]] {} is permanent and pushes on the {} face, where the water stands at {low} m, against the water at {high} m \
+                     on the other side: see its face",
+                    index + 1,
+                    if *face == Face::Left { "left" } else { "right" }
+                )
+            }
+            Warning::UpliftAwayFromPush { left, right } => {
+                let (less, more, side) =
+                    if left > right { (right, left, "left") } else { (left, right, "right") };
+                write!(
+                    f,
+                    "the uplift is {} at the {side} end of the base and {} at the other, from which the loads push: a wave presses \
+                     more where it comes from",
+                    kilopascals(*more),
+                    kilopascals(*less)
+                )
+            }
             Warning::LoadInNoCombination { table, index } => {
                 let number = if table.repeats() { format!(" {}", index + 1) } else { String::new() };
                 write!(

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use standfast_cases::couple::Variable;
 use standfast_cases::key::Table;
 use standfast_cases::results::{ResultKind, ResultValue};
-use standfast_cases::suggest::closest;
+use standfast_cases::suggest::{closest, key_meant};
 use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult, heading};
 use standfast_cases::{CaseError, CaseFile, Id, Warning};
 
@@ -489,7 +489,8 @@ pub fn column_warnings(file: &CaseFile, found: &[String], places: &[usize]) -> V
                     return Some(TableWarning::ColumnLikeAbsentKey { column: column.clone(), key });
                 }
             }
-            let place = exact.or_else(|| place_in(&lasts)).or_else(|| place_in(&keys))?;
+            let meant = || lasts.iter().position(|last| key_meant(bare) == Some(last));
+            let place = exact.or_else(meant).or_else(|| place_in(&lasts)).or_else(|| place_in(&keys))?;
             let dimension = Variable::of(ids[place], inputs).dimension();
             let unit = unit.filter(|unit| dimension.is_some_and(|dimension| dimension.unit(unit).is_some()));
             let (column, key) = (column.clone(), keys[place].clone());

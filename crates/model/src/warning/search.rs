@@ -7,7 +7,7 @@ use standfast::wave::Heights;
 use standfast::{BaseEdges, Slip};
 
 use super::Warning;
-use crate::case::{Case, Direction, Waves, Weight};
+use crate::case::{Acting, Case, Direction, Waves, Weight};
 use crate::criteria::Bound;
 use crate::error::Place;
 use crate::key::{Id, Key};
@@ -118,6 +118,8 @@ impl Case {
         warnings.extend(self.shaking());
         warnings.extend(self.waves());
         warnings.extend(self.forces());
+        warnings.extend(self.pressures());
+        warnings.extend(self.uplifted());
         warnings.extend(self.asked());
         warnings.extend(self.ground());
         warnings.extend(self.unused().into_iter().filter_map(|place| match place {
@@ -145,11 +147,28 @@ impl Case {
                 warnings.push(Warning::SmallForce { index, force, share });
             }
         }
+        warnings
+    }
+
+    /// About pressures along faces.
+    fn pressures(&self) -> Vec<Warning> {
+        let mut warnings = Vec::new();
         for (index, given) in self.pressures.iter().enumerate() {
             let points = given.diagram.points();
             let pressure = points.iter().fold(0.0, |most: f64, point| most.max(point.pressure.abs()));
             if pressure > 0.0 && pressure < PRESSURE {
                 warnings.push(Warning::SmallPressure { index, pressure });
+            }
+            if let Some(water) = self.water.filter(|_| given.permanent) {
+                let [here, beyond] = match given.face {
+                    Face::Left => [water.left(), water.right()],
+                    Face::Right => [water.right(), water.left()],
+                    Face::Base | Face::Top => [0.0; 2],
+                };
+                if here < beyond {
+                    let (face, low, high) = (given.face, here, beyond);
+                    warnings.push(Warning::PressureAgainstWater { index, face, low, high });
+                }
             }
             let upright = matches!(given.face, Face::Left | Face::Right);
             if let ([first, .., last], true) = (points, given.permanent && upright) {
@@ -161,6 +180,21 @@ impl Case {
             }
         }
         warnings
+    }
+
+    /// About uplift that is greater on the side away from the push, under every set of loads.
+    fn uplifted(&self) -> Option<Warning> {
+        let uplift = self.uplift.as_ref()?;
+        let (left, right) = (uplift.left(), uplift.right());
+        if left == right || (self.earthquake.is_some() && self.both_sides) {
+            return None;
+        }
+        let away = |acting: Acting| {
+            let full = self.situation(acting, None).and_then(|situation| situation.at(1.0));
+            // To the left it is pushed from the right.
+            full.is_ok_and(|full| full.wrench.x * (right - left) > 0.0)
+        };
+        self.acting().into_iter().all(away).then_some(Warning::UpliftAwayFromPush { left, right })
     }
 
     /// About what is asked of the results.
@@ -521,6 +555,36 @@ mod tests {
             CaseFile::parse("t.toml", &upside).and_then(|file| file.case()).is_err()
                 || names(&upside) == [name]
         );
+    }
+
+    /// Soil and uplift on the wrong side; what is pushed both ways, or by nothing, has none.
+    #[test]
+    fn loads_on_the_wrong_side() {
+        let dry = format!("{BLOCK}{FORCE}[uplift]\nleft = 5e3\nright = 20e3\n");
+        let given = "left = 5e3\nright = 20e3";
+        limits(
+            &dry,
+            given,
+            "uplift-away-from-push",
+            &["left = 20e3\nright = 20e3"],
+            &["left = 20.1e3\nright = 20e3", "left = 20e3\nright = 5e3"],
+        );
+        let slip = dry.replace(given, "left = 20e3\nright = 5e3");
+        assert_eq!(names(&slip.replace("elevation = 3", "elevation = 3\ndirection = \"right\"")), [""; 0]);
+        assert_eq!(names(&slip.replace("force = 1e5", "force = 0")), [""; 0]);
+        let quay = format!(
+            "{BLOCK}[water]\nleft = 6\nright = 6.5\ndensity = 1030\n[[pressure]]\nface = \"right\"\nelevation = [0, 9]\n\
+             pressure = [54e3, 0]\npermanent = true\n"
+        );
+        limits(
+            &quay,
+            "left = 6\nright = 6.5",
+            "pressure-against-water",
+            &["left = 6\nright = 6"],
+            &["left = 6.6\nright = 6.5"],
+        );
+        assert_eq!(names(&quay.replace("\"right\"", "\"left\"")), ["pressure-against-water"]);
+        assert_eq!(names(&quay.replace("\"right\"", "\"left\"").replace("permanent = true", "")), [""; 0]);
     }
 
     #[test]

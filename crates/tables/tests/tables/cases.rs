@@ -377,6 +377,17 @@ fn units_are_those_of_case_files() {
     assert_eq!((unit("bearing_max").as_deref(), unit("SF_sliding")), (Some("Pa"), None));
 }
 
+/// A peak period beside the file's own varies nothing.
+#[test]
+fn a_column_by_another_name_is_warned_about() {
+    for (column, key) in [("Tp", "wave.period"), ("tide", "water_level"), ("h0", "wave.deep_water_height")] {
+        let (_, summary) = text(&format!("friction,{column}\n0.5,6\n"), GODA, |options| options);
+        let warnings = summary.unwrap().varied.unwrap().warnings;
+        let [warning @ TableWarning::ColumnLikeKey { .. }] = &warnings[..] else { panic!("{warnings:?}") };
+        assert!(warning.to_string().contains(&format!("--map \"{key}={column}\"")), "{warning}");
+    }
+}
+
 #[test]
 fn a_column_that_may_be_meant_is_warned_about() {
     let (_, summary) = text("friction,deep_water_height,id\n0.5,6,1\n", GODA, |options| options);
