@@ -192,7 +192,11 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
         if numbers == 1 { "1 random number".to_owned() } else { format!("{numbers} random numbers") };
     let mut text = paragraph(&format!("Probability ({how}, {numbers}, {counted})"), 0);
     if let Some(situation) = &chances.situation {
-        let least = if answer.situations.len() > 1 { ", the least safe" } else { "" };
+        let least = match answer.situations.len() {
+            1 => String::new(),
+            2 => " (the worse of two)".to_owned(),
+            count => format!(" (the worst of {count})"),
+        };
         let _ = writeln!(text, "  under {situation}{least}");
     }
     text += &event_table(chances, floor(answer));
@@ -253,13 +257,13 @@ fn index(chances: &Chances) -> String {
         }
         return paragraph("Nowhere within twelve deviations of the medians does it move.", 2);
     };
-    let mut said = format!("β {}", digits(point.beta));
+    let mut said = format!("β = {} by FORM", digits(point.beta));
     if point.at_change {
-        said += " at a change of formula or of mode";
+        said += ", at a change of formula or of mode";
     }
-    let _ = write!(said, "; Φ(−β) = {} is not P", digits(point.first_order()));
+    let _ = write!(said, " (Φ(−β) = {} only approximates P)", digits(point.first_order()));
     if let Some(beta) = chances.generalized() {
-        let _ = write!(said, "; β_g {}", digits(beta));
+        let _ = write!(said, "; −Φ⁻¹(P) = {}", digits(beta));
     }
     paragraph(&format!("{said}."), 2)
 }
