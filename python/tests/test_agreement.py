@@ -175,7 +175,7 @@ def compare_situation(said: dict[str, Any], text: str, per: str) -> None:
     for symbol in said["also"]:
         assert f"({symbol})" in words.split("is not unique: that it ", 1)[1].split("as well.")[0]
     if said["departure"] == "never":
-        assert said["load_factor"] is None and ("No multiple of " in words or "nothing rises" in words)
+        assert said["load_factor"] is None and ("No multiple of " in words or "no load rises" in words)
     elif said["departure"] == "at":
         into = f"({said['departure_mode']})" if said["departure_mode"] else "in no consistent mode"
         share = digits(100 * said["load_factor"])

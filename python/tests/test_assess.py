@@ -131,7 +131,7 @@ def test_many_loads_are_shown_by_those_that_govern() -> None:
     found, shown = standfast.assess(case), standfast.assess(case, all=True)
     assert len(found.situations) == 10 and found.to_dict() == shown.to_dict()
     assert len(found.figures) == 9 and len(shown.figures) == 11 and len(str(found)) < len(str(shown))
-    assert "the 8 worst are shown one by one; all=True shows every one." in " ".join(str(found).split())
+    assert "the 8 worst are shown one by one; all=True shows all." in " ".join(str(found).split())
     assert "--all" not in str(found) and "all=True" not in str(shown)
     assert repr(found).endswith(": 10 situations>") and found.governing is found.situations[9]
 

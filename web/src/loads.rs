@@ -101,7 +101,7 @@ pub fn departure_words(departure: &Departure) -> String {
             format!("Any share of the load moves the body, however small{into}.")
         }
         Departure::At { factor, .. } => format!(
-            "The body first leaves rest at {} of the load{into}.",
+            "As the load rises, the body leaves rest at {} of it{into}.",
             mathematics(&format!("λ = {}", shown(factor))),
         ),
         Departure::Never => "The body stays at rest whatever the load factor.".to_owned(),

@@ -278,9 +278,9 @@ for (const [name, loads, words] of [
   ["no friction, the least force", { ...AIR, mu: 0, k: 1e-30 }, /^Any share of the load moves the body, however small, into SL\.$/],
   ["no friction and no force", { ...AIR, mu: 0, k: 0 }, /^The body stays at rest whatever the load factor\.$/],
   ["no force", { ...AIR, k: 0 }, /^The body stays at rest whatever the load factor\.$/],
-  ["far beyond twice the load", { ...AIR, k: 0.001 }, /^The body first leaves rest at λ = 600 of the load, into SL\.$/],
+  ["far beyond twice the load", { ...AIR, k: 0.001 }, /^As the load rises, the body leaves rest at λ = 600 of it, into SL\.$/],
   ["water on one side, no friction", { ...AIR, mu: 0, lee: 3 }, /^The permanent loads alone move the body, into SL\+; the force is not needed\.$/],
-  ["all loads", WET, /^The body first leaves rest at λ = 0\.705 of the load, into SL\.$/],
+  ["all loads", WET, /^As the load rises, the body leaves rest at λ = 0\.705 of it, into SL\.$/],
 ]) {
   test(`where it leaves rest is said as it is: ${name}`, async () => {
     const page = await open(browser, { fragment: fragmentOf(loads) });

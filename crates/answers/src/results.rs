@@ -210,8 +210,8 @@ listed! {
     EffectivePressure = number("effective_pressure", Some(Dimension::Pressure), "pressure on the effective width, P/B'",
         |a| on_base(a, Reaction::effective_pressure));
     GroundResistance = number("ground_resistance", Some(Dimension::Force),
-        "R, what the ground bears at the eccentricity and inclination of the resultant, no partial factor applied", |a| ground(a, |g| g.resistance));
-    GroundFactor = number("ground_factor", None, "R/P, what the ground bears over what presses on it", |a| ground(a, |g| g.factor));
+        "R, resistance of the ground at the eccentricity and inclination of the resultant, no partial factor applied", |a| ground(a, |g| g.resistance));
+    GroundFactor = number("ground_factor", None, "R/P, resistance of the ground over the force on it", |a| ground(a, |g| g.factor));
     GroundMargin = number("ground_margin", Some(Dimension::Force),
         "R − P, what the ground leaves: negative where it does not bear a body at rest; with `margin_sliding` not negative either, the body can rest on this base",
         |a| ground(a, |g| g.margin));

@@ -201,11 +201,12 @@ impl Changes {
     /// As the friction grows.
     pub fn as_mu_grows(&self, indent: usize) -> String {
         if self.along_mu.is_empty() {
-            return paragraph("Friction makes no difference.", indent);
+            return paragraph("The mode is the same for every friction.", indent);
         }
         let mut text = self.crossings("μ", &self.along_mu, indent);
         if self.along_mu.last().is_none_or(|crossing| crossing.to != Mode::Rest) {
-            text += &paragraph("No friction keeps the body at rest under this load.", indent);
+            text +=
+                &paragraph("Whatever the friction, the body does not stay at rest under this load.", indent);
         }
         text
     }

@@ -524,12 +524,12 @@ fn options_are_spelt_as_by_the_face() {
         (1..=9).map(|i| format!("[[load]]\nforce = {}\nelevation = 5\n", 1e5 * f64::from(i))).collect();
     let many = assess(&format!("{CAISSON}{loads}"));
     for (interface, said) in
-        [(Interface::Program, "; --all shows every one."), (Interface::Python, "; all=True shows every one.")]
+        [(Interface::Program, "; --all shows all."), (Interface::Python, "; all=True shows all.")]
     {
         let view = AssessmentView { interface, ..AssessmentView::default() };
         let words = many.text(&view).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(words.contains(&format!("the 8 worst are shown one by one{said}")), "{words}");
-        assert!(!many.text(&AssessmentView { all: true, ..view }).contains("shows every one"));
+        assert!(!many.text(&AssessmentView { all: true, ..view }).contains("shows all"));
     }
 }
 

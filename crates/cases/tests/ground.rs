@@ -342,7 +342,7 @@ fn criteria_tables_and_designs() {
 fn bad_ground() {
     let with = |ground: &str| format!("{CAISSON}[ground]\n{ground}\n{PUSH}");
     for (ground, parts) in [
-        ("", vec!["[ground] says nothing of what the base bears", "friction_angle_deg and unit_weight"]),
+        ("", vec!["[ground] does not say what the base bears", "friction_angle_deg and unit_weight"]),
         (
             "strength = \"3 MPa\"\nfriction_angle_deg = 40",
             vec!["`strength` does not go with `friction_angle_deg`"],
@@ -479,7 +479,7 @@ fn nothing_rigid_is_said_of_ground_that_is_not() {
         let found = situation(&format!("{goda}{ground}"));
         assert_eq!((&found["report"], &found["no_report"]), (&Value::Null, &Value::from("base-gives-way")));
         assert!(
-            text.contains("is that of rigid ground: its inequalities, margins and changes of mode are not"),
+            text.contains("is for rigid ground. Its inequalities, margins and changes of mode do not hold"),
             "{text}"
         );
         assert!(text.lines().all(|line| !line.contains("(3.") && !line.contains("(4.")), "{text}");

@@ -349,7 +349,7 @@ fn a_duration_by_the_waves() {
     assert!(recalled.words.contains("1.557") && recalled.words.contains("not read"), "{}", recalled.words);
     for (wrong, expected) in [
         ("shape = \"triangle\", rise = \"0.1 s\", duration = \"shimosako-takahashi\"", "`rise` does not go"),
-        ("shape = \"rect\", duration = \"shimosako-takahashi\"", "is that of a triangle"),
+        ("shape = \"rect\", duration = \"shimosako-takahashi\"", "goes with a triangle only"),
         ("shape = \"triangle\", rise = \"0.1 s\", duration = \"shimosako\"", "`duration` is"),
     ] {
         let case = text.replace("shape = \"triangle\", rise = \"0.7785 s\", duration = \"1.557 s\"", wrong);

@@ -183,7 +183,7 @@ impl Explained for CommandError {
                 "--from and --to widen the range; -o FILE.csv writes the values".into()
             }
             CommandError::NothingVaries { .. } => {
-                "call columns by what they vary, as in block.mu_s or motion.base.horizontal.file".into()
+                "name a column by its place in the file, as block.mu_s or motion.base.horizontal.file".into()
             }
             CommandError::Row { .. } => "--on-error null leaves the results of such rows empty".into(),
             CommandError::Figure(_) => "-o DIR puts the figures into another directory".into(),

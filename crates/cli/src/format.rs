@@ -6,7 +6,7 @@ use standfast_cases::Document;
 /// Format of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Format {
-    /// For reading, with four significant digits
+    /// For reading, with four significant digits; times of events with seven
     #[default]
     Text,
     /// One JSON document, at full precision

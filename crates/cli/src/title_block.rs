@@ -25,7 +25,7 @@ impl Args for TitleBlock {
     fn augment_args(command: Command) -> Command {
         TITLE_BLOCK.into_iter().fold(command, |command, key| {
             let words = key.info().words;
-            let help = format!("In the title block: {words} [default: that of the case file]");
+            let help = format!("In the title block: {words} [default: as in the case file]");
             command.arg(Arg::new(key.name()).long(key.name()).value_name("TEXT").help(help))
         })
     }

@@ -181,9 +181,7 @@ pub enum Problem {
         name: String,
     },
     /// A load with the name of what a table of the case gives.
-    #[error(
-        "a [[load]] or [[pressure]] is called \"{name}\", and so is what the case itself has of that name"
-    )]
+    #[error("a [[load]] or [[pressure]] is called \"{name}\", a name that the case itself uses")]
     TakenName {
         /// The name.
         name: String,
@@ -271,7 +269,7 @@ pub enum Problem {
     PartsOfCylinder,
     /// Goda's waves on a single object.
     #[error(
-        "[wave] does not go with a single object, of a `length` or a cylinder: Goda's formulas are those of a long wall"
+        "[wave] does not go with a single object, of a `length` or a cylinder: Goda's formulas are for a long wall"
     )]
     WavesOnObject,
     /// Slip with more friction than stick.
@@ -304,7 +302,7 @@ pub enum Problem {
     #[error("[water] has `level`, for both sides, and one for a side")]
     LevelAndSides,
     /// Neither here nor with the waves.
-    #[error("[water] lacks `density`, and there is no `water_density` in [wave] to take")]
+    #[error("[water] lacks `density`, and [wave] has no `water_density`")]
     NoWaterDensity,
     /// Two values of one quantity.
     #[error("`{one}` is {one_value}, but `{two}` is {two_value}: they have to agree", one_value = with_unit(*one, *one_value), two_value = with_unit(*two, *two_value))]
@@ -354,7 +352,7 @@ pub enum Problem {
         missing: Key,
     },
     /// A ground of which nothing is said.
-    #[error("[ground] says nothing of what the base bears")]
+    #[error("[ground] does not say what the base bears")]
     EmptyGround,
     /// Keys of ground that is told in different ways.
     #[error("`{}` does not go with `{}`", key.entry(), with.entry())]
@@ -455,7 +453,7 @@ pub enum Problem {
         two: Key,
     },
     /// A duration that the waves give, of another shape than theirs.
-    #[error("duration = \"{words}\" is that of a triangle")]
+    #[error("duration = \"{words}\" goes with a triangle only")]
     ByWavesShape {
         /// The word that takes the duration from the waves.
         words: &'static str,

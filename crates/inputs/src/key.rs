@@ -267,7 +267,7 @@ impl Table {
             Table::Motion => {
                 "the motion in time: how the base moves, how corners meet it, how the motion begins"
             }
-            Table::Impact => "what happens when a corner meets the base",
+            Table::Impact => "impacts of a corner on the base",
             Table::Initial => "how the motion begins; at rest without it",
             Table::Base => "how the base moves: a history for each direction",
             Table::BaseHorizontal => "acceleration of the base to the right",
@@ -570,8 +570,8 @@ listed! {
     /// A key of a case file.
     Key: KeyInfo;
 
-    Title = key(Top, "title", Text, "", "what the case is called", "\"Caisson in air\"");
-    Note = key(Top, "note", Text, "", "where its numbers come from", "\"numbers from the preliminary design\"");
+    Title = key(Top, "title", Text, "", "title of the case", "\"Caisson in air\"");
+    Note = key(Top, "note", Text, "", "source of its numbers", "\"numbers from the preliminary design\"");
     Project = key(Top, "project", Text, "", "the project the calculation is for", "\"Harbour extension\"");
     Client = key(Top, "client", Text, "", "who ordered it", "\"Port authority\"");
     SheetNumber = key(Top, "sheet", Text, "", "number of the calculation sheet", "\"C-104\"");
@@ -612,7 +612,7 @@ listed! {
         .gives(&[Quantity::BuoyantWeight]);
     WeightArm = key(Body, "weight_arm", length(Positive), "t_g", "its arm to the left corner O", "\"7.5 m\"")
         .silent("arm of the buoyant weight: that of the weight; of parts, that of the weight less buoyancy").gives(&[Quantity::WeightArm]);
-    WidthScale = key(Body, "width_scale", Plain(Positive), "f_w", "what the lengths of all parts along the base are multiplied by", "1.1")
+    WidthScale = key(Body, "width_scale", Plain(Positive), "f_w", "factor on the lengths of all parts along the base", "1.1")
         .silent("lengths of parts along the base: as given").moves(Moves::Width).gives(&[Quantity::Width]);
 
     PartName = key(Part, "name", Text, "", "name of the part", "\"footing\"");
@@ -649,7 +649,7 @@ listed! {
         .silent("cohesion of the ground: none").gives(&[Quantity::Cohesion]);
     GroundLaw = key(Ground, "law", LAWS, "", "bearing resistance: EN 1997-1 Annex D, Brinch Hansen as in API RP 2GEO, or Butterfield and Gottardi’s envelope", "\"hansen\"")
         .silent("bearing resistance of ground with a friction angle: EN 1997-1 Annex D");
-    CentricResistance = key(Ground, "centric_resistance", Measured(Dimension::Force, Positive), "V_0", "what the whole base bears upright and in its middle, for the envelope", "\"20 MN/m\"")
+    CentricResistance = key(Ground, "centric_resistance", Measured(Dimension::Force, Positive), "V_0", "resistance of the whole base to an upright force in its middle, for the envelope", "\"20 MN/m\"")
         .gives(&[Quantity::CentricResistance]);
     EnvelopeHorizontal = key(Ground, "t_h", Plain(Positive), "t_h", "slope of the envelope at no load, horizontal force over vertical", "0.52")
         .silent("slope t_h of the envelope: 0.52").gives(&[Quantity::EnvelopeSlope]);
@@ -747,8 +747,8 @@ listed! {
         .gives(&[Quantity::PressurePosition]);
     Pressures = key(Pressure, "pressure", List(Dimension::Pressure), "", "pressures there; below zero they pull", "[\"54 kPa\", \"0 kPa\"]")
         .gives(&[Quantity::Pressure]);
-    PressureFactor = key(Pressure, "scale", Plain(Finite), "f_p", "what the pressures are multiplied by", "1.2")
-        .silent("what the pressures are multiplied by: 1").gives(&[Quantity::Pressure]);
+    PressureFactor = key(Pressure, "scale", Plain(Finite), "f_p", "factor on the pressures", "1.2")
+        .silent("factor on the pressures: 1").gives(&[Quantity::Pressure]);
     PressurePermanent = key(Pressure, "permanent", Truth, "", "whether it is there all the time", "true")
         .silent("pressure: variable");
 
@@ -767,7 +767,7 @@ listed! {
 
     CombinationName = key(Combination, "name", Text, "", "name of the combination", "\"storm at low water\"");
     LoadFactors = key(Combination, "factors", Factors, "",
-        "what each load is multiplied by, under its name, or weight, water, uplift, wave, earthquake",
+        "factor on each load, under its name, or weight, water, uplift, wave, earthquake",
         "{ weight = 0.9, wave = 1.3, crane = 1.5 }");
 
     LeastSliding = key(Criteria, "SF_sliding", Plain(Positive), "", "at least: safety factor against sliding", "1.2");
@@ -783,7 +783,7 @@ listed! {
     LeastLoadFactor = key(Criteria, "load_factor", Plain(Positive), "",
         "at least: multiple of the variable loads at which the body leaves rest", "1.1");
     LeastGround = key(Criteria, "ground_factor", Plain(Positive), "",
-        "at least: what the ground bears over what presses on it, R/P", "1.4");
+        "at least: resistance of the ground over the force on it, R/P", "1.4");
     GreatestEffective = key(Criteria, "effective_pressure_max", Measured(Dimension::Pressure, Positive), "",
         "at most: pressure on the effective width, P/B'", "\"400 kPa\"");
     GreatestRotation = key(Criteria, "rotation_max", Measured(Dimension::Angle, Positive), "",
@@ -799,7 +799,7 @@ listed! {
 
     TMax = key(Motion, "t_max", time(Positive), "t_max", "when to stop at the latest", "\"60 s\"")
         .silent("end of the motion: at rest, overturned, or long after the loads");
-    ImpactLaw = key(Impact, "law", IMPACTS, "", "what happens when a corner meets the base: no rebound; no slip either; a measured ratio", "\"inelastic\"");
+    ImpactLaw = key(Impact, "law", IMPACTS, "", "law of impacts: no rebound; no slip either; a measured ratio", "\"inelastic\"");
     ImpactRatio = key(Impact, "ratio", Plain(ZeroToOne), "r", "measured ratio of the rates of rotation after and before an impact, with law = \"ratio\"", "0.9");
     InitialTheta = key(Initial, "theta", Measured(Dimension::Angle, Finite), "θ_0", "angle at the beginning, counter-clockwise", "\"50 mrad\"")
         .silent("angle at the beginning: 0");
@@ -871,9 +871,9 @@ listed! {
     RecordFile = key(History, "file", File, "", "file of the record", "\"record.AT2\"");
     RecordColumn = key(History, "column", Text, "", "column of the record, in a CSV file with several", "\"a_x\"");
     RecordStep = key(History, "dt", time(Positive), "Δt", "time from value to value, where the file has no times", "\"0.01 s\"");
-    RecordFactor = key(History, "factor", Plain(Finite), "f_r", "what the values of the record are multiplied by", "1.2")
+    RecordFactor = key(History, "factor", Plain(Finite), "f_r", "factor on the values of the record", "1.2")
         .silent("factor on the record: 1");
-    TargetPeak = key(History, "target_peak", Reached, "a_T", "what the record is scaled to reach", "\"0.4 g\"");
+    TargetPeak = key(History, "target_peak", Reached, "a_T", "peak to which the record is scaled", "\"0.4 g\"");
     Baseline = key(History, "baseline", BASELINES, "", "what is taken off the record: its mean, or the line of least squares", "\"linear\"");
 }
 

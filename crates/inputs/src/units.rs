@@ -257,8 +257,8 @@ impl Dimension {
         if unit.is_empty() {
             return Err(UnitError::Missing);
         }
-        if unit.starts_with(',') {
-            return Err(UnitError::Comma);
+        if unit.starts_with(|c: char| c == ',' || c.is_ascii_digit()) {
+            return Err(UnitError::Separator);
         }
         let known = self.unit(unit).ok_or_else(|| UnitError::Unknown(unit.to_owned()))?;
         Ok((value, known))
@@ -281,9 +281,9 @@ pub enum UnitError {
     /// There is no number at its beginning.
     #[error("it does not begin with a number")]
     Number,
-    /// A comma follows the number.
-    #[error("it has a comma; decimals take a point, and thousands nothing")]
-    Comma,
+    /// A comma follows the number, or a space and more digits.
+    #[error("it has a comma or a space among its digits; write 2.5, not 2,5, and 2700, not 2 700")]
+    Separator,
     /// There is a number only.
     #[error("it has no unit")]
     Missing,
@@ -391,7 +391,9 @@ mod tests {
             (Dimension::Length, "", UnitError::Number),
             (Dimension::Length, "inf m", UnitError::Number),
             (Dimension::Length, "NaN m", UnitError::Number),
-            (Dimension::Length, "1,5 m", UnitError::Comma),
+            (Dimension::Length, "1,5 m", UnitError::Separator),
+            (Dimension::Force, "2 700 kN/m", UnitError::Separator),
+            (Dimension::Force, "2,700 kN/m", UnitError::Separator),
             (Dimension::Length, "1.5.2 m", unknown(".2 m")),
         ];
         for (quantity, text, expected) in cases {

@@ -201,7 +201,7 @@ impl Variable {
                 }
             }
             Moves::WaterDensity if has(Key::WaterDensity) && has(Key::WaveWaterDensity) => {
-                notes.push("The density of still water and that of the sea are one.");
+                notes.push("Still water and the sea have one density.");
             }
             Moves::Friction if has(Key::KineticFriction) => {
                 notes.push("Friction to slip goes with friction to stick, in proportion.");

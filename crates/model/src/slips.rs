@@ -21,7 +21,7 @@ pub(crate) fn slips(problem: &MotionProblem, step: Option<f64>) -> Vec<MotionWar
         if share > 0.0 && !SHAKING.contains(share) {
             let name = if share > 1.0 { "strong-earthquake" } else { "weak-earthquake" };
             let words = format!(
-                "the {key} acceleration of the base reaches {} g; peaks from {SHAKING} g are usual: see its unit",
+                "the {key} acceleration of the base reaches {} g; usual peaks: {SHAKING} g. Check its unit",
                 digits(share)
             );
             slips.push(MotionWarning { name, words });

@@ -313,30 +313,25 @@ impl fmt::Display for Warning {
                 let usual = if *extent == Extent::PerMetre { DENSITY } else { OBJECT };
                 write!(
                     f,
-                    "the mean density of the parts is {} kg/m³; what is built has {usual} kg/m³: see their densities and \
-                     outlines, and their units",
+                    "the mean density of the parts is {} kg/m³; usual: {usual} kg/m³. Check their densities, outlines and units",
                     beyond(*density, usual.limit(*density))
                 )
             }
             Warning::MeanDensity { density, extent: Extent::PerMetre, .. } => write!(
                 f,
-                "the mean density, mass/(width × height), is {} kg/m³; what is built has {DENSITY} kg/m³: see mass or \
-                 density, width and height, and their units",
+                "the mean density, mass/(width × height), is {} kg/m³; usual: {DENSITY} kg/m³. Check \
+                 mass or density, width and height, and their units",
                 beyond(*density, DENSITY.limit(*density))
             ),
             Warning::MeanDensity { density, extent: Extent::Whole, .. } => write!(
                 f,
-                "the mean density, mass/volume, is {} kg/m³; objects have {OBJECT} kg/m³: see mass or density, the \
+                "the mean density, mass/volume, is {} kg/m³; usual: {OBJECT} kg/m³. Check mass or density, the \
                  dimensions, and their units",
                 beyond(*density, OBJECT.limit(*density))
             ),
             Warning::PartDensity { id, density, extent } => {
                 let usual = if *extent == Extent::PerMetre { DENSITY } else { OBJECT };
-                write!(
-                    f,
-                    "{id} = {} kg/m³; what is built has {usual} kg/m³",
-                    beyond(*density, usual.limit(*density))
-                )
+                write!(f, "{id} = {} kg/m³; usual: {usual} kg/m³", beyond(*density, usual.limit(*density)))
             }
             Warning::WaterDensity { key, density } => {
                 write!(
@@ -371,7 +366,7 @@ impl fmt::Display for Warning {
             ),
             Warning::Slenderness { slenderness } => write!(
                 f,
-                "height/width = {}; bodies have {SLENDER}: see both, and their units",
+                "height/width = {}; usual: {SLENDER}. Check both, and their units",
                 beyond(*slenderness, SLENDER.limit(*slenderness))
             ),
             Warning::WaveAngle { degrees } => write!(
@@ -459,7 +454,7 @@ impl fmt::Display for Warning {
             Warning::StrongEarthquake { key, acceleration, share }
             | Warning::WeakEarthquake { key, acceleration, share } => write!(
                 f,
-                "{key} = {} m/s² is {} g; peaks from {SHAKING} g are usual: see its unit",
+                "{key} = {} m/s² is {} g; usual peaks: {SHAKING} g. Check its unit",
                 digits(*acceleration),
                 beyond(*share, SHAKING.limit(share.abs()).copysign(*share))
             ),

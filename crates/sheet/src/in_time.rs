@@ -14,7 +14,7 @@ const SHOWN: usize = 8;
 pub fn inputs(file: &CaseFile, first: &FirstInstant) -> Markup {
     html! {
         h3 { "In time" }
-        p.note { "These lines of the case file say how the loads go with time, how the base moves, and what is asked of the motion:" }
+        p.note { "These lines of the case file give the course of the loads, the motion of the base, and the criteria on the motion:" }
         pre.written data-table="in-time" { @for line in file.lines_in_time() { (line) "\n" } }
         p.note { "In sections 2 to 4, " (first.of_instant()) "; section 5 follows the motion in time." }
     }
@@ -111,7 +111,7 @@ pub fn figures(in_time: &MotionAssessment) -> Result<Vec<AnswerFigure>, InputErr
 /// Limits of the motion in time.
 pub fn limits() -> Markup {
     html! {
-        p { "Of the motion in time, moreover:" }
+        p { "The motion in time assumes further:" }
         ul {
             li { "body and base are rigid and flat, the motion is plane, and the body stands on two corners;" }
             li { "the ground does not settle or fail, and there is no pressure of pore water;" }

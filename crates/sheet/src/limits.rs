@@ -54,9 +54,9 @@ fn not_covered(case: &Case, setting: &Setting, moves: bool) -> Vec<String> {
     let mut items = vec![
         match setting {
             Setting { waves: true, .. } if bears => {
-                "of the ground, what its formula leaves out, see there; sliding within the rubble mound; settlement;"
+                "effects that the formula of the ground leaves out, see there; sliding within the rubble mound; settlement;"
             }
-            _ if bears => "of the ground, what its formula leaves out, see there; settlement;",
+            _ if bears => "effects that the formula of the ground leaves out, see there; settlement;",
             Setting { waves: true, .. } => {
                 "bearing capacity and sliding within the rubble mound, the foundation or the soil beneath; settlement and tilt;"
             }

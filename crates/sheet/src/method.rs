@@ -13,11 +13,11 @@ pub fn words(assessment: &Assessment) -> Markup {
         ul {
             li { (base(case)) " Friction is dry (Coulomb). Forces act in the plane of the cross-section." }
             li {
-                "The motion is that of the first instant after the load is applied to a body at rest: which mode begins, with which \
+                "Sections 2 to 4 answer for the first instant after the load is applied to a body at rest: which mode begins, with which \
                  accelerations and reactions."
                 @if assessment.in_time.as_ref().is_some_and(|in_time| !in_time.motions.is_empty()) {
-                    " What becomes of it later is the matter of section 5."
-                } @else { " What becomes of it later is not computed." }
+                    " Section 5 follows the motion in time."
+                } @else { " The motion after that is not computed." }
             }
             li {
                 "Signs: x to the right, y upwards, rotation counter-clockwise. O is the bottom left corner of the base, O′ the \
@@ -32,8 +32,7 @@ pub fn words(assessment: &Assessment) -> Markup {
                     " Of the forces that act alone, each is an alternative to the others."
                 }
                 @if !case.combinations.is_empty() {
-                    " Loads act as the combinations of the case file say, each times its factor; the factors are the case \
-                     file’s. The body’s mass, its inertia and the friction carry no factor."
+                    " Loads act in the combinations of the case file, each times its factor there. The body’s mass, its inertia and the friction carry no factor."
                 }
             }
             @if let Some(wave) = &case.wave {
@@ -42,7 +41,7 @@ pub fn words(assessment: &Assessment) -> Markup {
                     @if wave.choices.impulsive { " with Takahashi’s coefficient for impulsive breaking" }
                     @else { " without the coefficient for impulsive breaking" }
                     @if wave.choices.uplift { "; the uplift is a triangle from the seaward toe to the heel." }
-                    @else { "; the waves do not press under the base, as the case file says." }
+                    @else { "; by the case file, the waves do not press under the base." }
                     @if wave.choices.turn_deg == 0.0 { " The angle of the waves is used as given, not turned towards the normal." }
                 }
             }
@@ -55,7 +54,7 @@ pub fn words(assessment: &Assessment) -> Markup {
                 }
             }
             @if case.section.is_some() && case.wave.is_some() {
-                li { "The waves press on the upright plane through the seaward edge; what they do on steps and slopes is left out." }
+                li { "The waves press on the upright plane through the seaward edge; their pressure on steps and slopes is left out." }
             }
             @if case.body.plan() == Plan::Circle {
                 li {
@@ -64,7 +63,7 @@ pub fn words(assessment: &Assessment) -> Markup {
                 }
             }
             @if !case.pressures.is_empty() {
-                li { "Pressures that the case file gives are linear from point to point, and nothing outside." }
+                li { "Pressures given in the case file are linear from point to point, and zero outside." }
             }
             @if case.added_mass.mass() > 0.0 {
                 li { "Water that moves with the body adds to its inertia against horizontal acceleration." }
@@ -89,8 +88,8 @@ fn base(case: &Case) -> &'static str {
             "The body is rigid. The base bears a pressure up to its strength, where it crushes, and no tension."
         }
         Some(ground) if ground.limit.is_some() => {
-            "The body is rigid, and so is the ground until its bearing resistance is reached. Of a body that would turn the ground under its edge \
-             fails first."
+            "The body is rigid, and so is the ground until its bearing resistance is reached. Before a body turns, the ground under its edge \
+             fails."
         }
         Some(_) => {
             "The body is rigid, and so is the base for the mode that begins; its stiffness gives the rotation and the periods."

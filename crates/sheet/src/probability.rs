@@ -14,7 +14,7 @@ pub fn section(file: &CaseFile) -> Result<Option<Markup>, SheetError> {
     let Some(random) = file.random() else { return Ok(None) };
     let laws = html! {
         p.note {
-            "What the case file says under [random], and nothing else, is random. Deviations, bounds and correlations are the \
+            "Random are the numbers under [random] in the case file, and no others. Deviations, bounds and correlations are the \
              author’s; the source of each has to be shown with the inputs."
         }
         table.numbers data-table="laws" {
@@ -138,8 +138,8 @@ fn index(chances: &Chances) -> Markup {
             "Reliability index: β = " data value=(point.beta) { (digits(point.beta)) } ", the distance of the nearest point at which \
              the body does not rest, in standard normals"
             @if point.at_change { "; that point lies at a change of formula or of mode" }
-            ". Φ(−β) = " (digits(point.first_order())) " is that of a half space and not the probability above"
-            @if let Some(generalized) = chances.generalized() { ", to which β" sub { "g" } " = −Φ⁻¹(P) = " (digits(generalized)) " belongs" }
+            ". Φ(−β) = " (digits(point.first_order())) " only approximates the probability above"
+            @if let Some(generalized) = chances.generalized() { ", for which −Φ⁻¹(P) = " (digits(generalized)) }
             "."
         }
     }
@@ -171,7 +171,7 @@ fn matters(answer: &Probability, chances: &Chances) -> Markup {
                 }
             }
         }
-        p.note { "Known is: held at its median." }
+        p.note { "Known means held at its median." }
     }
 }
 
@@ -228,7 +228,7 @@ fn left_out(answer: &Probability) -> Markup {
     html! {
         h3 { "What these probabilities leave out" }
         ul {
-            li { "what is not random above: every other number is taken as it is given;" }
+            li { "every number that is not random above is taken as given;" }
             li { "the error of the laws themselves and of their parameters, which a small probability feels most;" }
             li { "errors of the models, unless a bias stands among the inputs; gross errors of design, execution and use;" }
             li { "what no mode of this calculation has, see the next section." }

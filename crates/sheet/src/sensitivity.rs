@@ -18,7 +18,7 @@ pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
     };
     Ok(html! {
         p.note {
-            "Change of the safety factors and of the load factor at which the body first leaves rest, if one input grows by 1 %, \
+            "Change of the safety factors and of the load factor at which the body leaves rest, if one input grows by 1 %, \
              with what has to go with it: the mass with the width, the crest with the height. The least of all loads counts in each \
              column. The whole case" (wet) " is computed anew for each, with the input 1 % larger. Where there is no number: " em { "unlimited" } ", a factor has no bound, as it is or then; " em { "at once" } ", the body moves without any \
              share of the load; " em { "no case" } ", an input 1 % larger makes no sense beside the others."

@@ -43,7 +43,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
             @if assessment.all_checks().is_empty() {
                 (table(assessment))
                 p.note {
-                    "The case file asks for nothing under [criteria]."
+                    "The case file has no [criteria]."
                     @if assessment.case.wave.is_some() {
                         " Common practice asks for " (TARGET) " at least of both safety factors."
                     }

@@ -44,10 +44,7 @@ fn the_section_has_the_numbers_of_the_answer() {
     let laws = select("table[data-table=laws] td").join("|");
     assert!(laws.contains("friction|normal, cov 0.1|once|bias.force|lognormal, cov 0.15|once"), "{laws}");
     let words = select("section").join(" ");
-    assert!(
-        words.contains("ranks, Spearman's")
-            && words.contains("is that of a half space and not the probability")
-    );
+    assert!(words.contains("ranks, Spearman's") && words.contains("only approximates the probability above"));
 }
 
 #[test]

@@ -9,8 +9,19 @@ pub fn page() -> String {
     let mut page = String::from(
         "# The case file\n\n\
          A case is a TOML file: a body, and what acts on it. Quantities are numbers with a unit, as in\n\
-         `\"450 kN/m\"`; a number without one is in SI units. Forces, masses and moments are per metre run; those of an object of a\n\
-         given `length`, and of a cylinder, are those of the whole, in kN, kg or t. `standfast assess --help` has an example, the folder `examples` has more. This page is written by `cargo xtask gallery` from the table of keys that the\n\
+         `\"450 kN/m\"`; a number without one is in SI units. Forces, masses and moments are per metre run. Of an object with a\n\
+         `length`, and of a cylinder, they are of the whole, in kN, kg or t. A complete case:\n\n\
+         ```toml\n\
+         [body]\n\
+         width = \"15 m\"\n\
+         height = \"12 m\"\n\
+         mass = \"378 t/m\"       # per metre run of the wall\n\
+         friction = 0.6\n\n\
+         [[load]]\n\
+         force = \"2700 kN/m\"    # to the left\n\
+         elevation = \"11.5 m\"   # above the base\n\
+         ```\n\n\
+         The folder `examples` has more. This page is written by `cargo xtask gallery` from the table of keys that the\n\
          program itself reads, and a test fails when it is stale. A key is named in `design` by its table and name: `body.width`,\n\
          `load[2].force`.\n",
     );

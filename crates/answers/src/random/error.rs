@@ -86,7 +86,7 @@ impl Explained for ProbabilityError {
             }
             ProbabilityError::Situation { .. } => "name one of them".into(),
             ProbabilityError::NothingYearly { .. } => {
-                "say `every = \"year\"` of what is drawn anew each year, such as the sea's largest wave"
+                "give `every = \"year\"` to a number that is drawn anew each year, such as the sea's largest wave"
                     .into()
             }
             _ => return None,

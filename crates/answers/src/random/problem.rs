@@ -173,11 +173,15 @@ impl ChanceProblem {
                 };
                 return format!("base shaken to the {side}{way}");
             }
-            format!(
-                "base at {} m/s² to the right, {} upwards",
-                digits(earthquake.horizontal()),
-                digits(earthquake.vertical())
-            )
+            let part = |value: f64, [below, above]: [&str; 2]| {
+                let way = if value < 0.0 { below } else { above };
+                (value != 0.0).then(|| format!("{} m/s² {way}", digits(value.abs())))
+            };
+            let parts = [
+                part(earthquake.horizontal(), ["to the left", "to the right"]),
+                part(earthquake.vertical(), ["downwards", "upwards"]),
+            ];
+            format!("base acceleration {}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
         };
         let earthquake = shaking.and_then(|signs| Some((case.shaken(signs)?, signs)));
         match (name, earthquake.map(turned)) {

@@ -30,11 +30,11 @@ struct Line {
 pub fn template(file: &CaseFile) -> Result<String, CaseError> {
     let case = file.case()?;
     let mut text = String::from(
-        "# Laws of practice to begin from. Every source is as it is recalled: none was read in the original for this table.\n\
-         # Put in the place of each what is known of this body and this site. Means left out are the case's own values.\n",
+        "# Laws of practice to begin from. Every source is recalled: none was read in the original for this table.\n\
+         # Replace each by what you know of this body and this site. Means left out are the case's own values.\n",
     );
     if file.random().is_some() {
-        text += "# The case has a [random] table already, which this is not to be added to.\n";
+        text += "# The case has a [random] table already: merge the two, a file has only one.\n";
     }
     text += "[random]\n";
     text += "# years = 50                 # of a life; what is drawn anew each year says every = \"year\"\n";

@@ -292,7 +292,7 @@ impl Factor {
                 None => Ok(0.0 + dimension.parse(text)?),
             },
             // Two numbers to the one, a decimal to the other.
-            (_, _, None) if text.trim().replace(',', ".").parse::<f64>().is_ok() => Err(UnitError::Comma),
+            (_, _, None) if text.trim().replace(',', ".").parse::<f64>().is_ok() => Err(UnitError::Separator),
             (_, _, None) => Err(UnitError::Number),
         }
     }

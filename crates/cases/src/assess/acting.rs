@@ -118,8 +118,8 @@ pub(super) fn notes(case: &Case, assessed: &Assessed) -> String {
             "Of the forces that act alone, each is an alternative to the others; all other loads act beside it.".to_owned()
         }
         Acting::Combination(_) => {
-            "Loads that the combination does not name act as they are if they are permanent, and not at all if they are \
-             variable."
+            "Of the loads that the combination does not name, the permanent ones act as they are, the variable ones not \
+             at all."
                 .to_owned()
         }
         _ => return String::new(),
@@ -149,8 +149,7 @@ pub(super) fn earthquakes(case: &Case, assessed: &Assessed) -> String {
         1.0 => String::new(),
         factor => format!("They act times {}, the factor of the combination. ", digits(factor)),
     };
-    let first =
-        "All else in this answer is for the first. horizontal_fixed and vertical_fixed keep the signs given.";
+    let first = "The rest of this answer is for the first row. horizontal_fixed and vertical_fixed keep the signs given.";
     text += &paragraph(&(factor + first), 2);
     text
 }

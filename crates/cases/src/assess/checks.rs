@@ -56,26 +56,16 @@ pub(super) fn factors(assessed: &Assessed) -> String {
         let by = format!("by gross moments, about the {corner}");
         rows.push(row!["", by, layout::factor(gross.overturning())]);
     }
-    let effective =
-        full.effective.map(|reduced| (reduced, layout::factor(reduced.point.safety_against_overturning())));
-    let effective = effective.filter(|(_, factor)| *factor != layout::factor(stability.overturning()));
-    if let Some((_, factor)) = &effective {
-        rows.push(row!["", "1/(k_eff γ |1+k'_eff|)", factor.as_str()]);
-    }
     rows.extend(bearing(assessed));
     let mut text = columns(&rows, 2, &[]);
     if let Some(gross) = gross {
         text += &paragraph(&gross_words(gross, assessed), 2);
     }
-    if let Some((reduced, _)) = &effective {
-        text += &paragraph(two_factors(reduced), 2);
-    }
     if let Some(words) = no_factor(assessed) {
         text += &paragraph(words, 2);
     }
     if stability.overturning() == 0.0 && !full.is_lifted() {
-        let turned = "An overturning factor of 0 says that uplift or eccentric weight turn the body without any \
-             horizontal force.";
+        let turned = "The overturning factor is 0: uplift or eccentric weight alone turns the body, without any horizontal force.";
         text += &paragraph(turned, 2);
     }
     text
@@ -87,22 +77,29 @@ pub fn no_factor(assessed: &Assessed) -> Option<&'static str> {
     let base = assessed.situation.body().base_width();
     let is_off = stability.eccentricity(base).is_some_and(|eccentricity| eccentricity > 0.0);
     (stability.overturning() == f64::INFINITY && is_off).then_some(
-        "No horizontal force turns the body, so this factor says nothing of how far the vertical loads lie off the middle: see \
-         the load factor, the contact and the eccentricity.",
+        "No horizontal force turns the body, so there is no overturning factor. The load factor, the contact and the \
+         eccentricity tell how far the vertical loads lie off the middle.",
     )
 }
 
-/// Relation of the classical factor against overturning to that in effective coordinates, in words.
+/// Factor against overturning in effective coordinates, where it is another than the net one.
+pub(super) fn effective_factor(assessed: &Assessed) -> Option<(&Reduced, String)> {
+    let reduced = assessed.outcome.full.effective.as_ref()?;
+    let factor = layout::factor(reduced.point.safety_against_overturning());
+    (factor != layout::factor(assessed.outcome.stability.overturning())).then_some((reduced, factor))
+}
+
+/// Relation of the net factor against overturning to that in effective coordinates, in words.
 pub fn two_factors(reduced: &Reduced) -> &'static str {
     match reduced.point.k_prime() <= -1.0 {
         false => {
-            "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one as less \
-             resistance. They differ except at 1, which they pass together."
+            "This factor counts uplift and eccentric weight as a load; the net one counts them as less resistance. The two differ, \
+             but pass 1 together."
         }
         true => {
-            "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one as less \
-             resistance. With k'_eff ≤ −1 all loads together turn the body about another corner than the horizontal ones \
-             alone: the two factors are of different corners, and do not pass 1 together."
+            "This factor counts uplift and eccentric weight as a load; the net one counts them as less resistance. With \
+             k'_eff ≤ −1 all loads together turn the body about another corner than the horizontal ones alone. The two factors \
+             are then of different corners, and do not pass 1 together."
         }
     }
 }
@@ -138,11 +135,11 @@ fn gross_words(gross: &GrossOverturning, assessed: &Assessed) -> String {
         force => {
             let force = assessed.extent.kilonewtons(force);
             let moment = assessed.extent.kilonewton_metres(gross.buoyancy_moment);
-            format!("; of buoyancy, U_s = {force} and M_s = {moment} about the heel")
+            format!(", with buoyancy U_s = {force} and M_s = {moment} about the heel")
         }
     };
     format!(
-        "The net factor takes water under the base off the moment of the weight; by gross moments it turns the body: \
+        "The net factor takes the water under the base off the moment of the weight. By gross moments that water turns the body: \
          {formula}{buoyancy}."
     )
 }

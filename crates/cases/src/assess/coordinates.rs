@@ -1,19 +1,20 @@
 //! The report's diagram: the view that an answer has of it where body and loads allow, and the inequalities that decide.
 
-use super::Assessed;
+use super::{Assessed, checks};
 use crate::describe;
 use crate::layout::{columns, digits, paragraph, row};
 
-/// Reason why a load may be no point of the report's diagram.
-pub const NO_POINT: &str = "The load is no point of the report's diagram, which needs a uniform body with one friction and no \
-    added mass, pressed on its base and pushed sideways; it is answered by the general contact problem.";
+/// Reason why a load may have no point in the report's diagram.
+pub const NO_POINT: &str = "No k–μ diagram for this load: the diagram needs a uniform body with one friction and no added mass, pressed on \
+    its base and pushed sideways. Solved as a general contact problem.";
 
 /// Note on the coordinates of a load on ground that can fail.
-const RIGID_PLANE: &str = "The report's diagram of these γ and k' is that of rigid ground: its inequalities, margins and changes of mode are not those \
-    of this base, and are not given.";
+const RIGID_PLANE: &str = "The report's diagram is for rigid ground. Its inequalities, margins and changes of mode do not hold on this base, and are \
+    not given.";
 
 /// Note on a load without coordinates, on ground that can fail.
-const NO_POINT_ON_GROUND: &str = "The load is no point of the report's diagram; it is answered by the general contact problem on this base.";
+const NO_POINT_ON_GROUND: &str =
+    "No k–μ diagram for this load. Solved as a general contact problem on this base.";
 
 pub(super) fn text(assessed: &Assessed) -> String {
     let effective = &assessed.outcome.full.effective;
@@ -29,15 +30,22 @@ pub(super) fn text(assessed: &Assessed) -> String {
         Some(_) => (["k", "F/(m g)"], ["k'", "(e − H)/H"]),
         None => (["k_eff", "|X|/P"], ["k'_eff", "−M/(X H)"]),
     };
-    let rows = [
+    let mut rows = vec![
         row!["γ", "H/B", digits(point.gamma())],
         row![k_prime[0], k_prime[1], digits(point.k_prime())],
         row![k[0], k[1], digits(point.k())],
         row!["μ", "", digits(point.mu())],
     ];
-    let mut text = columns(&rows, 2, &[]);
     if assessed.is_on_ground() {
-        return text + &paragraph(RIGID_PLANE, 2);
+        return columns(&rows, 2, &[]) + &paragraph(RIGID_PLANE, 2);
+    }
+    let effective = checks::effective_factor(assessed);
+    if let Some((_, factor)) = &effective {
+        rows.push(row!["SF", "1/(k_eff γ |1+k'_eff|), overturning", factor.as_str()]);
+    }
+    let mut text = columns(&rows, 2, &[]);
+    if let Some((reduced, _)) = effective {
+        text += &paragraph(checks::two_factors(reduced), 2);
     }
     if reduced.mirrored {
         text += &paragraph(describe::MIRRORED, 2);

@@ -17,14 +17,14 @@ const NO_FACTOR: &str =
 const CRUSHING: &str = "The base bears a pressure up to q_u and no tension; it is rigid until then. This is the first instant: once its edge is crushed, the body \
     stands on another base.";
 
-const SOIL: &str = "The formulas are those of level, homogeneous, drained ground under a long strip. Left out: the shoulder of a berm, slopes, layers, pore \
+const SOIL: &str = "The formulas hold for level, homogeneous, drained ground under a long strip. Left out: the shoulder of a berm, slopes, layers, pore \
     pressure and its growth under cycles of load, seepage from uplift, punching. The friction angle of a mound is uncertain: read the load factor with \
     those at 2° less and more. Where the body would turn, the ground under its edge fails first.";
 
-const ENVELOPE: &str = "The resistance of the whole base is the user's; Butterfield and Gottardi's envelope says what of it is left under a force that is inclined \
+const ENVELOPE: &str = "The resistance of the whole base is given by the user. Butterfield and Gottardi's envelope tells how much of it is left under a force that is inclined \
     and eccentric. Left out: pore pressure and its growth under cycles of load, and all that the resistance given does not contain.";
 
-const ELASTIC: &str = "k_n and k_t are no constants of a soil: they depend on the size of the base and of the load. What begins under the full load is that of a base without \
+const ELASTIC: &str = "k_n and k_t are no constants of a soil: they depend on the size of the base and of the load. The mode under the full load is that of a base without \
     springs.";
 
 const IN_TIME: &str = "In time the base is linear and without damping up to its first event; loads of which no history is given are there all the time. One period alone \

@@ -5,21 +5,20 @@ use standfast::{Plan, Wrench};
 
 use super::{Assessed, Component};
 use crate::case::{Case, Weight};
-use crate::layout::{columns, digits, paragraph, row};
+use crate::layout::{columns, digits, row};
 use crate::units::Extent;
 
 /// Note on the effect that added mass leaves out.
-const ADDED_MASS: &str = "Added mass counts against horizontal acceleration of the centre of mass; that it acts at \
-    another height, and so couples sway and rotation, is left out.";
+const ADDED_MASS: &str = "Added mass resists the horizontal acceleration of the centre of mass. Its own height, which couples sway and \
+    rotation, is left out.";
 
 /// Note on the water pressure in an earthquake, which is not counted where the added mass is given as such.
-const SHAKEN_WATER: &str = "The pressure of the water on the shaken wall is not among the loads, because its height is \
-    not given: give sides in [added_mass] in place of the mass, or add it as a [[load]].";
+const SHAKEN_WATER: &str = "The water's pressure on the shaken wall is not among the loads: its height is not given. In \
+    [added_mass], give sides in place of the mass, or add the pressure as a [[load]].";
 
 /// Note on the motion that the answer to a cylinder leaves out.
-const WOBBLE: &str = "The answer is that of the plane of the loads. A cylinder may leave it: once it rocks it rolls on its rim and \
-    wobbles, in which it comes down later, and elsewhere, than the plane motion says. When it begins to move is not changed by \
-    that.";
+const WOBBLE: &str = "The motion is computed in the plane of the loads. A cylinder that rocks rolls on its rim and wobbles out of that plane; it then \
+    comes down later, and elsewhere. The moment at which it begins to move stays the same.";
 
 /// Notes on the effects that the answer to a case leaves out, in sentences.
 pub fn left_out(case: &Case) -> Vec<&'static str> {
@@ -121,7 +120,5 @@ pub(super) fn components(assessed: &Assessed) -> String {
     }
     let [left, down, moment] = numbers(&assessed.outcome.full.wrench);
     rows.push(row!["sum", "", left, down, moment]);
-    let mut text = columns(&rows, 2, &[2, 3, 4]);
-    text += &paragraph("Moments are counter-clockwise about the centre of mass C.", 2);
-    text
+    columns(&rows, 2, &[2, 3, 4])
 }

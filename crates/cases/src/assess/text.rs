@@ -34,19 +34,19 @@ pub(super) fn render(assessment: &Assessment, view: &AssessmentView) -> String {
     if shown.len() < assessment.all.len() {
         text += "\n";
         let words = format!(
-            "Of {} situations, the {GOVERNING} worst are shown one by one; {} shows every one.",
+            "Of {} situations, the {GOVERNING} worst are shown one by one; {} shows all.",
             assessment.all.len(),
             view.interface.all()
         );
         text += &paragraph(&words, 0);
     }
-    for assessed in shown {
+    for (place, assessed) in shown.into_iter().enumerate() {
         text += "\n";
         if several {
             let _ = write!(text, "{}\n\n", "─".repeat(88));
         }
         text += &acting::heading(assessment, assessed);
-        text += &details(case, assessed, view);
+        text += &details(case, assessed, view, place == 0);
     }
     let checks = assessment.all_checks();
     if !checks.is_empty() {
@@ -117,14 +117,18 @@ pub(super) fn warnings(case: &Case, of: impl Fn(&Warning) -> bool) -> String {
     warnings.map(|warning| paragraph(&format!("Warning ({}): {warning}.", warning.name()), 2)).collect()
 }
 
-fn details(case: &Case, assessed: &Assessed, view: &AssessmentView) -> String {
+/// The answer to one situation; `first` has the notes that hold for all.
+fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool) -> String {
     let full = &assessed.outcome.full;
     let mut text = "Forces and moments\n".to_owned();
     text += &loads::components(assessed);
-    for note in loads::left_out(case) {
-        text += &paragraph(note, 2);
+    if first {
+        text += &paragraph("Moments are counter-clockwise about the centre of mass C.", 2);
+        for note in loads::left_out(case) {
+            text += &paragraph(note, 2);
+        }
+        text += &acting::notes(case, assessed);
     }
-    text += &acting::notes(case, assessed);
     text += "\nActions\n";
     text += &checks::actions(assessed);
     text += "\nSafety factors and bearing pressure\n";

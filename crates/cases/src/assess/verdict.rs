@@ -9,7 +9,7 @@ use crate::summary::listed;
 use crate::units::Extent;
 
 /// Note on ground that fails.
-const NO_MOTION: &str = "The ground cannot bear the reaction; how the body then moves is not computed.";
+const NO_MOTION: &str = "The ground cannot bear the reaction. How the body then moves is not computed.";
 
 /// The state under the full load, applied at once.
 pub fn full_load(assessed: &Assessed) -> Vec<String> {
@@ -19,8 +19,10 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
         sentences.push(lifted(full, assessed.extent));
     }
     let factor = factor_at_rest(assessed).map_or(String::new(), |factor| format!(", {factor}"));
-    sentences
-        .push(format!("Applied at once, the full load: the body {}{factor}.", predicate(assessed.verdict())));
+    sentences.push(format!(
+        "Under the full load, applied suddenly, the body {}{factor}.",
+        predicate(assessed.verdict())
+    ));
     if let Some(neutral) = assessed.ground.as_ref().and_then(BaseResponse::neutral) {
         sentences.push(format!(
             "The base crushes under that corner: the body turns about a point {} m inside it.",
@@ -168,7 +170,7 @@ pub(super) fn stages(assessed: &Assessed, view: &AssessmentView) -> String {
 
 /// Sentences on the rise of the variable loads: departure from rest, and its difference from the full load at once.
 pub fn path(assessed: &Assessed) -> Vec<String> {
-    const NONE: &str = "No variable load acts; nothing rises.";
+    const NONE: &str = "No variable load acts, so no load rises.";
     match assessed.outcome.departure {
         Departure::Never if !assessed.rises() => vec![NONE.to_owned()],
         departure if !assessed.rises() => vec![NONE.to_owned(), leaving(&departure, "")],
@@ -206,38 +208,39 @@ fn difference(assessed: &Assessed) -> String {
     let symbol = |verdict: Option<Verdict>| verdict.map_or("no consistent mode", Verdict::symbol);
     match assessed.outcome.departure {
         Departure::AtOnce { permanent: true, .. } => {
-            "With no rest to begin from, a rising load has no first departure.".to_owned()
+            "The body is not at rest before the variable loads rise.".to_owned()
         }
         Departure::AtOnce { .. } if rests => {
-            "At once, the full load leaves the body at rest; rising, it has moved it before.".to_owned()
+            "Applied suddenly, the full load leaves the body at rest; rising slowly, it moves it before."
+                .to_owned()
         }
         Departure::AtOnce { verdict, .. } if verdict == full => {
-            format!("At once and rising, the body takes up the same mode, {}.", symbol(full))
+            format!("Applied suddenly or slowly, the load starts the same mode, {}.", symbol(full))
         }
         Departure::AtOnce { verdict, .. } => {
             format!(
-                "At once, the full load starts {}; rising, the load has started {} before.",
+                "Applied suddenly, the full load starts {}; rising slowly, it starts {} before.",
                 symbol(full),
                 symbol(verdict)
             )
         }
         Departure::At { factor, .. } if factor < 1.0 && rests => format!(
-            "At once, the full load leaves the body at rest; rising, it has moved it before, at {}.",
+            "Applied suddenly, the full load leaves the body at rest; rising slowly, it moves it before, at {}.",
             percent(factor)
         ),
         _ if rests => "The body stays at rest under the full load, applied suddenly or slowly.".to_owned(),
         Departure::At { factor, verdict } if verdict == full => format!(
-            "At once and rising, the body takes up the same mode, {}; rising, it moves from {} on.",
+            "Applied suddenly or slowly, the load starts the same mode, {}. As it rises, the body moves from {} on.",
             symbol(full),
             percent(factor)
         ),
         Departure::At { factor, verdict } => format!(
-            "At once, the full load starts {}; rising, the load has started {} before, at {}.",
+            "Applied suddenly, the full load starts {}; rising slowly, it starts {} before, at {}.",
             symbol(full),
             symbol(verdict),
             percent(factor)
         ),
-        Departure::Never => format!("At once, the full load starts {}.", symbol(full)),
+        Departure::Never => format!("Applied suddenly, the full load starts {}.", symbol(full)),
     }
 }
 

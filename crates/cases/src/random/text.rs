@@ -196,7 +196,11 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
     let mut text =
         paragraph(&format!("Probability of each mode {} ({how}, {numbers}, {counted})", period(answer)), 0);
     if let Some(situation) = &chances.situation {
-        let least = if answer.situations.len() > 1 { ", the least safe" } else { "" };
+        let least = match answer.situations.len() {
+            1 => String::new(),
+            2 => " (the worse of two)".to_owned(),
+            count => format!(" (the worst of {count})"),
+        };
         let _ = writeln!(text, "  under {situation}{least}");
     }
     text += &event_table(chances, floor(answer));

@@ -4,6 +4,7 @@ mod batch;
 mod case_file;
 mod completions;
 mod files_read;
+mod help;
 mod json;
 mod loads;
 #[path = "../../../tables/tests/common/mutated.rs"]

@@ -38,3 +38,28 @@ fn transcripts_are_real() {
     }
     assert!(examples.join("caisson-in-air.svg").exists());
 }
+
+/// The first case that a reader copies is complete, and the same on both pages.
+#[test]
+fn the_complete_case_is_answered() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let cases = ["README.md", "docs/case-file.md"].map(|page| {
+        let page = fs::read_to_string(root.join(page)).unwrap();
+        let blocks: Vec<&str> =
+            page.split("```toml\n").skip(1).filter_map(|block| block.split("```").next()).collect();
+        let complete = |block: &&&str| block.contains("[body]") && block.contains("[[load]]");
+        (*blocks.iter().find(complete).expect("a body with a load")).to_owned()
+    });
+    assert_eq!(cases[0], cases[1]);
+    assert_eq!(cases[0].lines().count(), 9);
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("my.toml"), &cases[0]).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_standfast"))
+        .args(["assess", "my.toml"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", str::from_utf8(&output.stderr).unwrap());
+    // The same body and load as in the transcript, entered by mass.
+    assert!(str::from_utf8(&output.stdout).unwrap().contains("(SRO-)"));
+}

@@ -23,7 +23,12 @@ pub fn read(id: Id, kind: Kind, units: Option<Extent>, written: &str) -> Result<
             // Two numbers to the one, a decimal to the other.
             Problem::WrongType { .. } if written.replace(',', ".").parse::<f64>().is_ok() => {
                 let dimension = dimension(id, units);
-                Problem::Unit { key: id.key, dimension, written: shortened(written), error: UnitError::Comma }
+                Problem::Unit {
+                    key: id.key,
+                    dimension,
+                    written: shortened(written),
+                    error: UnitError::Separator,
+                }
             }
             other => other,
         }
@@ -91,7 +96,7 @@ mod tests {
     fn what_is_wrong_is_said() {
         let read = |key: Key, text| read(key.into(), key.info().kind, Some(Extent::PerMetre), text);
         let comma = read(Key::Friction, "0,5");
-        assert!(matches!(comma, Err(Problem::Unit { error: UnitError::Comma, .. })), "{comma:?}");
+        assert!(matches!(comma, Err(Problem::Unit { error: UnitError::Separator, .. })), "{comma:?}");
         let two = read(Key::Width, "8\ny = 3");
         assert!(two.is_err(), "{two:?}");
     }

@@ -692,7 +692,7 @@ mod tests {
             ),
             (
                 format!("{BLOCK}{SHAKEN}vertical = \"-4 g\"\n"),
-                ["earthquake.vertical = -39.24 m/s² is -4 g", "peaks from 0.01 to 3 g", ""],
+                ["earthquake.vertical = -39.24 m/s² is -4 g", "usual peaks: 0.01 to 3 g", ""],
             ),
             (
                 sea.replace("Hmax = 5.4", "Hmax = 9"),

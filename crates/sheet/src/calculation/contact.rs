@@ -1,4 +1,4 @@
-//! Loads that are no point of the report's diagram: the general contact problem and the conditions of its modes.
+//! Loads that have no point in the report's diagram: the general contact problem and the conditions of its modes.
 
 use standfast::contact::Block;
 use standfast::relation::Relation;
@@ -10,8 +10,8 @@ use crate::steps::{SheetStep, SheetSteps};
 pub(super) fn steps(steps: &mut SheetSteps, situation: &Situation, total: &Wrench) -> Result<(), InputError> {
     steps.heading("Mode of response: the general contact problem");
     steps.note(
-        "The load is no point of the report's diagram, which needs a uniform body with one friction and no added mass, pressed \
-         on its base and pushed sideways. Every mode is tried: its motion has to satisfy the equations of motion, Coulomb's \
+        "The report's k–μ diagram needs a uniform body with one friction and no added mass, pressed on its base and pushed \
+         sideways; this load has no point there. Every mode is tried: its motion has to satisfy the equations of motion, Coulomb's \
          law and non-penetration at both corners. Forces are in m g, lengths in B, accelerations in g: `φ_x` and `φ_y` are the reactions \
          of the base, `ζ` is where `φ_y` acts, right of the centre of mass.",
     );

@@ -12,7 +12,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) {
     if checks.is_empty() {
         return;
     }
-    steps.heading("Criteria: what of each bound is used");
+    steps.heading("Criteria and their utilisation");
     for check in checks {
         one(steps, &check);
     }

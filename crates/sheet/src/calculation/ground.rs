@@ -79,7 +79,7 @@ pub(super) fn steps(
 pub(super) fn decision(steps: &mut SheetSteps, assessed: &Assessed) {
     steps.heading("Mode of response: the conditions of this base");
     steps.note(
-        "The report’s inequalities are those of a rigid base, and do not decide here. The mode that begins satisfies the equations of motion below, \
+        "The report’s inequalities hold for a rigid base, and do not decide here. The mode that begins satisfies the equations of motion below, \
          Coulomb’s law, and what the base bears.",
     );
     for relation in assessed.because() {

@@ -130,7 +130,7 @@ pub(super) fn changes(steps: &mut SheetSteps, reduced: &Reduced, weight: Option<
         }
     });
     if margins.along_mu.last().is_some_and(|crossing| crossing.to != Mode::Rest) {
-        steps.note("No friction keeps the body at rest under this load.");
+        steps.note("Whatever the friction, the body does not stay at rest under this load.");
     }
 }
 
