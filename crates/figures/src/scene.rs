@@ -197,7 +197,7 @@ impl Scene {
         let Pen { colour, width, dashes } = pen;
         let colour = self.paint(colour);
         self.write(format_args!(
-            "<path d=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"",
+            "<path d=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"",
             path.0
         ));
         if !dashes.is_empty() {
@@ -317,7 +317,7 @@ impl Scene {
         } else {
             format!("<path d=\"M0 0H{width}V{height}H0Z\" fill=\"{PAPER}\"/>\n")
         };
-        let root = format!("{paper}<g fill=\"{}\">\n", self.paint(INK));
+        let root = format!("{paper}<g fill=\"{}\" stroke-linejoin=\"round\">\n", self.paint(INK));
         let style = if self.themed {
             String::new()
         } else {
