@@ -14,7 +14,7 @@ use crate::Figure;
 use crate::axes::{Axes, Axis, Look, NUMBER};
 use crate::below::{Words, modes_key};
 use crate::caption::SMALL;
-use crate::palette::{INK, symbol};
+use crate::palette::{INK, symbol, tint};
 use crate::scene::{Path, Rect, Scene};
 use crate::text::Text;
 
@@ -46,6 +46,8 @@ pub struct MotionPicture<'a> {
     pub slide: &'a [(f64, f64)],
     /// θ over the time.
     pub theta: &'a [(f64, f64)],
+    /// Acceleration of the base to the right over the time, in gravities; empty where it stands still.
+    pub ground: &'a [(f64, f64)],
     /// θ of balance about O, and about O' (below zero).
     pub balance: [f64; 2],
 }
@@ -114,6 +116,29 @@ fn extent<'a>(outline: &MotionOutline, poses: impl Iterator<Item = &'a MotionPos
     all
 }
 
+/// Poses as they are drawn: ten times farther from where the body stood, if else its moves would not be seen, which the caption then
+/// says.
+fn enlarged(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> (Vec<MotionPose>, String) {
+    const FACTOR: f64 = 10.0;
+    const UNSEEN: f64 = 0.03;
+    let MotionOutline { b1, b2, d, height } = picture.outline;
+    let moved = |pose: &MotionPose| pose.slide.abs().max(pose.theta.abs() * height);
+    let most = poses.iter().map(moved).fold(0.0, f64::max) / (b1 + b2);
+    let flies = poses.iter().any(|pose| pose.mode == Mode::Flight);
+    if flies || !(UNSEEN * 1e-3..=UNSEEN).contains(&most) {
+        return (poses.to_vec(), picture.caption.to_owned());
+    }
+    let farther = |pose: &MotionPose| {
+        let (slide, theta) = (FACTOR * pose.slide, FACTOR * pose.theta);
+        // About O it turns counter-clockwise, about O′ clockwise.
+        let corner = if theta >= 0.0 { -b1 } else { b2 };
+        let (sin, cos) = theta.sin_cos();
+        let x = corner + slide - corner * cos - d * sin;
+        MotionPose { x, y: d * cos - corner * sin, theta, ..*pose }
+    };
+    (poses.iter().map(farther).collect(), format!("{} Moves are drawn ten times as large.", picture.caption))
+}
+
 /// State that takes most of each of `count` equal parts of the time, as stretches (first part, part after last, state).
 fn bands(states: &[(f64, Mode)], end: f64, count: usize) -> Vec<(usize, usize, Mode)> {
     let mut found: Vec<(usize, usize, Mode)> = Vec::new();
@@ -148,15 +173,19 @@ fn bands(states: &[(f64, Mode)], end: f64, count: usize) -> Vec<(usize, usize, M
 }
 
 /// The band of states between two heights, each in its colour and with its symbol where there is room.
-fn band(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect, symbols: bool) {
+fn band(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) {
     let count = (2.0 * (area.x1 - area.x0)) as usize;
     let x = |part: usize| area.x0 + (area.x1 - area.x0) * part as f64 / count as f64;
     for (from, to, mode) in bands(picture.states, picture.end, count) {
         let stretch = Rect { x0: x(from), x1: x(to), ..area };
         scene.area(&stretch.corners(), Verdict::Begins(mode));
-        let text = Text::new(symbol(mode), SMALL);
-        if symbols && text.width + 5.0 <= stretch.x1 - stretch.x0 {
-            scene.text_in(&text, &stretch, INK);
+        let room = stretch.x1 - stretch.x0 - 3.0;
+        let texts = [SMALL, 9.0].map(|size| Text::new(symbol(mode), size));
+        if let Some(text) = texts.iter().find(|text| text.width <= room) {
+            let behind =
+                Rect::around(stretch.centre().0, stretch.centre().1, text.width + 2.0, text.height() + 1.0);
+            scene.fill(&Path::rectangle(&behind), tint(mode));
+            scene.text_in(text, &stretch, INK);
         }
     }
 }
@@ -196,6 +225,27 @@ fn finished(
     words.figure(scene, edges, below + 8.0, beyond, &description)
 }
 
+/// Unit in which the slide of a motion is told: millimetres where it is small.
+struct Lengths {
+    factor: f64,
+    unit: &'static str,
+}
+
+impl Lengths {
+    fn of(picture: &MotionPicture<'_>) -> Lengths {
+        let farthest = picture.slide.iter().map(|(_, slide)| slide.abs()).filter(|slide| slide.is_finite());
+        match picture.length_unit {
+            "m" if farthest.fold(0.0, f64::max) < 1.0 => Lengths { factor: 1e3, unit: "mm" },
+            "m" => Lengths { factor: 1.0, unit: "m" },
+            _ => Lengths { factor: 1.0, unit: "lengths of the block" },
+        }
+    }
+
+    fn named(&self, name: &str) -> String {
+        with_unit(name, self.unit)
+    }
+}
+
 /// A name with its unit in brackets, in markup.
 fn with_unit(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") }
@@ -210,6 +260,37 @@ mod tests {
         let states = [(0.0, Mode::Rest), (2.2, Mode::SlideLeft), (2.3, Mode::RockO), (3.0, Mode::Rest)];
         assert_eq!(bands(&states, 10.0, 10), [(0, 2, Mode::Rest), (2, 3, Mode::RockO), (3, 10, Mode::Rest)]);
         assert_eq!(bands(&[], 1.0, 4), []);
+    }
+
+    /// Enlarged about its corner, the body keeps that corner on the base, ten times as far from where it stood.
+    #[test]
+    fn small_moves_are_enlarged_about_the_corner() {
+        let outline = MotionOutline { b1: 1.0, b2: 2.0, d: 3.0, height: 5.0 };
+        let picture = MotionPicture {
+            title: "",
+            caption: "It moves.",
+            outline,
+            end: 1.0,
+            time_unit: "s",
+            length_unit: "m",
+            states: &[],
+            loads: &[],
+            slide: &[],
+            theta: &[],
+            ground: &[],
+            balance: [0.3, -0.6],
+        };
+        for theta in [2e-3, -2e-3, 0.0] {
+            let pose = MotionPose { theta, slide: 0.01, ..outline.standing() };
+            let (drawn, caption) = enlarged(&picture, &[pose]);
+            assert!(caption.ends_with("ten times as large."), "{caption}");
+            let [o, toe, ..] = outline.corners(&drawn[0]);
+            let (corner, from) = if theta >= 0.0 { (o, -1.0) } else { (toe, 2.0) };
+            assert!((corner.0 - from - 0.1).abs() < 1e-12 && corner.1.abs() < 1e-12, "{corner:?}");
+            assert_eq!(drawn[0].theta, 10.0 * theta);
+        }
+        let far = MotionPose { slide: 1.0, ..outline.standing() };
+        assert_eq!(enlarged(&picture, &[far]), (vec![far], "It moves.".to_owned()));
     }
 
     #[test]

@@ -107,11 +107,6 @@ impl Path {
         self.0.push('Z');
     }
 
-    /// The path data.
-    pub(crate) fn data(&self) -> String {
-        self.0.clone()
-    }
-
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -142,6 +137,8 @@ pub(crate) struct Scene {
     /// True if colours are custom properties, for a page to set; false if they are fixed.
     themed: bool,
     body: String,
+    /// Rules beside those of dark pages.
+    rules: String,
     used: BTreeSet<(Face, char)>,
     labels: Vec<Label>,
 }
@@ -159,6 +156,11 @@ impl Scene {
     /// Opens a group with attributes, to be closed by [`close`](Scene::close).
     pub(crate) fn open(&mut self, attributes: &str) {
         self.write(format_args!("<g {attributes}>\n"));
+    }
+
+    /// Adds a rule to the style of the drawing.
+    pub(crate) fn rule(&mut self, rule: &str) {
+        self.rules.push_str(rule);
     }
 
     /// Writes elements as they are.
@@ -195,7 +197,7 @@ impl Scene {
         let Pen { colour, width, dashes } = pen;
         let colour = self.paint(colour);
         self.write(format_args!(
-            "<path d=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"",
+            "<path d=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"",
             path.0
         ));
         if !dashes.is_empty() {
@@ -315,11 +317,11 @@ impl Scene {
         } else {
             format!("<path d=\"M0 0H{width}V{height}H0Z\" fill=\"{PAPER}\"/>\n")
         };
-        let root = format!("{paper}<g fill=\"{}\">\n", self.paint(INK));
+        let root = format!("{paper}<g fill=\"{}\" stroke-linejoin=\"round\">\n", self.paint(INK));
         let style = if self.themed {
             String::new()
         } else {
-            format!("<style>{}</style>\n", palette::dark_style(&(root.clone() + &self.body)))
+            format!("<style>{}{}</style>\n", self.rules, palette::dark_style(&(root.clone() + &self.body)))
         };
         let mut svg = String::with_capacity(self.body.len() + 24_000);
         let put =

@@ -1,6 +1,6 @@
 //! The figures of a motion.
 
-use standfast::Mode;
+use standfast::{History, Mode};
 use standfast_figures::{
     MotionLoad, MotionOutline, MotionPicture, MotionPose, motion_animation, motion_histories,
     motion_positions,
@@ -40,6 +40,7 @@ pub(super) fn all(followed: &FollowedMotion) -> Vec<AnswerFigure> {
         loads: &loads,
         slide: &samples.slide,
         theta: &samples.theta,
+        ground: &samples.ground,
         balance: [(block.b1 / block.d).atan(), -(block.b2 / block.d).atan()],
     };
     vec![
@@ -58,6 +59,7 @@ struct Samples {
     loads: Vec<(&'static str, Vec<(f64, f64)>)>,
     slide: Vec<(f64, f64)>,
     theta: Vec<(f64, f64)>,
+    ground: Vec<(f64, f64)>,
 }
 
 impl Samples {
@@ -97,6 +99,13 @@ impl Samples {
             loads,
             slide: positions.iter().map(|at| (at.t, at.slide)).collect(),
             theta: positions.iter().map(|at| (at.t, at.theta)).collect(),
+            ground: case
+                .problem
+                .base
+                .horizontal
+                .iter()
+                .flat_map(|history| ground(history, end, gravity))
+                .collect(),
         }
     }
 
@@ -147,6 +156,13 @@ impl Samples {
         };
         (0..poses.len()).filter(|i| !still(*i)).map(|i| poses[i]).collect()
     }
+}
+
+/// Acceleration of the base in gravities, so often that an eye sees it change.
+fn ground(history: &History, end: f64, gravity: f64) -> Vec<(f64, f64)> {
+    let count = (end * PER_SECOND / 2.0).ceil().clamp(1.0, PICTURES) as usize;
+    let moments = (0..=count).map(|i| end * i as f64 / count as f64);
+    moments.map(|t| (t, history.at(t) / gravity)).collect()
 }
 
 fn pose(outcome: &MotionOutcome, t: f64) -> Option<MotionPose> {

@@ -1,6 +1,6 @@
 //! Load, slide and rotation over the time, one above the other, with the states behind.
 
-use super::{MotionPicture, band, finished, time_axis, with_unit};
+use super::{Lengths, MotionPicture, band, finished, time_axis};
 use crate::Figure;
 use crate::axes::{Axes, Axis, Look, NUMBER, Tick, widest};
 use crate::palette::{FAINT, INK, MARK};
@@ -19,10 +19,17 @@ struct Panel<'a> {
     name: String,
     lines: Vec<&'a [(f64, f64)]>,
     /// Values that are marked across the panel, where they come near.
-    levels: Vec<(f64, &'static str)>,
+    levels: Vec<f64>,
     /// The least range that is shown.
     least: f64,
+    /// Words in its place, if it is zero throughout.
+    flat: Option<&'static str>,
 }
+
+/// What is smaller is nothing, as a share of the body, and in radians.
+const NOTHING: f64 = 1e-9;
+/// Height of the line of a quantity that is zero.
+const FLAT: f64 = 24.0;
 
 impl Panel<'_> {
     fn axis(&self) -> Axis {
@@ -30,7 +37,7 @@ impl Panel<'_> {
         let (mut low, mut high) = values
             .filter(|value| value.is_finite())
             .fold((0.0_f64, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
-        for (level, _) in &self.levels {
+        for level in &self.levels {
             if *level > 0.0 && high > 0.4 * level {
                 high = high.max(*level);
             }
@@ -45,28 +52,38 @@ impl Panel<'_> {
     }
 }
 
-/// Histories of the loads, the slide and the rotation, with the band of states.
+/// Histories of the loads, the slide and the rotation, under the band of states. What is zero throughout is a line of words.
 pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
     let size = picture.outline.b1.max(picture.outline.b2);
     let names: Vec<&str> = picture.loads.iter().map(|load| load.name).collect();
+    let lengths = Lengths::of(picture);
+    let scaled = |values: &[(f64, f64)], factor: f64| -> Vec<(f64, f64)> {
+        values.iter().map(|(t, value)| (*t, value * factor)).collect()
+    };
+    let slide = scaled(picture.slide, lengths.factor);
+    let theta = scaled(picture.theta, 1f64.to_degrees());
+    let is_flat = |values: &[(f64, f64)], least: f64| values.iter().all(|(_, value)| value.abs() <= least);
     let panels = [
         Panel {
             name: names.join(", dashed "),
             lines: picture.loads.iter().map(|load| load.points).collect(),
             levels: Vec::new(),
             least: 1e-3,
+            flat: None,
         },
         Panel {
-            name: with_unit("slide, to the right", picture.length_unit),
-            lines: vec![picture.slide],
+            name: lengths.named("slide, to the right"),
+            lines: vec![&slide],
             levels: Vec::new(),
-            least: 1e-3 * size,
+            least: 1e-6 * size * lengths.factor,
+            flat: is_flat(picture.slide, NOTHING * size).then_some("It does not slide."),
         },
         Panel {
-            name: "rotation $θ$ (rad)".to_owned(),
-            lines: vec![picture.theta],
-            levels: picture.balance.map(|level| (level, "balance")).to_vec(),
-            least: 1e-3,
+            name: "rotation $θ$, counter-clockwise (°)".to_owned(),
+            lines: vec![&theta],
+            levels: picture.balance.map(f64::to_degrees).to_vec(),
+            least: 1e-4,
+            flat: is_flat(picture.theta, NOTHING).then_some("It does not turn."),
         },
     ];
     let panels = &panels[usize::from(names.is_empty())..];
@@ -74,43 +91,56 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
         .iter()
         .map(|panel| {
             let up = panel.axis();
-            (up, up.numbers(6.0))
+            (up, if panel.flat.is_some() { Vec::new() } else { up.numbers(6.0) })
         })
         .collect();
     let left = axes.iter().fold(24.0, |most, (_, ticks)| widest(ticks, most)) + 18.0;
     let mut scene = Scene::default();
     let strip = Rect { x0: left, y0: TOP, x1: left + WIDTH, y1: TOP + STRIP };
-    band(&mut scene, picture, strip, true);
+    band(&mut scene, picture, strip);
     let mut top = TOP + STRIP;
     for (panel, (up, ticks)) in panels.iter().zip(&axes) {
+        if let Some(words) = panel.flat {
+            top += FLAT;
+            scene.text(&Text::verbatim(words, NUMBER), left, top, INK);
+            continue;
+        }
         top += GAP;
         let area = Rect { x0: left, y0: top, x1: left + WIDTH, y1: top + HEIGHT };
         let axes = Axes { area, across: Axis::linear(0.0, picture.end), up: *up };
         draw(&mut scene, picture, panel, &axes, ticks);
         top += HEIGHT;
     }
+    if panels.iter().all(|panel| panel.flat.is_some()) {
+        top += STRIP;
+    }
     let below = time_axis(&mut scene, picture, Rect { x0: left, y0: TOP, x1: left + WIDTH, y1: top });
     let edges = (16.0, left + WIDTH);
-    let quantities: Vec<String> =
-        panels.iter().map(|panel| Text::inline(&panel.name, NUMBER).plain).collect();
+    let quantities: Vec<String> = panels
+        .iter()
+        .map(|panel| panel.flat.map_or_else(|| Text::inline(&panel.name, NUMBER).plain, str::to_owned))
+        .collect();
     let description = format!("Over the time, from above: the states; {}.", quantities.join("; "));
     finished(scene, picture, "histories", edges, below + 12.0, 22.0, &description)
 }
 
 fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes: &Axes, ticks: &[Tick]) {
     let area = axes.area;
-    band(scene, picture, area, false);
     scene.text(&Text::inline(&panel.name, NUMBER), area.x0, area.y0 - 6.0, INK);
     axes.beside(scene, ticks, Look::PLAIN);
     let across = |scene: &mut Scene, y: f64, pen: Pen| scene.line((area.x0, y), (area.x1, y), pen);
     across(scene, axes.y(0.0), Pen::solid(FAINT, 0.6));
     let Axis { from, to, .. } = axes.up;
-    for &(level, name) in panel.levels.iter().filter(|(level, _)| from < *level && *level < to) {
+    let shown: Vec<f64> = panel.levels.iter().copied().filter(|level| from < *level && *level < to).collect();
+    for (i, level) in shown.into_iter().enumerate() {
         let y = axes.y(level);
         across(scene, y, Pen { colour: MARK, width: 0.9, dashes: "5 3.4" });
-        let text = Text::verbatim(name, 11.0);
-        let place = if level > 0.0 { y + 11.0 } else { y - 4.0 };
-        scene.text(&text, area.x1 - text.width - 5.0, place, MARK);
+        // Both are one angle: the first is named.
+        if i == 0 {
+            let text = Text::verbatim("balance", 11.0);
+            let place = if level > 0.0 { y + 11.0 } else { y - 4.0 };
+            scene.text(&text, area.x1 - text.width - 5.0, place, MARK);
+        }
     }
     for (i, line) in panel.lines.iter().enumerate() {
         let places = line.iter().filter(|(t, value)| *t <= picture.end && value.is_finite());

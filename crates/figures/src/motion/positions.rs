@@ -2,7 +2,7 @@
 
 use standfast::Verdict;
 
-use super::{MotionOutline, MotionPicture, MotionPose, extent, finished, polygon};
+use super::{Lengths, MotionOutline, MotionPicture, MotionPose, enlarged, extent, finished, polygon};
 use crate::Figure;
 use crate::axes::NUMBER;
 use crate::number::significant;
@@ -20,12 +20,14 @@ const NARROW: f64 = 118.0;
 /// The body at some moments in its colour, where it stood before dashed.
 pub fn motion_positions(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> Figure {
     let outline = &picture.outline;
+    let (drawn, told) = enlarged(picture, poses);
+    let picture = &MotionPicture { caption: &told, ..picture.clone() };
     let standing = outline.standing();
-    let mut all = extent(outline, poses.iter().chain([&standing]));
+    let mut all = extent(outline, drawn.iter().chain([&standing]));
     // A body that came far is drawn where it is, and how far it came stands in words.
     let far = all.x1 - all.x0 > 5.0 * (outline.b1 + outline.b2 + outline.height);
     let centred = |pose: &MotionPose| MotionPose { x: 0.0, ..*pose };
-    let shown: Vec<MotionPose> = poses.iter().map(|pose| if far { centred(pose) } else { *pose }).collect();
+    let shown: Vec<MotionPose> = drawn.iter().map(|pose| if far { centred(pose) } else { *pose }).collect();
     if far {
         all = extent(outline, shown.iter().chain([&standing]));
     }
@@ -95,12 +97,14 @@ fn words_of(picture: &MotionPicture<'_>, pose: &MotionPose) -> Vec<Text> {
     // A slide of rounding errors is none.
     let size = picture.outline.b1.max(picture.outline.b2);
     let slide = if pose.slide.abs() > 1e-9 * size { pose.slide } else { 0.0 };
+    let lengths = Lengths::of(picture);
+    let unit = if picture.length_unit.is_empty() { String::new() } else { of(lengths.unit) };
     vec![
         Text::inline(
             &format!("$t = {}${}, {}", number(pose.t), of(picture.time_unit), symbol(pose.mode)),
             NUMBER,
         ),
-        Text::inline(&format!("slide ${}${}", number(slide), of(picture.length_unit)), 11.0),
-        Text::inline(&format!("$θ = {}$", number(pose.theta)), 11.0),
+        Text::inline(&format!("slide ${}${unit}", number(slide * lengths.factor)), 11.0),
+        Text::inline(&format!("$θ = {}$°", number(pose.theta.to_degrees())), 11.0),
     ]
 }
