@@ -14,6 +14,7 @@ from . import _standfast
 from ._answer import Rendered
 from ._arrow import ArrowTable
 from ._assess import Figure, case_text
+from ._modes import SYMBOLS
 from ._run import run
 from .chances import ProbabilityDocument
 
@@ -33,10 +34,14 @@ class Probability(ProbabilityDocument, Rendered):
 
     _what = "this answer"
     _drawn: Callable[[], list[tuple[str, str]]]
+    #: That of a case that is a dict.
+    _title: str | None
 
-    def __init__(self, text: str, document: str, figures: list[tuple[str, str]] | Callable[[], list[tuple[str, str]]]) -> None:
+    def __init__(
+        self, text: str, document: str, figures: list[tuple[str, str]] | Callable[[], list[tuple[str, str]]], title: str | None = None
+    ) -> None:
         super().__init__(text, document)
-        vars(self)["_drawn"] = figures if callable(figures) else lambda: figures
+        vars(self).update(_drawn=figures if callable(figures) else lambda: figures, _title=title)
 
     @functools.cached_property
     def figures(self) -> list[Figure]:
@@ -50,15 +55,26 @@ class Probability(ProbabilityDocument, Rendered):
         return chosen[0].svg if chosen else None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self._text, self._json, [tuple(figure) for figure in self.figures])
+        return type(self), (self._text, self._json, [tuple(figure) for figure in self.figures], self._title)
 
     def __repr__(self) -> str:
+        others = f"; {len(self.others)} other set{'s' if len(self.others) > 1 else ''} of loads" if self.others else ""
+        return f"<Probability {self._title or os.path.basename(self.case)}: {self._said()}{others}>"
+
+    def _said(self) -> str:
+        """What was asked for: how likely the body overturns along peaks, does not rest along a number, or begins in each mode."""
+        if self.overturning is not None:
+            first, last = self.overturning.points[0], self.overturning.points[-1]
+            ends = [f"{end.overturned.probability:.4g} at {end.peak:.4g} m/s²" for end in (first, last)]
+            return f"overturns {' to '.join(ends)}"
+        if self.fragility is not None:
+            first_value, last_value = self.fragility.points[0], self.fragility.points[-1]
+            values = [f"{end.not_rest.probability:.4g} at {end.value:.4g}" for end in (first_value, last_value)]
+            return f"does not rest {' to '.join(values)} of {self.fragility.name}"
         likely = [(name, chance) for name, chance in self.modes.items() if chance.probability > 0]
         likely.sort(key=lambda one: -one[1].probability)
         shown = ", ".join(f"{name} {chance.probability:.4g}" for name, chance in likely[:4])
-        more = f", … {len(likely) - 4} more" if len(likely) > 4 else ""
-        others = f"; {len(self.others)} other sets of loads" if self.others else ""
-        return f"<Probability {os.path.basename(self.case)}: {shown}{more}{others}>"
+        return shown + (f", … {len(likely) - 4} more" if len(likely) > 4 else "")
 
 
 class _Asked(NamedTuple):
@@ -108,8 +124,8 @@ def probability(
         threads: how many threads to use; ``None`` for as many as there are processors.
 
     Raises:
-        ValueError: for a case, law or correlation that is not understood, or without random numbers; the message shows where, and
-            what is expected.
+        CaseError: for a case, law or correlation that is not understood; the message shows where, and what is expected.
+        ValueError: for a case without random numbers, and for other arguments.
         OSError: if the case file cannot be read.
 
     >>> plane = {
@@ -142,7 +158,9 @@ def probability(
         None if years is None else float(years), over, rotations == "simulate", how.threads,
     )  # fmt: skip
     found = _standfast.probability(case_text(case), asked)
-    return Probability(found.text(), found.json(), lambda: [(words, svg) for words, _, svg in found.figures()])
+    title = case.get("title") if isinstance(case, Mapping) else None
+    figures = lambda: [(words, svg) for words, _, svg in found.figures()]  # noqa: E731
+    return Probability(found.text(), found.json(), figures, None if title is None else str(title))
 
 
 def draws(
@@ -186,7 +204,7 @@ def draws(
         missing = np.isnan(values)
         columns.append(_standfast.make_array(name, values, missing if missing.any() else None, None, {"description": words}))
     missing = modes == _NO_MODE
-    columns.append(_standfast.make_array("mode", modes, missing if missing.any() else None, None, {"description": "the mode that begins"}))
+    columns.append(_standfast.make_array("mode", modes, missing if missing.any() else None, SYMBOLS.tolist(), {"description": "the mode that begins"}))
     return ArrowTable(_standfast.make_table(columns))
 
 
