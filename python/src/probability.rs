@@ -13,6 +13,7 @@ use standfast_cases::{CaseFile, Document};
 use crate::assess::beside;
 use crate::errors::{of_case, of_chance};
 use crate::onset::NO_MODE;
+use crate::simulate::{Samples, given_base};
 use crate::watch::patiently;
 use crate::{Figure, figures};
 
@@ -58,7 +59,9 @@ pub(crate) fn probability(
     py: Python<'_>,
     file: (String, String),
     asked: Arguments,
+    records: Vec<(Option<Samples<'_>>, Option<Samples<'_>>)>,
 ) -> PyResult<ChanceAnswer> {
+    let records = records.into_iter().map(given_base).collect::<PyResult<Vec<_>>>()?;
     let method = asked.method.as_deref().map(str::parse::<MethodAsked>).transpose();
     let method = method.map_err(|error: String| PyValueError::new_err(error))?;
     let plain = Effort::default();
@@ -79,7 +82,7 @@ pub(crate) fn probability(
     patiently(py, move || {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));
         let file = file.map_err(|error| of_case(&error))?;
-        let answer = Probability::along(&file, request, over.as_ref());
+        let answer = Probability::under(&file, request, over.as_ref(), &records);
         answer.map(ChanceAnswer).map_err(|error| of_chance(&error))
     })?
 }

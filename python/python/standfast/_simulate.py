@@ -218,8 +218,8 @@ def check_unit(base: Records, unit: str | None, is_si: bool) -> None:
     raise ValueError(f"unit is {unit!r}, and the case has a [block], whose accelerations have no unit; leave it out")
 
 
-def records_of(base: Any, dt: Any, unit: str | None) -> Records:
-    """Horizontal and vertical record."""
+def records_of(base: Any, dt: Any, unit: str | None, called: str = "base") -> Records:
+    """Horizontal and vertical record; ``called`` is what errors call them."""
     if unit is not None and unit not in _UNITS:
         raise ValueError(f"unit is {unit!r}; expected one of {', '.join(map(repr, _UNITS))}")
     factor = 1.0 if unit is None else _UNITS[unit]
@@ -230,17 +230,17 @@ def records_of(base: Any, dt: Any, unit: str | None) -> Records:
     if isinstance(base, Mapping):
         for direction in base:
             if direction not in _DIRECTIONS:
-                raise ValueError(f"base has {direction!r}; expected 'horizontal' and 'vertical'")
-        named = {direction: (f"base[{direction!r}]", values) for direction, values in base.items()}
+                raise ValueError(f"{called} has {direction!r}; expected 'horizontal' and 'vertical'")
+        named = {direction: (f"{called}[{direction!r}]", values) for direction, values in base.items()}
         if not named:
-            raise ValueError("base is empty; expected an array, or arrays under 'horizontal' and 'vertical'")
+            raise ValueError(f"{called} is empty; expected an array, or arrays under 'horizontal' and 'vertical'")
     else:
-        named = {"horizontal": ("base", base)}
+        named = {"horizontal": (called, base)}
     found = {direction: _record(name, values, dt, factor) for direction, (name, values) in named.items()}
     lengths = {direction: len(values) for direction, (_, values) in found.items()}
     if len(set(lengths.values())) > 1:
         counted = " and ".join(f"{count} values {direction}" for direction, count in lengths.items())
-        raise ValueError(f"base has {counted}; expected as many")
+        raise ValueError(f"{called} has {counted}; expected as many")
     return found.get("horizontal"), found.get("vertical")
 
 

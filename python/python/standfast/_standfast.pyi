@@ -246,7 +246,9 @@ class ChanceAnswer:
     def figures(self) -> list[tuple[str, str, str]]:
         """Words, suffix and SVG of each figure."""
 
-def probability(file: tuple[str, str], asked: _Asked) -> ChanceAnswer: ...
+def probability(
+    file: tuple[str, str], asked: _Asked, records: Sequence[tuple[_RecordOf, _RecordOf]]
+) -> ChanceAnswer: ...
 def plain_effort() -> tuple[int, float, float, int]: ...
 def draws(
     file: tuple[str, str], situation: str | None, count: int, seed: int
