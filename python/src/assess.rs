@@ -6,10 +6,9 @@ use std::path::Path;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
-use standfast_cases::{
-    Assessment, AssessmentView, CaseFile, Document, Interface, UpToError, check_up_to, report,
-};
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Interface, UpToError, check_up_to};
 
+use crate::errors::of_case;
 use crate::{Figure, figures};
 
 /// The answer to a case.
@@ -73,7 +72,7 @@ pub(crate) fn assess(
     py.detach(|| {
         let file = CaseFile::read(name, text, &beside(name));
         let answered = file.and_then(|file| Assessment::of_file(&file));
-        let assessment = answered.map_err(|error| PyValueError::new_err(report(&error)))?;
+        let assessment = answered.map_err(|error| of_case(&error))?;
         Ok(CaseAnswer { assessment, view: AssessmentView { up_to, all, interface: Interface::Python } })
     })
 }

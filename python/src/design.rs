@@ -5,9 +5,10 @@ use pyo3::prelude::*;
 use standfast_cases::design::{
     BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, boundary_csv,
 };
-use standfast_cases::{CaseFile, Document, Explained, report};
+use standfast_cases::{CaseFile, Document};
 
 use crate::assess::beside;
+use crate::errors::{of_case, of_design};
 use crate::figures;
 use crate::watch::patiently;
 
@@ -26,10 +27,6 @@ const SPELLING: Spelling = Spelling {
 
 /// Lower and upper end of a range, where they are given.
 type Ends = [Option<String>; 2];
-
-fn refused(error: &dyn Explained) -> PyErr {
-    PyValueError::new_err(report(error))
-}
 
 fn request(vary: String, target: &str, greatest: bool, [from, to]: Ends) -> PyResult<DesignRequest> {
     let target =
@@ -50,8 +47,8 @@ pub(crate) fn design(
 ) -> PyResult<(String, String)> {
     let request = request(vary, target, greatest, ends)?;
     patiently(py, move || {
-        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| refused(&error))?;
-        let design = Design::of(&file, request).map_err(|error| refused(&error))?;
+        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
+        let design = Design::of(&file, request).map_err(|error| of_design(&error))?;
         Ok((design.text(&()), design.json(&(), &[])))
     })?
 }
@@ -78,7 +75,7 @@ pub(crate) fn boundary(
             let svg = figures(&boundary, &())?.pop().map(|(_, _, svg)| svg);
             Ok((boundary.text(&()), boundary.json(&(), &[]), boundary_csv(&boundary), svg))
         };
-        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| refused(&error))?;
-        DesignBoundary::of(&file, request).map_err(|error| refused(&error)).and_then(rendered)
+        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
+        DesignBoundary::of(&file, request).map_err(|error| of_design(&error)).and_then(rendered)
     })?
 }

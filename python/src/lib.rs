@@ -7,6 +7,7 @@ mod assess;
 mod contact;
 mod design;
 mod diagram;
+mod errors;
 mod explain;
 mod grid;
 mod limits;
@@ -100,6 +101,8 @@ mod _standfast {
     use super::design::{boundary, design};
     #[pymodule_export]
     use super::diagram::{diagram_numbers, diagram_outlines, diagram_svg, failing_modes};
+    #[pymodule_export]
+    use super::errors::{CaseError, NoSolution, StandfastError};
     #[pymodule_export]
     use super::explain::{contact_conditions, explain};
     #[pymodule_export]

@@ -28,12 +28,13 @@ pub(crate) fn limit_states(
     let inputs = rows::columns(&arrays)?;
     let numbers = rows::numbers(&mut numbers, inputs[0].len())?;
     let wrong = wrong.as_mut().map(|wrong| wrong.as_slice_mut()).transpose()?;
+    let side = |state: LimitState| if run.right { state.mirrored() } else { state };
+    let asked: Vec<_> = numbers.iter().map(|(place, _)| (*place, side(LimitState::ALL[*place]))).collect();
     let out = OutputColumns { mode: None, modes: None, numbers, wrong };
     let solve = |[gamma, k_prime, k, mu]: [f64; 4]| {
-        let states = Point::new(gamma, k_prime, k, mu)?.limit_states();
-        let states = if run.right { states.mirrored() } else { states };
+        let point = Point::new(gamma, k_prime, k, mu)?;
         let mut numbers = Answer::NONE.numbers;
-        LimitState::ALL.into_iter().zip(&mut numbers).for_each(|(state, number)| *number = state.of(&states));
+        asked.iter().for_each(|(place, state)| numbers[*place] = state.at(&point));
         Ok(Answer { numbers, ..Answer::NONE })
     };
     Ok(rows::said(py.detach(|| rows::answer(inputs, out, run.threads(), &solve))))

@@ -8,10 +8,12 @@ use pyo3::prelude::*;
 use standfast_cases::random::{
     ChanceRequest, Draws, Effort, Happening, MethodAsked, Probability, ValueRange,
 };
-use standfast_cases::{CaseFile, Document, report};
+use standfast_cases::{CaseFile, Document};
 
 use crate::assess::beside;
+use crate::errors::{of_case, of_chance};
 use crate::onset::NO_MODE;
+use crate::simulate::{Samples, given_base};
 use crate::watch::patiently;
 use crate::{Figure, figures};
 
@@ -57,7 +59,9 @@ pub(crate) fn probability(
     py: Python<'_>,
     file: (String, String),
     asked: Arguments,
+    records: Vec<(Option<Samples<'_>>, Option<Samples<'_>>)>,
 ) -> PyResult<ChanceAnswer> {
+    let records = records.into_iter().map(given_base).collect::<PyResult<Vec<_>>>()?;
     let method = asked.method.as_deref().map(str::parse::<MethodAsked>).transpose();
     let method = method.map_err(|error: String| PyValueError::new_err(error))?;
     let plain = Effort::default();
@@ -77,9 +81,9 @@ pub(crate) fn probability(
     })?;
     patiently(py, move || {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));
-        let file = file.map_err(|error| PyValueError::new_err(report(&error)))?;
-        let answer = Probability::along(&file, request, over.as_ref());
-        answer.map(ChanceAnswer).map_err(|error| PyValueError::new_err(report(&error)))
+        let file = file.map_err(|error| of_case(&error))?;
+        let answer = Probability::under(&file, request, over.as_ref(), &records);
+        answer.map(ChanceAnswer).map_err(|error| of_chance(&error))
     })?
 }
 
@@ -109,9 +113,8 @@ pub(crate) fn draws(
 ) -> PyResult<DrawnValues<'_>> {
     let drawn = patiently(py, move || {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));
-        let file = file.map_err(|error| PyValueError::new_err(report(&error)))?;
-        Draws::of(&file, situation.as_deref(), count, seed)
-            .map_err(|error| PyValueError::new_err(report(&error)))
+        let file = file.map_err(|error| of_case(&error))?;
+        Draws::of(&file, situation.as_deref(), count, seed).map_err(|error| of_chance(&error))
     })??;
     let place = |place: usize| drawn.drawn.iter().map(move |d| d.effective.map_or(f64::NAN, |p| p[place]));
     let effective = [0, 1].map(|i| PyArray1::from_iter(py, place(i)));

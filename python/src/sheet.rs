@@ -9,6 +9,7 @@ use standfast_cases::report;
 use standfast_sheet::{Date, Paper, Sheet, SheetError, SheetOptions};
 
 use crate::assess::{beside, checked_up_to};
+use crate::errors::of_sheet;
 use crate::watch::patiently;
 
 /// The keys of the title block.
@@ -44,7 +45,7 @@ pub(crate) fn sheet(
     let (html, pdf) = patiently(py, move || -> PyResult<_> {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(SheetError::from);
         let sheet = file.and_then(|file| Sheet::of_file(&file, &options));
-        let sheet = sheet.map_err(|error| PyValueError::new_err(report(&error)))?;
+        let sheet = sheet.map_err(|error| of_sheet(&error))?;
         let print = |paper| sheet.pdf(paper).map_err(|error| PyRuntimeError::new_err(report(&error)));
         Ok((sheet.html().to_owned(), is_pdf.then_some(paper).map(print).transpose()?))
     })??;

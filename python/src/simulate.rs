@@ -12,8 +12,9 @@ use standfast::Mode;
 use standfast_cases::motion::{
     BlockCase, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, StrengthAsked,
 };
-use standfast_cases::{CaseFile, Document, report};
+use standfast_cases::{CaseFile, Document};
 
+use crate::errors::{StandfastError, of_case};
 use crate::watch::patiently;
 use crate::{Figure, figures};
 
@@ -88,7 +89,7 @@ impl MotionAnswer {
         let case = followed.case.clone();
         patiently(py, move || {
             let followed = FollowedMotion::of(case, &Follow { series: true, ..Follow::default() });
-            followed.map_err(|error| PyValueError::new_err(error.to_string()))
+            followed.map_err(|error| StandfastError::new_err(error.to_string()))
         })?
     }
 }
@@ -126,8 +127,7 @@ pub(crate) fn cases(
         Ok(text)
     };
     let file = CaseFile::parse(&name, &text).and_then(|file| file.on_base(base).with_files(&read));
-    let cases =
-        file.and_then(|file| file.motions()).map_err(|error| PyValueError::new_err(report(&error)))?;
+    let cases = file.and_then(|file| file.motions()).map_err(|error| of_case(&error))?;
     Ok((cases, known.into_inner().unwrap_or_else(PoisonError::into_inner)))
 }
 
@@ -149,7 +149,7 @@ pub(crate) fn simulate(
     patiently(py, move || {
         let (cases, files) = cases(case, &base)?;
         let answers = FollowedMotion::of_all(cases, &Follow { divergence: true, strength, series: false });
-        let answers = answers.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let answers = answers.map_err(|error| StandfastError::new_err(error.to_string()))?;
         Ok(MotionAnswer { answers, files, all })
     })?
 }

@@ -10,6 +10,7 @@ use standfast_cases::motion::{
     Progressed, Spectrum, SpectrumError, SpectrumRequest, SpectrumSteps, spectrum_csv,
 };
 
+use crate::errors::StandfastError;
 use crate::figures;
 use crate::simulate::{MotionCase, Samples, cases, given_base};
 use crate::watch::{Caller, aside};
@@ -18,16 +19,27 @@ use crate::watch::{Caller, aside};
 #[derive(FromPyObject)]
 pub(crate) struct Arguments {
     kind: String,
-    size: Option<(f64, f64, usize)>,
-    slenderness: Option<(f64, f64, usize)>,
-    ratio: Option<(f64, f64, usize)>,
-    scale: Option<(f64, f64, usize)>,
+    size: Option<String>,
+    slenderness: Option<String>,
+    ratio: Option<String>,
+    scale: Option<String>,
     threads: Option<NonZero<usize>>,
     progress: Option<Py<PyAny>>,
 }
 
 /// Text, JSON, CSV and SVG, and whether they are in SI units.
 type Rendered = (String, String, String, String, bool);
+
+/// A range that is given by its ends and how many values.
+fn steps(name: &str, given: Option<String>) -> PyResult<Option<SpectrumSteps>> {
+    let Some(text) = given else { return Ok(None) };
+    let wrong = |_| {
+        PyValueError::new_err(format!(
+            "{name} is {text:?}; expected 'from..to' or 'from..to:how many', with 0 < from < to and two or more"
+        ))
+    };
+    text.parse().map(Some).map_err(wrong)
+}
 
 /// The spectrum of a case.
 #[pyfunction]
@@ -41,17 +53,15 @@ pub(crate) fn spectrum(
     let kind = asked.kind.parse();
     let kind =
         kind.map_err(|error: String| PyValueError::new_err(format!("kind is {:?}; {error}", asked.kind)))?;
-    let steps =
-        |given: Option<(f64, f64, usize)>| given.map(|(from, to, count)| SpectrumSteps { from, to, count });
     let request = SpectrumRequest {
-        size: steps(asked.size),
-        slenderness: steps(asked.slenderness),
-        ratio: steps(asked.ratio),
-        scale: steps(asked.scale),
+        size: steps("size", asked.size)?,
+        slenderness: steps("slenderness", asked.slenderness)?,
+        ratio: steps("ratio", asked.ratio)?,
+        scale: steps("scale", asked.scale)?,
         threads: asked.threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZero::get),
         ..SpectrumRequest::new(kind)
     };
-    let refused = |error: SpectrumError| PyValueError::new_err(error.to_string());
+    let refused = |error: SpectrumError| StandfastError::new_err(error.to_string());
     aside(py, &Caller { progress: asked.progress.as_ref(), total: None }, false, move |watch| {
         let (found, _) = cases(case, &base)?;
         let case = found.into_iter().next().ok_or_else(|| refused(SpectrumError::NoShaking))?;

@@ -13,13 +13,14 @@ use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 use pyo3_arrow::input::AnyRecordBatch;
 use standfast_cases::sweep::SweepResult;
-use standfast_cases::{CaseFile, Explained, report};
+use standfast_cases::{CaseFile, Explained};
 use standfast_tables::{
     CaseTable, Interface, Mapping, MemoryAnswer, MemoryTable, NO_NAME, NO_WORD, OnError, Progress,
     RowWarning, Summary, TableError, TableOptions, TablePlace, Values, VariedColumn,
 };
 
 use crate::arrow_out::ArrowTable;
+use crate::errors::of_case;
 use crate::watch::{Caller, Watch, aside};
 use crate::{at_index, written};
 
@@ -66,7 +67,7 @@ impl Sweep {
         threads: Option<NonZero<usize>>,
     ) -> PyResult<Sweep> {
         let case = CaseFile::parse(name, text).and_then(CaseTable::of);
-        let case = case.map_err(|error| PyValueError::new_err(report(&error)))?;
+        let case = case.map_err(|error| of_case(&error))?;
         let case = match results {
             None => case,
             Some(names) if names.is_empty() => {
@@ -290,7 +291,7 @@ fn raised(error: TableError, shape: &[usize]) -> PyErr {
     let help = error.help().map_or_else(String::new, |help| format!("; {help}"));
     let words = format!("{error}{help}");
     match error {
-        TableError::Case(error) => PyValueError::new_err(report(&error)),
+        TableError::Case(error) => of_case(&error),
         TableError::MissingColumn { .. } => PyKeyError::new_err(words),
         TableError::Type { .. } => PyTypeError::new_err(words),
         _ => PyValueError::new_err(words),

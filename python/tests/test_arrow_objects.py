@@ -98,7 +98,7 @@ def test_comparisons(modes: ArrowArray, names: ArrowArray) -> None:
     assert (names != "SL").tolist() == [True, False, False, True, False]
     assert (modes == modes).tolist() == [True, True, True, False, True] and (names != names).tolist() == [False] * 3 + [True, False]
     assert modes[modes == "SL"].to_pylist() == [1, 1, 1]
-    with pytest.raises(ValueError, match="'slide' is not the symbol of a mode; expected one of RE, SL, RO"):
+    with pytest.raises(ValueError, match="'slide' is no mode; expected RE, SL, RO"):
         modes == "slide"  # noqa: B015
     with pytest.raises(ValueError, match="broadcast|shape"):
         modes == [1, 2, 3]  # noqa: B015
@@ -188,3 +188,25 @@ def test_what_is_shown(modes: ArrowArray, names: ArrowArray, table: ArrowTable) 
     assert len(lines) == 13 and lines[7].strip() == "…" and [line.split()[0] for line in lines[8:]] == ["35", "36", "37", "38", "39"]
     page = shown._repr_html_()
     assert page.count("<tr>") == 12 and "<p>40 rows × 12 columns</p>" in page and page.count("<th>") == 13 + 11
+
+
+def test_columns_are_computed_with() -> None:
+    block = {"block": {"b1": 1, "b2": 1, "d": 3, "mu_s": 0.4, "gravity": 1}}
+    series = standfast.simulate(block, base=[0.6, 0.6], dt=1).series(0.25)
+    theta = series.theta.to_numpy()
+    for found, expected in (
+        (series.theta * 2, theta * 2), (2 * series.theta, theta * 2), (abs(series.theta), abs(theta)), (-series.theta, -theta),
+        (series.theta + series.x, theta + series.x.to_numpy()), (series.theta**2, theta**2), (theta - series.theta, 0 * theta),
+    ):  # fmt: skip
+        assert isinstance(found, np.ndarray) and found.tolist() == expected.tolist()
+    assert (series.theta.max(), series.theta.min(), series.theta.sum(), series.theta.mean()) == (theta.max(), theta.min(), theta.sum(), theta.mean())
+    frame = series.to_pandas()
+    assert frame.columns.tolist() == series.column_names and frame.theta.tolist() == theta.tolist()
+    assert frame.state.tolist() == series.state.to_pylist()
+
+
+def test_pandas_has_what_is_missing(modes: ArrowArray, names: ArrowArray, table: ArrowTable) -> None:
+    codes, words, frame = modes.to_pandas(), names.to_pandas(), table.to_pandas()
+    assert codes.dtype == "UInt8" and codes.isna().tolist() == words.isna().tolist() == [False] * 3 + [True, False]
+    assert (codes == "SL").tolist() == [False, True, True, pd.NA, True] and isinstance(words.dtype, pd.CategoricalDtype)
+    assert frame.columns.tolist() == table.column_names and frame.unique.dtype == "boolean" and frame.isna().to_numpy()[3].all()

@@ -146,6 +146,22 @@ def test_relations_of_duckdb() -> None:
 # Units
 
 
+def test_quantities_of_astropy() -> None:
+    """Ratios are read as those of pint, and what has a unit is refused with what to give."""
+    u = pytest.importorskip("astropy.units")
+    ratios = [1, 400 * u.mm / u.m, 500 * u.kN / (1000 * u.kN), [0.6, 600] * u.Unit("1") * [1, 1e-3]]
+    assert standfast.classify(*ratios).tolist() == [0, 0]
+    refused("mu is a quantity of astropy, in m; expected a ratio, which has no unit", 1, 0.4, 0.5, [0.6] * u.m)
+    block = {"body": {"width": 1, "height": 2, "mass": 4800, "friction": 0.7}, "load": [{"force": 20e3, "elevation": 1.5}]}
+    with pytest.raises(TypeError, match=r'width is a quantity of astropy, in m; expected numbers, with the unit behind the name: "width \[m\]" and value\.value'):
+        standfast.assess_table(block, {"width": [1, 2] * u.m})
+    with pytest.raises(ValueError, match=r'body.width is a quantity of astropy, in m; expected a text with its unit, as "15 m"'):
+        standfast.assess({"body": {"width": 15 * u.m}})
+    for base, dt, words in (([0, 1] * u.m / u.s**2, 1, r"base is .*; expected its \.value, and unit='m/s2'"), ([0, 1], 0.01 * u.s, "dt is .*; expected its .value, in seconds")):
+        with pytest.raises(TypeError, match=words):
+            standfast.simulate({"body": block["body"]}, base=base, dt=dt, unit="m/s2")
+
+
 def test_quantities_of_pint() -> None:
     unit = pint.UnitRegistry()
     point = [1, unit.Quantity(400, "mm/m"), unit.Quantity(50, "percent"), unit.Quantity(0.6)]
@@ -153,10 +169,10 @@ def test_quantities_of_pint() -> None:
     # 250 mm in a metre would rest as 250, and slide as 0.25.
     friction = unit.Quantity([250.0, 2500.0], "mm/m")
     assert standfast.classify(1, 0.4, 0.5, friction).tolist() == standfast.classify(1, 0.4, 0.5, [0.25, 2.5]).tolist() == [1, 0]
-    refused("mu is a quantity in meter; expected a ratio, which has no unit", 1, 0.4, 0.5, unit.Quantity([0.6], "m"))
-    refused("gamma is a quantity in kilonewton", unit.Quantity(1, "kN"), 0.4, 0.5, 0.6)
+    refused("mu is a quantity of pint, in meter; expected a ratio, which has no unit", 1, 0.4, 0.5, unit.Quantity([0.6], "m"))
+    refused("gamma is a quantity of pint, in kilonewton", unit.Quantity(1, "kN"), 0.4, 0.5, 0.6)
     # A friction angle is no coefficient of friction, though pint finds no dimension in it.
-    refused("mu is a quantity in degree; expected a ratio", 1, 0.4, 0.5, unit.Quantity(31, "degree"))
+    refused("mu is a quantity of pint, in degree; expected a ratio", 1, 0.4, 0.5, unit.Quantity(31, "degree"))
     message = refused("mu is <Quantity(250.0, 'millimeter / meter')>, a Quantity at index 0", 1, 0.4, 0.5, list(friction))
     assert "Quantity.from_list" in message
     assert standfast.classify(1, 0.4, 0.5, unit.Quantity.from_list(list(friction))).tolist() == [1, 0]

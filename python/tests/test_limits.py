@@ -217,3 +217,16 @@ def test_no_points_are_told_too() -> None:
         told: list[tuple[int, int | None]] = []
         function(*operands, progress=lambda done, total: told.append((done, total)))
         assert told == [(0, 0)], function
+
+
+def test_one_alone_is_that_of_all() -> None:
+    """Each limit state, asked for by itself, is that among all of them, near boundaries and on them, for a force to either side."""
+    rng = np.random.default_rng(5)
+    gamma, k_prime, k, mu = rng.uniform([[0.3], [-1.5], [0.0], [0.0]], [[4], [1], [3], [1.5]], (4, 2000))
+    k[:500], mu[500:700] = np.round(k[:500], 1), np.round(mu[500:700], 1)
+    gamma[:300], mu[:300] = 1.0, np.round(mu[:300], 1)
+    for to in ("left", "right"):
+        together = standfast.limit_states(gamma, k_prime, k, mu, to=to)
+        for name in NAMES:
+            alone = standfast.limit_states(gamma, k_prime, k, mu, columns=[name], to=to)
+            assert np.array_equal(getattr(alone, name), getattr(together, name)), name

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import polars as pl
 import pyarrow.ipc
 import pyarrow.parquet
@@ -263,3 +264,75 @@ def test_openturns_finds_the_same() -> None:
     assert ours.modes["SL"].probability == pytest.approx(exact, rel=1e-9) and ours.beta == pytest.approx(beta, rel=1e-8)
     # What OpenTURNS searches, it finds to its tolerance.
     assert theirs.getEventProbability() == pytest.approx(exact, rel=1e-4)
+
+
+STATUE = {
+    "body": {"width": "0.6 m", "height": "2 m", "density": "2.6 t/m3", "friction": 0.8},
+    "random": {"body.height": {"normal": {"cov": 0.03}}},
+}
+
+
+def pulses() -> list[np.ndarray[Any, Any]]:
+    """Two records in g: a sine, and a longer one that dies away."""
+    t = np.arange(200) * 0.01
+    return [np.sin(2 * np.pi * t[:101]), np.exp(-t) * np.sin(4 * np.pi * t)]
+
+
+def test_records_that_are_arrays_are_those_of_files(tmp_path: Path) -> None:
+    names = []
+    for place, pulse in enumerate(pulses()):
+        names.append(f"{place}.csv")
+        rows = "\n".join(f"{i * 0.01!r},{value!r}" for i, value in enumerate((pulse * 9.80665).tolist()))
+        (tmp_path / names[-1]).write_text(f"time_s,a_m_s2\n{rows}\n")
+    random = "".join(f"{name} = {{ normal = {{ cov = 0.03 }} }}\n" for name in STATUE["random"])
+    body = "\n".join(f"{key} = {json.dumps(value)}" for key, value in STATUE["body"].items())
+    text = f'[body]\n{body}\n[motion.base.horizontal]\nshape = "file"\nfile = "0.csv"\n[random]\nrecords = {names}\n"body.height" = {{ normal = {{ cov = 0.03 }} }}\n'
+    path = tmp_path / "statue.toml"
+    path.write_text(text.replace("'", '"'))
+    asked: Any = {"over": "pga=0.3 g..0.9 g:4", "samples": 1000}
+    expected = standfast.probability(path, **asked).overturning
+    found = standfast.probability(STATUE, records=pulses(), dt=0.01, unit="g", **asked).overturning
+    assert expected is not None and found is not None and found.records == ["record 1", "record 2"]
+    assert found["points"] == expected["points"] and 0 < found.points[-1].overturned.probability
+    series = [pd.Series(pulse, index=np.arange(len(pulse)) * 0.01) for pulse in pulses()]
+    assert standfast.probability(STATUE, records=series, unit="g", **asked).overturning["points"] == expected["points"]  # type: ignore[index]
+
+
+def test_a_vertical_record_goes_with_its_horizontal_one() -> None:
+    """Bodies of next to no scatter overturn under the pair as `simulate` says, both directions scaled by one factor."""
+    certain = {**STATUE, "random": {"body.height": {"normal": {"cov": 1e-9}}}}
+    sine, other = pulses()
+    up = 0.6 * np.cos(np.linspace(0, 9, len(other)))
+    records = [{"horizontal": sine, "dt": 0.012}, {"horizontal": other, "vertical": up, "dt": 0.01}]
+    peaks = [0.35, 0.55, 0.75, 0.95]
+    found = standfast.probability(certain, records=records, unit="g", over="pga=0.35 g..0.95 g:4", samples=1000)
+    assert repr(found).startswith("<Probability the case: overturns ") and "g" not in repr(found).split("overturns")[1].split("m/s")[0]
+    fell = []
+    for peak in peaks:
+        alone = [
+            standfast.simulate(
+                {"body": STATUE["body"]}, base={name: peak / max(abs(record["horizontal"])) * values for name, values in record.items() if name != "dt"},
+                dt=record["dt"], unit="g", strength=False,
+            ).overturned
+            for record in records
+        ]  # fmt: skip
+        fell.append(np.mean(alone))
+    assert found.overturning is not None
+    assert [point.overturned.probability for point in found.overturning.points] == pytest.approx(fell)
+    assert 0 < sum(fell) < 4
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "said"),
+    [
+        ({"records": [[0, 1]], "dt": 0.1, "unit": "g"}, TypeError, "records are scaled to peaks; expected over='pga=0.2 g..1 g:9' beside them"),
+        ({"dt": 0.1}, TypeError, "dt is that of records, which are not given"),
+        ({"records": [0, 1], "over": "pga=0.2 g..1 g:3"}, TypeError, "expected a list of records, each an array or a dict"),
+        ({"records": [[0, 1]], "dt": 0.1, "over": "pga=0.2 g..1 g:3"}, ValueError, "unit is missing"),
+        ({"records": [{"vertical": [0, 1]}], "dt": 0.1, "unit": "g", "over": "pga=0.2 g..1 g:3"}, ValueError, r"records\[0\] has nothing 'horizontal'"),
+        ({"records": [{"horizontal": [0, 1], "vertical": [0]}], "dt": 0.1, "unit": "g", "over": "pga=0.2 g..1 g:3"}, ValueError, r"records\[0\]"),
+    ],
+)
+def test_records_that_are_none_are_refused(options: dict[str, Any], error: type[Exception], said: str) -> None:
+    with pytest.raises(error, match=said):
+        standfast.probability(STATUE, **options)

@@ -209,7 +209,7 @@ def test_a_document_with_one_mistake_fails(program: list[str]) -> None:
         (designed(program, *DESIGNS[0]), "design.schema.json"),
         (designed(program, *BOUNDARIES[0]), "boundary.schema.json"),
         (json.loads(standfast.simulate(EVERY_MOTION[0]).to_json()), "simulate.schema.json"),
-        (json.loads(standfast.spectrum(EVERY_MOTION[0], "overturning", scale=(0.5, 2, 4)).to_json()), "spectrum.schema.json"),
+        (json.loads(standfast.spectrum(EVERY_MOTION[0], "overturning", scale="0.5..2:4").to_json()), "spectrum.schema.json"),
         # The keys of a design point are names of the user's.
         ({**json.loads(standfast.probability(EVERY_RANDOM[0]).to_json()), "design_point": {}}, "probability.schema.json"),
     ]

@@ -156,8 +156,8 @@ def test_series_are_those_of_the_program(program: list[str]) -> None:
     lines = [line.split(",") for line in printed(program, path, "--series", "-", "--dt", "0.25").split()]
     assert lines[0] == series.column_names
     assert [float(line[4]) for line in lines[1:]] == series.theta.to_numpy().tolist()
-    assert [line[-1] for line in lines[1:]] == standfast.symbols(series.state.to_numpy()).tolist()
-    assert series.state[-1] is standfast.Mode.SLIDE_ROCK_O_PRIME_RIGHT or (series.state == "RO").any()
+    assert [line[-1] for line in lines[1:]] == series.state.to_pylist()
+    assert series.state[-1] == standfast.Mode.SLIDE_ROCK_O_PRIME_RIGHT or (series.state == "RO").any()
     # The units of a block are its own; those of a body SI.
     assert "unit" not in series.theta.metadata
     wave = standfast.simulate(MOTION / "caisson-breaking-wave.toml").series(0.1)
@@ -290,3 +290,30 @@ def test_quantities_and_lazy_arrays_are_refused_with_what_to_give() -> None:
         standfast.simulate(LOW, base=dask.ones(4), dt=1)
     with pytest.raises(TypeError, match=r"base is a quantity of pint, in meter / second ?\*\* ?2; expected its \.magnitude, and unit='m/s2'"):
         standfast.simulate(STATUE, base=pint.UnitRegistry().Quantity([0, 1], "m/s^2"), dt=1, unit="m/s2")
+
+
+def test_a_series_keeps_its_times() -> None:
+    """A Series of pandas whose index is of times is the record at these times, and any other step is refused."""
+    accelerations = 0.45 * np.sin(np.linspace(0, 2 * np.pi, 51))
+    times = np.arange(51) * 0.02
+    expected = standfast.simulate(STATUE, base=accelerations, dt=0.02, unit="g")
+    other = standfast.simulate(STATUE, base=accelerations, dt=0.01, unit="g")
+    assert expected.max_theta != other.max_theta
+    for index in (times, pd.to_timedelta(times, unit="s"), pd.Timestamp("1995-01-17") + pd.to_timedelta(times, unit="s")):
+        record = pd.Series(accelerations, index=index)
+        for dt in (None, 0.02, times):
+            found = standfast.simulate(STATUE, base=record, dt=dt, unit="g")
+            assert found.max_theta == pytest.approx(expected.max_theta, rel=1e-9)
+        with pytest.raises(ValueError, match="base has the time 0.02 in its index at row 1, and 0.01 by dt; leave dt out"):
+            standfast.simulate(STATUE, base=record, dt=0.01, unit="g")
+    # Numbers of rows are no times.
+    assert standfast.simulate(STATUE, base=pd.Series(accelerations), dt=0.01, unit="g").max_theta == other.max_theta
+    with pytest.raises(TypeError, match="dt is missing"):
+        standfast.simulate(STATUE, base=pd.Series(accelerations), unit="g")
+    with pytest.raises(ValueError, match="the index of base is 0.02 at index 1, after 0.04; expected times that rise"):
+        standfast.simulate(STATUE, base=pd.Series(accelerations[:2], index=[0.04, 0.02]), unit="g")
+
+
+def test_both_directions_are_of_one_length() -> None:
+    with pytest.raises(ValueError, match="base has 300 values horizontal and 50 values vertical; expected as many"):
+        standfast.simulate(STATUE, base={"horizontal": np.zeros(300), "vertical": np.zeros(50)}, dt=0.01, unit="g")

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import pickle
+import re
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -20,9 +21,9 @@ ROOT = Path(__file__).parents[2]
 PULSE = ROOT / "examples/motion/block-base-pulse.toml"
 BLOCK = {"block": {"b1": 1, "b2": 1, "d": 3, "mu_s": 50, "gravity": 1}}
 KINDS: dict[str, dict[str, Any]] = {
-    "rocking": {"size": (1, 4, 3), "slenderness": (2, 4, 2)},
-    "newmark": {"ratio": (0.2, 0.8, 4)},
-    "overturning": {"scale": (0.5, 2, 4)},
+    "rocking": {"size": "1..4:3", "slenderness": "2..4:2"},
+    "newmark": {"ratio": "0.2..0.8:4"},
+    "overturning": {"scale": "0.5..2:4"},
 }
 
 
@@ -30,7 +31,7 @@ KINDS: dict[str, dict[str, Any]] = {
 def test_it_is_what_the_program_prints(program: list[str], kind: Any, tmp_path: Path) -> None:
     told: list[int] = []
     found = standfast.spectrum(PULSE, kind, **KINDS[kind], progress=lambda done, total: told.append(done))
-    options = [f"--{name}={','.join(map(str, steps))}" for name, steps in KINDS[kind].items()]
+    options = [f"--{name}={','.join(re.split('[.]{2}|:', steps))}" for name, steps in KINDS[kind].items()]
     call = [*program, "spectrum", str(PULSE), f"--kind={kind}", *options, "-o", str(tmp_path)]
     document = json.loads(subprocess.run([*call, "--format=json"], capture_output=True, encoding="utf-8", check=True).stdout)
     assert document | {"figures": []} == json.loads(found.to_json()) and not errors(document, "spectrum.schema.json")
@@ -48,7 +49,7 @@ def test_it_is_what_the_program_prints(program: list[str], kind: Any, tmp_path: 
 
 def test_newmarks_block_under_a_steady_shaking() -> None:
     """k₀ over T slides a block of yield acceleration a by (k₀ − a) k₀ T²/(2 a), to the other side."""
-    found = standfast.spectrum(BLOCK, "newmark", ratio=(0.2, 0.8, 4), base=np.full(5, 0.6), dt=0.25).points
+    found = standfast.spectrum(BLOCK, "newmark", ratio="0.2..0.8:4", base=np.full(5, 0.6), dt=0.25).points
     ratio = found.ratio.to_numpy()
     expected = (1 - ratio) * 0.6 / (2 * ratio)
     np.testing.assert_allclose(ratio, [0.2, 0.4, 0.6, 0.8], rtol=1e-12)
@@ -59,7 +60,7 @@ def test_newmarks_block_under_a_steady_shaking() -> None:
 
 def test_an_overturning_curve_is_made_of_motions() -> None:
     shaking = np.sin(np.linspace(0, 2 * np.pi, 51))
-    found = standfast.spectrum(BLOCK, "overturning", scale=(0.2, 2, 10), base=shaking, dt=0.1)
+    found = standfast.spectrum(BLOCK, "overturning", scale="0.2..2:10", base=shaking, dt=0.1)
     for point in found.points:
         alone = standfast.simulate(BLOCK, base=point["scale"] * shaking, dt=0.1)  # type: ignore[operator]
         assert alone.overturned == point["overturned"] and alone.impacts == point["impacts"]
@@ -71,11 +72,11 @@ def test_an_overturning_curve_is_made_of_motions() -> None:
     ("kind", "options", "error", "said"),
     [
         ("rock", {}, ValueError, "kind is 'rock'; expected one of 'rocking', 'newmark', 'overturning'"),
-        ("rocking", {"ratio": (0.1, 0.5)}, TypeError, "ratio does not belong to a spectrum of kind 'rocking', which goes over size and slenderness"),
-        ("newmark", {"ratio": (0.5, 0.1)}, ValueError, r"ratio is \(0.5, 0.1\); expected \(from, to\)"),
-        ("newmark", {"ratio": 0.5}, TypeError, r"ratio is 0.5; expected \(from, to\)"),
-        ("newmark", {"ratio": (0, 0.5)}, ValueError, "ratio is 0; expected a number above zero"),
-        ("newmark", {"ratio": (0.1, 0.5, 1)}, ValueError, "with 0 < from < to and two or more"),
+        ("rocking", {"ratio": "0.1..0.5"}, TypeError, "ratio does not belong to a spectrum of kind 'rocking', which goes over size and slenderness"),
+        ("newmark", {"ratio": "0.5..0.1"}, ValueError, r"ratio is \"0.5..0.1\"; expected 'from..to'"),
+        ("newmark", {"ratio": (0.1, 0.5, 3)}, TypeError, r"ratio is \(0.1, 0.5, 3\), a tuple; expected a text as '0.5..2:41'"),
+        ("newmark", {"ratio": "0..0.5"}, ValueError, "with 0 < from < to"),
+        ("newmark", {"ratio": "0.1..0.5:1"}, ValueError, "with 0 < from < to and two or more"),
         ("newmark", {"unit": "g"}, TypeError, "unit is that of base, which is not given"),
         ("newmark", {"threads": 0}, ValueError, "threads is 0"),
     ],
@@ -90,4 +91,4 @@ def test_a_case_without_shaking_has_none() -> None:
         standfast.spectrum(BLOCK)
     with pytest.raises(ValueError, match="unit is missing"):
         body = {"body": {"width": 1, "height": 3, "density": 2400, "friction": 0.7}}
-        standfast.spectrum(body, "newmark", ratio=(0.2, 0.8, 2), base=[0, 1, 0], dt=0.1)
+        standfast.spectrum(body, "newmark", ratio="0.2..0.8:2", base=[0, 1, 0], dt=0.1)

@@ -219,7 +219,13 @@ impl Point {
         need: Need,
         needed: impl Fn(&Polynomials<Approx>) -> [Approx; N],
     ) -> Polynomials<f64> {
-        Polynomials::known(g, [self.gamma, self.k_prime, self.k, self.mu], need, needed)
+        Polynomials::known(g, self.numbers(), need, needed)
+    }
+
+    /// γ, k', k and μ.
+    #[inline(always)]
+    fn numbers(&self) -> [f64; 4] {
+        [self.gamma, self.k_prime, self.k, self.mu]
     }
 }
 

@@ -215,16 +215,33 @@ pub(crate) fn code(point: [f64; 4]) -> u8 {
     code as u8
 }
 
-/// Code of the mode without the bound above: with rounding tracked, and where that cannot tell, in exact arithmetic. Tracked, the errors of
-/// x and Q are in those of `stays` and `sticks`, and the signs of D and k (1+k') are those of f64, right where they matter.
+/// Code of the mode without the bound above: with rounding tracked, and where that cannot tell, in exact arithmetic.
 #[cold]
 pub(crate) fn exact(point: [f64; 4]) -> u32 {
+    tracked(point).unwrap_or_else(|| decide(terms::<Exact>(point)).0)
+}
+
+/// Code of the mode with rounding tracked, where that can tell. The errors of x and Q are in those of `stays` and `sticks`, and the signs of D
+/// and k (1+k') are those of f64, right where they matter.
+fn tracked(point: [f64; 4]) -> Option<u32> {
     let (mode, stays, sticks, _) = decide(terms::<Approx>(point));
     // Of a body with both corners on the base nobody asks whether one would slip.
-    let is_known = match stays.sign() {
-        Some(sign) if sign.is_ge() => true,
-        Some(_) => sticks.sign().is_some(),
-        None => false,
-    };
-    if is_known { mode } else { decide(terms::<Exact>(point)).0 }
+    let is_known = stays.sign()?.is_ge() || sticks.sign().is_some();
+    is_known.then_some(mode)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Without a force a block of γ = 1 on μ = 0.6 rests, though `sticks` is next to nothing there: 0.6 is no f64.
+    #[test]
+    fn rest_is_told_where_a_slip_is_not() {
+        for k_prime in [-1.5, -1.0, 0.0, 0.4, 3.0] {
+            let point = [1.0, k_prime, 0.0, 0.6];
+            assert_eq!(decide(terms::<Approx>(point)).2.sign(), None);
+            assert_eq!(tracked(point), Some(Mode::Rest as u32));
+            assert_eq!(decide(terms::<Exact>(point)).0, Mode::Rest as u32);
+        }
+    }
 }

@@ -29,12 +29,12 @@ from ._design import Boundary, Design, design
 from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
 from ._explain import Explanation, explain
 from ._limits import LimitStates, LimitStatesArrays, limit_states
-from ._modes import Mode, Modes
+from ._modes import Mode, ModeArray, Modes
 from ._probability import Probability, draws, probability
 from ._sheet import sheet
 from ._simulate import Simulation, simulate
 from ._spectrum import Spectrum, spectrum
-from ._standfast import __version__
+from ._standfast import CaseError, NoSolution, StandfastError, __version__
 from ._table import ResultColumn, StandfastWarning, Varied, assess_table, varied
 from .answers import Criterion, Situation
 
@@ -44,6 +44,7 @@ __all__ = [
     "ArrowTable",
     "Assessment",
     "Boundary",
+    "CaseError",
     "Contact",
     "ContactArrays",
     "Criterion",
@@ -56,8 +57,10 @@ __all__ = [
     "LimitStates",
     "LimitStatesArrays",
     "Mode",
+    "ModeArray",
     "Modes",
     "NamedPoint",
+    "NoSolution",
     "Onset",
     "OnsetArrays",
     "Probability",
@@ -66,6 +69,7 @@ __all__ = [
     "Simulation",
     "Situation",
     "Spectrum",
+    "StandfastError",
     "StandfastWarning",
     "Varied",
     "__version__",

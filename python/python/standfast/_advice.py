@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 from typing import Any, NamedTuple, NoReturn
 
+import numpy as np
+
 
 def is_of(value: object, library: str, *kinds: str) -> bool:
     """Whether the value is of a class of a library, which is not imported for the question."""
@@ -12,6 +14,38 @@ def is_of(value: object, library: str, *kinds: str) -> bool:
     if module is None:
         return False
     return any(isinstance(value, found) for kind in kinds if isinstance(found := getattr(module, kind, None), type))
+
+
+class Unit(NamedTuple):
+    """The unit of a quantity, as its library has it."""
+
+    library: str
+    words: str
+    #: What a quantity calls its number.
+    number: str
+    #: Of a plain number, a percentage or the like, as 1 in the unit it is a ratio of; ``None`` of what has a dimension.
+    ratio: Any
+
+    def __str__(self) -> str:
+        return f"a quantity of {self.library}, in {self.words}"
+
+
+def unit_of(value: Any) -> Unit | None:
+    """The unit of a quantity of pint or astropy, or of another array that has one; ``None`` of all else."""
+    if is_of(value, "pint", "Quantity"):
+        # To pint an angle has no dimension either.
+        is_ratio = not value.dimensionality and value.to_base_units().unitless
+        return Unit("pint", str(value.units), "magnitude", value.to_base_units().magnitude if is_ratio else None)
+    if is_of(value, "astropy.units", "Quantity"):
+        is_ratio = value.unit.is_equivalent("")
+        return Unit("astropy", str(value.unit), "value", value.to_value("") if is_ratio else None)
+    # What has dimensions or labels has a unit as one of its attributes.
+    if not isinstance(value, np.ndarray) and (not hasattr(value, "__array__") or hasattr(value, "dims") or hasattr(value, "iloc")):
+        return None
+    unit = getattr(value, "unit", None) or getattr(value, "units", None)
+    if unit is None or callable(unit):
+        return None
+    return Unit(type(value).__module__.split(".")[0], str(unit), "value", None)
 
 
 def called(value: object) -> str:
@@ -76,6 +110,15 @@ class Advice(NamedTuple):
         if self.result is None:
             return f"frame.with_columns(mode=standfast.{self.function}(frame))"
         return f"frame.hstack(standfast.{self.function}(frame))"
+
+    def instead(self, name: str, unit: Unit) -> str:
+        """What is expected in place of a quantity with a unit."""
+        if self.function in _OF_CASES:
+            # Which unit a number is in is said once, by the name.
+            return f'numbers, with the unit behind the name: "{name} [{unit.words}]" and value.{unit.number}'
+        if self.function in _OF_WHOLE:
+            return f"its .{unit.number}" + (", and unit='m/s2'" if name.startswith("base") else ", in seconds")
+        return "a ratio, which has no unit"
 
     def refuse_lazy(self, value: Any, name: str) -> None:
         """Refuses what would be loaded whole or lose its labels."""

@@ -55,6 +55,9 @@ class Answer(Mapping[str, Any]):
     def __len__(self) -> int:
         return len(self._document)
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self)
+
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{self._what} cannot be changed; to_dict() is a copy that can", name=name, obj=self)
 
@@ -150,6 +153,10 @@ def parts(kind: type[_A], documents: Any) -> list[_A]:
 
 class ByMode(dict[str, _A]):
     """Parts of an answer under the symbols of their modes; a :class:`~standfast.Mode` stands for its symbol."""
+
+    if TYPE_CHECKING:
+
+        def __getitem__(self, key: str | Mode) -> _A: ...
 
     def __missing__(self, key: object) -> _A:
         if isinstance(key, Mode) and key.symbol in self:

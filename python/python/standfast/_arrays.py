@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from . import _standfast
 from ._arrow import ArrowArray, ArrowTable
-from ._frames import SYMBOLS, Arrays, Arrow, Fields, Point
+from ._frames import Arrays, Arrow, Fields, Point
 from ._inputs import Operands, are_plain, called, chosen, read
-from ._modes import Mode, Modes
+from ._modes import SYMBOLS, Mode, ModeArray, Modes
 from ._run import Run, run
 from ._types import Array, Map, Number, OnError, Options, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
@@ -75,7 +75,7 @@ class OnsetArrays(Fields[NDArray[Any]], fields_of=Onset):
     itself, a tuple, pandas would make rows.
     """
 
-    mode: NDArray[np.uint8]
+    mode: ModeArray
     unique: NDArray[np.bool_]
     others: NDArray[np.uint16]
     x_ddot: NDArray[np.float64]
@@ -108,7 +108,7 @@ def classify(
 @overload
 def classify(
     gamma: Array, k_prime: Array, k: Array, mu: Array, *, omega: Array | None = None, on_error: Literal["raise"] = "raise", names: Literal[False] = False, out: NDArray[np.uint8] | None = None, **options: Unpack[Options]
-) -> NDArray[np.uint8]: ...
+) -> ModeArray: ...
 @overload
 def classify(
     gamma: Array, k_prime: Array, k: Array, mu: Array, *, omega: Array | None = None, on_error: Literal["raise"] = "raise", names: Literal[True], **options: Unpack[Options]
@@ -196,7 +196,7 @@ def classify(
         operands                                  the answer                          with ``names``
         ========================================  ==================================  =================================
         numbers                                   :class:`Mode`                       ``str``
-        arrays, lists; numbers beside them        array of ``uint8`` codes            array of strings
+        arrays, lists; numbers beside them        :class:`ModeArray`, of codes        array of strings
         masked arrays                             masked array                        masked array
         pandas Series, arrays beside them         Series of ``UInt8`` with the index  Series of dtype ``category``
         pandas DataFrame                          the same                            the same
@@ -219,8 +219,8 @@ def classify(
     >>> classify(1, 0.4, 0.5, 0.6)
     <Mode.REST: 0>
     >>> classify(3, 0.8, [0.1, 0.5, 3], [[0.3], [0.05]])
-    array([[0, 2, 2],
-           [1, 3, 4]], dtype=uint8)
+    ModeArray([[0, 2, 2],
+               [1, 3, 4]], dtype=uint8)
     >>> classify(3, 0.8, [0.1, 0.5, 3], 0.1, names=True)
     array(['RE', 'SRO-', 'SRO+'], dtype='<U5')
     >>> classify(0.8, 0.9167, 0.61, 0.6, omega=[0, 0.08, 1], names=True)

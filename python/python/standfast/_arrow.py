@@ -6,13 +6,17 @@ import enum
 import html
 import operator
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import DTypeLike, NDArray
 
 from . import _standfast
-from ._modes import BY_SYMBOL, Mode, Modes
+from ._modes import SYMBOLS, Mode, ModeArray, Modes, code_of, codes_of
+
+if TYPE_CHECKING:
+    import pandas as pd  # type: ignore[import-untyped,unused-ignore]
 
 #: A value of an answer: a mode, a set of modes, a flag, a number or a word; None where there is none.
 Value = Mode | Modes | bool | int | float | str | None
@@ -28,12 +32,13 @@ class _Left(enum.Enum):
 _SHOWN = 5
 
 
-class ArrowArray:
+class ArrowArray(NDArrayOperatorsMixin):
     """A column of answers, for any library that speaks the Arrow PyCapsule interface.
 
     polars, pyarrow, DuckDB and others take it over without a copy: ``pl.Series(column)``, ``pa.array(column)``. It also
     is what is expected of an array: it has a length, items, slices, and may be indexed by an array of places or flags; it
-    compares item by item; numpy and pandas make arrays and columns of it; it can be pickled.
+    compares item by item and is computed with, which gives arrays of numpy; numpy and pandas make arrays and columns of it; it can
+    be pickled.
 
     An item is a :class:`Mode` in a column of modes, :class:`Modes` in one of sets of modes, otherwise a ``bool``, a number
     or a ``str``; ``None`` where the answer is null.
@@ -119,6 +124,36 @@ class ArrowArray:
         """The items as a list."""
         return list(self)
 
+    def to_pandas(self) -> pd.Series[Any]:
+        """The column as a Series of pandas: words as categories, what is null as missing."""
+        import pandas as pd
+
+        from ._frames import Pandas
+
+        values, missing, words = self._native.parts()
+        if words is None:
+            return pd.Series(Pandas.array(values, missing), name=self.name, copy=False)
+        places = values.astype(np.int64) if missing is None else np.where(missing, -1, values.astype(np.int64))
+        if self.type == "string":
+            return pd.Series(np.array([*words, None], dtype=object)[places], name=self.name)
+        return pd.Series(pd.Categorical.from_codes(places, categories=words), name=self.name)
+
+    def min(self) -> Any:
+        """The least value; NaN where one is null."""
+        return self.to_numpy().min()
+
+    def max(self) -> Any:
+        """The greatest value; NaN where one is null."""
+        return self.to_numpy().max()
+
+    def sum(self) -> Any:
+        """The sum of the values; NaN where one is null."""
+        return self.to_numpy().sum()
+
+    def mean(self) -> Any:
+        """The mean of the values; NaN where one is null."""
+        return self.to_numpy().mean()
+
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         """What :meth:`to_numpy` gives; a null that ``dtype`` cannot show is an error."""
         if copy is False:
@@ -181,6 +216,14 @@ class ArrowArray:
             return Modes
         return lambda value: value
 
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        """What is computed with it is an array of numpy."""
+        if ufunc in (np.equal, np.not_equal) and method == "__call__" and not options:
+            other = inputs[1] if inputs[0] is self else inputs[0]
+            return self == other if ufunc is np.equal else self != other
+        plain = [one.to_numpy() if isinstance(one, ArrowArray) else one for one in inputs]
+        return getattr(ufunc, method)(*plain, **options)
+
     def __eq__(self, other: object) -> NDArray[np.bool_]:  # type: ignore[override]
         """Item by item, as numpy compares; a null is equal to nothing. Modes equal their code and their symbol."""
         return self._compared(other, operator.eq, False)
@@ -208,14 +251,22 @@ class ArrowArray:
         if isinstance(other, ArrowArray):
             missing = missing | other.is_null()
             other = other.to_numpy(missing=_blank(other))
-        if words is not None and isinstance(other, Mode):
-            other = other.symbol
-        if words is None and self.type == "uint8" and isinstance(other, str):
-            if other not in BY_SYMBOL:
-                raise ValueError(f"{other!r} is not the symbol of a mode; expected one of {', '.join(BY_SYMBOL)}")
-            other = BY_SYMBOL[other]
+        if words is not None:
+            other = self._words_of(other, words)
+        elif self.type == "uint8":
+            other = codes_of(other)
         found = np.asarray(compare(values, np.asarray(other)))
         return np.where(missing, if_null, np.broadcast_to(found, np.broadcast_shapes(found.shape, missing.shape)))
+
+    def _words_of(self, other: object, words: list[str]) -> object:
+        """Words in place of modes; a word is to be one of a mode's where all words are."""
+        if isinstance(other, Mode):
+            return other.symbol
+        if isinstance(other, Modes):
+            raise TypeError(f"{other!r} is a set of modes; expected a mode or a word")
+        if isinstance(other, str) and words == SYMBOLS.tolist():
+            code_of(other)
+        return other.names if isinstance(other, ModeArray) else other
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _array, (self.name, self.type, *self._native.parts(), self.metadata)
@@ -285,6 +336,15 @@ class ArrowTable:
     def to_pylist(self) -> list[dict[str, Value]]:
         """The rows as a list of dicts."""
         return list(self)
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The table as a DataFrame of pandas; see :meth:`ArrowArray.to_pandas`."""
+        import pandas as pd
+
+        return pd.DataFrame({name: self[name].to_pandas() for name in self.column_names}, copy=False)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return self.column_names
 
     def __len__(self) -> int:
         return len(self._native)

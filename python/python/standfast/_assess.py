@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _standfast
-from ._advice import short
+from ._advice import short, unit_of
 from ._answer import Lazy, copied, parts, with_infinity
 from ._schema import attribute
+from ._standfast import CaseError
 from .answers import Document, OnlySituation, Situation
 
 #: How many modes a representation lists.
@@ -34,6 +35,18 @@ class Figure(NamedTuple):
 
     def _repr_svg_(self) -> str:
         return self.svg
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the SVG document to a file.
+
+        Raises:
+            ValueError: for a name that does not end in ``.svg``.
+            OSError: if the file cannot be written.
+        """
+        if os.path.splitext(os.fspath(path))[1].lower() != ".svg":
+            raise ValueError(f"path is {os.fspath(path)!r}; expected a name that ends in .svg")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.svg)
 
 
 class Assessment(Lazy, Document, OnlySituation):
@@ -147,7 +160,7 @@ def assess(case: str | os.PathLike[str] | Mapping[str, object], *, up_to: float 
             numbers are always those of all.
 
     Raises:
-        ValueError: for a case that is not understood; the message shows where, and what is expected.
+        CaseError: for a case that is not understood; the message shows where, and what is expected.
         OSError: if the file cannot be read.
 
     >>> block = {
@@ -176,14 +189,14 @@ def case_text(case: str | os.PathLike[str] | Mapping[str, object]) -> tuple[str,
         raise TypeError(f"case is {case!r}, a {type(case).__name__}; expected the path of a case file, or a dict with the same keys")
     name = os.fspath(case)
     if isinstance(case, str) and "\n" in case:
-        raise ValueError(f"case is {short(case)!r}, a text; expected the path of a case file, or a dict with the same keys: tomllib.loads(text)")
+        raise CaseError(f"case is {short(case)!r}, a text; expected the path of a case file, or a dict with the same keys: tomllib.loads(text)")
     with open(name, "rb") as file:
         content = file.read()
     try:
         return name, content.decode("utf-8")
     except UnicodeDecodeError as error:
         line = 1 + content[: error.start].count(b"\n")
-        raise ValueError(f"{name} is not UTF-8 text: line {line} has a byte that is no character") from None
+        raise CaseError(f"{name} is not UTF-8 text: line {line} has a byte that is no character") from None
 
 
 def _toml(case: Mapping[str, Any]) -> str:
@@ -194,7 +207,7 @@ def _toml(case: Mapping[str, Any]) -> str:
         inner: list[tuple[str, Any]] = []
         for key, value in content.items():
             if not isinstance(key, str):
-                raise ValueError(f"{path or 'the case'} has the key {key!r}; expected a text")
+                raise CaseError(f"{path or 'the case'} has the key {key!r}; expected a text")
             is_tables = isinstance(value, (list, tuple)) and value and all(isinstance(part, Mapping) for part in value)
             if isinstance(value, Mapping) or is_tables:
                 inner.append((key, value))
@@ -217,6 +230,8 @@ def _key(key: str) -> str:
 
 
 def _value(value: Any, where: str) -> str:
+    if (unit := unit_of(value)) is not None:
+        raise CaseError(f"{where} is {unit}; expected a text with its unit, as \"15 {unit.words}\"")
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     if isinstance(value, (bool, np.bool_)):
@@ -231,7 +246,7 @@ def _value(value: Any, where: str) -> str:
         return repr(number) if math.isfinite(number) else {math.inf: "inf", -math.inf: "-inf"}.get(number, "nan")
     if isinstance(value, (list, tuple, np.ndarray)):
         return "[" + ", ".join(_value(part, f"{where}[{i}]") for i, part in enumerate(value)) + "]"
-    raise ValueError(
+    raise CaseError(
         f"{where} is {value!r}, a {type(value).__name__}; expected a number, a text with a unit, true or false, "
         "a list or a dict"
     )

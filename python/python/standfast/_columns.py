@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._advice import Advice, called, is_of, short, shown
+from ._advice import Advice, called, is_of, short, shown, unit_of
 from ._frames import Missing
 
 
@@ -73,12 +73,16 @@ def exported(frame: Any) -> Any:
 
 def column_of(value: Any, name: str, advice: Advice) -> Column:
     """One operand, told apart."""
-    if isinstance(value, np.ndarray):
+    if type(value) is np.ndarray:
         return _array(value, name)
     if type(value) is float or type(value) is int or isinstance(value, (np.integer, np.floating)):
         return Column("point", number_of(value, name))
-    if is_of(value, "pint", "Quantity"):
-        return column_of(_magnitude(value, name), name, advice)
+    if (unit := unit_of(value)) is not None:
+        if unit.ratio is None:
+            raise TypeError(f"{name} is {unit}; expected {advice.instead(name, unit)}")
+        return column_of(unit.ratio, name, advice)
+    if isinstance(value, np.ndarray):
+        return _array(value, name)
     advice.refuse_lazy(value, name)
     if is_of(value, "pandas", "Series"):
         return Column("pandas", series_of(value, name), index=value.index)
@@ -128,9 +132,6 @@ def _array(array: NDArray[Any], name: str) -> Column:
         mask = None if array.mask is np.ma.nomask else np.asarray(array.mask)
         array = array.data
     elif type(array) is not np.ndarray:
-        unit = getattr(array, "unit", None) or getattr(array, "units", None)
-        if unit is not None:
-            raise TypeError(f"{name} is a {called(array)} in {unit}; expected a ratio, which has no unit")
         array = np.asarray(array)
     return Column(kind, Numbers(_real(array, mask, name), mask))
 
@@ -174,7 +175,7 @@ def _check_leaves(items: Sequence[Any], name: str, index: tuple[int, ...]) -> No
 
 def check_leaf(item: Any, name: str, index: tuple[int, ...]) -> None:
     """Refuses an item of a list or of an array of objects that is no real number."""
-    if is_of(item, "pint", "Quantity"):
+    if unit_of(item) is not None:
         raise TypeError(f"{name} is {shown(item)}{_at(index)}; expected real numbers, or one quantity, Quantity.from_list(...)")
     real = isinstance(item, (numbers.Real, Decimal)) or hasattr(item, "__float__")
     if real and not isinstance(item, (bool, np.bool_, np.complexfloating)) and not getattr(item, "ndim", 0):
@@ -205,18 +206,6 @@ def series_of(series: Any, name: str) -> Numbers:
     if pd.api.types.is_numeric_dtype(dtype) and not pd.api.types.is_bool_dtype(dtype) and dtype.kind != "c":
         return Numbers(series.to_numpy(dtype=np.float64, na_value=np.nan), nan=True)
     raise TypeError(f"{name} is a pandas Series of dtype {dtype}; expected real numbers, as float64")
-
-
-def is_ratio(quantity: Any) -> bool:
-    """Whether a pint quantity is a plain number, a percentage or the like. To pint an angle has no dimension either."""
-    return not quantity.dimensionality and quantity.to_base_units().unitless
-
-
-def _magnitude(quantity: Any, name: str) -> Any:
-    """The number of a pint quantity without dimension, as 1 in the unit it is a ratio of."""
-    if not is_ratio(quantity):
-        raise TypeError(f"{name} is a quantity in {quantity.units}; expected a ratio, which has no unit")
-    return quantity.to_base_units().magnitude
 
 
 def same(one: object, other: object) -> bool:

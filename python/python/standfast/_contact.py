@@ -15,7 +15,7 @@ from . import _standfast
 from ._arrow import ArrowTable
 from ._frames import Fields
 from ._inputs import called, chosen, read
-from ._modes import Mode, Modes
+from ._modes import Mode, ModeArray, Modes
 from ._rows import CONTACT_INPUTS, MOTION, Columns, Fault, Wrong, answer, numbers, point
 from ._types import Array, Map, Number, OnError, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
@@ -75,7 +75,7 @@ class ContactArrays(Fields[NDArray[Any]], fields_of=Contact):
     arrays, masked there. ``pandas.DataFrame(answer.to_dict())`` has the fields as columns.
     """
 
-    mode: NDArray[np.uint8]
+    mode: ModeArray
     modes: NDArray[np.uint16]
     x_ddot: NDArray[np.float64]
     y_ddot: NDArray[np.float64]
@@ -214,7 +214,7 @@ def contact(
     >>> found.mode, found.modes
     (<Mode.SLIDE_LEFT: 1>, <Modes.SLIDE_LEFT|ROCK_O: 6>)
     >>> contact(1, 1, 1, 2 / 3, 1, 1, [-0.2, -2], 1, 0, 0.5, 0.4, columns=["mode", "x_ddot"])
-    ContactArrays(mode=array([0, 1], dtype=uint8), x_ddot=array([ 0. , -1.6]))
+    ContactArrays(mode=ModeArray([0, 1], dtype=uint8), x_ddot=array([ 0. , -1.6]))
     """
     asked = chosen(columns, Contact._fields)
     operands = read("contact", CONTACT_INPUTS, (b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s, mu_k), map, result="mode")

@@ -141,8 +141,9 @@ def design(
         A :class:`Design`; with ``and_`` a :class:`Boundary`.
 
     Raises:
-        ValueError: for a case, quantity or target that is not understood, and where the target is not met or met without an end
-            on the side that is wanted. The message says what to do.
+        NoSolution: where no value meets the target, or it is met without an end on the side that is wanted. The message says what to do.
+        CaseError: for a case that is not understood.
+        ValueError: for a quantity or a target that is not understood; the others are `ValueError` as well.
         OSError: if the case file cannot be read.
 
     >>> goda = design("examples/goda-2000.toml", vary="width", target="factor=1.2")

@@ -17,7 +17,7 @@ from ._advice import shown
 from ._arrays import classify
 from ._arrow import ArrowArray
 from ._inputs import read
-from ._modes import Mode, Modes
+from ._modes import Mode, ModeArray, Modes
 from ._points import Marks, Points, marks
 from ._rows import point
 from ._types import Array, Number, PandasSeries, PolarsSeries, PyarrowArray
@@ -227,7 +227,7 @@ class Diagram:
     @overload
     def mode_at(self, k: Number, mu: Number) -> Mode: ...
     @overload
-    def mode_at(self, k: Array, mu: Array) -> NDArray[np.uint8]: ...
+    def mode_at(self, k: Array, mu: Array) -> ModeArray: ...
     @overload
     def mode_at(self, k: PandasSeries | Array, mu: PandasSeries | Array) -> pd.Series[Any]: ...
     @overload

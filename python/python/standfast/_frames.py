@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from . import _standfast
 from ._arrow import ArrowArray, ArrowTable
-from ._modes import Mode, Modes
+from ._modes import SYMBOLS, Mode, ModeArray, Modes
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -40,8 +40,6 @@ _T = TypeVar("_T")
 
 #: What is missing, in the shape of the answer; ``None`` if nothing is.
 Missing = NDArray[np.bool_] | None
-
-SYMBOLS: NDArray[np.str_] = np.array([mode.symbol for mode in Mode])
 
 
 class Fields(tuple[_T, ...]):
@@ -173,6 +171,8 @@ class Arrays(Form):
         values, missing = _parted(values, missing)
         # What is missing may be the code of no mode.
         shown = SYMBOLS[values if missing is None else np.where(missing, 0, values)] if symbols else values
+        if shown.dtype == np.uint8:
+            shown = shown.view(ModeArray)
         if not self.masked and missing is None:
             return shown
         # What `filled` puts there is no answer: the code of no mode, bits of no set of modes.
@@ -207,7 +207,7 @@ class Pandas(Form):
 
     def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
         pd = sys.modules["pandas"]
-        return pd.Series(self._array(values, missing, symbols), index=self.index, name=name, copy=False)
+        return pd.Series(self.array(values, missing, symbols), index=self.index, name=name, copy=False)
 
     def table(
         self,
@@ -218,11 +218,12 @@ class Pandas(Form):
         arrays: type[Fields[Any]],
     ) -> Any:
         pd = sys.modules["pandas"]
-        made = {name: self._array(values, missing) for name, values in columns.items()}
+        made = {name: self.array(values, missing) for name, values in columns.items()}
         return pd.DataFrame(made, index=self.index, columns=list(columns), copy=False)
 
     @staticmethod
-    def _array(values: NDArray[Any], missing: Missing, symbols: bool = False) -> Any:
+    def array(values: NDArray[Any], missing: Missing, symbols: bool = False) -> Any:
+        """A column of pandas."""
         pd = sys.modules["pandas"]
         values, missing = _parted(values, missing)
         if symbols:
@@ -232,7 +233,7 @@ class Pandas(Form):
             mask = np.zeros(values.shape, dtype=np.bool_) if missing is None else missing
             made = pd.arrays.BooleanArray if values.dtype.kind == "b" else pd.arrays.IntegerArray
             if values.dtype == np.uint8:
-                from ._pandas import ModeArray as made  # pandas is there, but may not be imported before
+                from ._pandas import ModeColumn as made  # pandas is there, but may not be imported before
             return made(np.ascontiguousarray(values), np.array(mask))
         if missing is None:
             return values

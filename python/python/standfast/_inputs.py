@@ -320,6 +320,13 @@ def _listed(names: Sequence[str], columns: Sequence[Column]) -> str:
     return ", ".join(f"{name} is {said[column.kind]}" for name, column in zip(names, columns) if column.kind in said)
 
 
+def check_indexes(given: Mapping[str, object]) -> None:
+    """That Series of pandas, among what a dict has, have one index."""
+    series = {name: value for name, value in given.items() if is_of(value, "pandas", "Series")}
+    if series:
+        _common_index(list(series), [Column("pandas", index=value.index) for value in series.values()])  # type: ignore[attr-defined]
+
+
 def _common_index(names: Sequence[str], columns: Sequence[Column]) -> Any:
     (first, index), *others = [(name, c.index) for name, c in zip(names, columns) if c.index is not None]
     for name, other in others:

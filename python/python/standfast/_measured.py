@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from . import _standfast
 from ._advice import Advice, is_of, is_plain
-from ._columns import check_leaf, column_of, is_ratio, series_of
-from ._frames import Form, Missing
+from ._columns import check_leaf, column_of, series_of
+from ._frames import Form, Missing, Pandas
 
 _ADVICE = Advice("assess_table")
 
@@ -20,21 +20,16 @@ def array_of(value: Any, name: str, null: bool) -> tuple[NDArray[Any], Missing]:
     """The numbers of one entry of a dict as float64, or its texts as objects; with ``null``, what is no value is no error here."""
     if isinstance(value, str):
         return np.array(_text(value, name, (), null), dtype=object), None
-    if is_of(value, "pint", "Quantity") and not is_ratio(value):
-        # Which unit a number is in is said once, by the name.
-        raise TypeError(
-            f'{name} is a quantity of pint, in {value.units}; expected numbers, with the unit behind the name: "{name} [m]" and '
-            "value.magnitude"
-        )
     if isinstance(value, (list, tuple)) and any(isinstance(part, str) for part in value):
         value = np.array(value, dtype=object)
     if isinstance(value, np.ndarray) and (value.dtype.kind in "UT" or value.dtype.kind == "O" and _has_text(value)):
         texts = [_text(part, name, index, null) for index, part in zip(np.ndindex(value.shape), value.ravel().tolist())]
         return np.array(texts, dtype=object).reshape(value.shape), None
-    found = column_of(value, name, _ADVICE)
-    if found.numbers is None or found.kind not in ("point", "array", "masked"):
-        raise TypeError(f"{name} is a column of a table in a dict of arrays; expected a DataFrame or table in place of the dict")
-    return np.asarray(found.numbers.values, dtype=np.float64), found.numbers.missing()
+    if is_of(value, "pandas", "Series"):
+        given = column_of_cases(value, name, Pandas(value.index), null)
+        return (np.array(given, dtype=object), None) if isinstance(given, list) else given
+    numbers = column_of(value, name, _ADVICE).read(name)
+    return np.asarray(numbers.values, dtype=np.float64), numbers.missing()
 
 
 def _has_text(values: NDArray[Any]) -> bool:

@@ -4,16 +4,32 @@ from __future__ import annotations
 
 import enum
 import operator
+import sys
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _standfast
 
 _NATIVE = _standfast.modes()
 
 
-class Mode(enum.IntEnum):
+#: The last letters of formats of whole numbers.
+_NUMBERS = ("b", "d", "o", "x", "X", "n")
+
+
+class _ModeType(enum.EnumMeta):
+    """What makes modes: the bits of a set are not taken for a code."""
+
+    def __call__(cls, value: Any, *args: Any, **options: Any) -> Any:
+        if isinstance(value, Modes):
+            raise TypeError(f"{value!r} is a set of modes; expected a code or a symbol. Its .modes are those in it")
+        return super().__call__(value, *args, **options)
+
+
+class Mode(enum.IntEnum, metaclass=_ModeType):
     """A mode of response at the moment a body at rest is loaded by a force that points left.
 
     O is the bottom left corner, O' the bottom right one. The value is the code in arrays.
@@ -22,6 +38,10 @@ class Mode(enum.IntEnum):
     (<Mode.ROCK_O: 2>, <Mode.SLIDE_ROCK_O_LEFT: 3>)
     >>> Mode.ROCK_O.symbol, Mode.ROCK_O == "RO", Mode.ROCK_O == 2
     ('RO', True, True)
+    >>> Mode.ROCK_O == "R0"
+    Traceback (most recent call last):
+    ...
+    ValueError: 'R0' is no mode; expected RE, SL, RO, SRO-, SRO+, SRO'-, RO', SL+, SRO'+, FL or BF
     >>> print(Mode.ROCK_O, f"{Mode.REST:>4}")
     RO   RE
     >>> print("The body", Mode.ROCK_O.words)
@@ -54,15 +74,56 @@ class Mode(enum.IntEnum):
         expected = ", ".join(f"{mode.symbol} or {mode.value}" for mode in cls)
         raise ValueError(f"{value!r} is not a mode; expected {expected}")
 
-    def __eq__(self, other: object) -> bool:
-        """Whether it is the same mode, its code or its symbol."""
-        if isinstance(other, str):
-            return other == self.symbol
-        return int.__eq__(self, other) if isinstance(other, int) else NotImplemented
+    #: Above that of all columns of pandas, which so leave it to this class to be compared.
+    __pandas_priority__ = 5000
 
-    def __ne__(self, other: object) -> bool:
-        found = self.__eq__(other)
-        return found if found is NotImplemented else not found
+    def __eq__(self, other: object) -> Any:
+        """Whether it is the same mode, its code or its symbol; item by item beside a column.
+
+        Raises:
+            ValueError: for a word that names no mode.
+            TypeError: for a set of modes.
+        """
+        return self._compared(other, operator.eq)
+
+    def __ne__(self, other: object) -> Any:
+        return self._compared(other, operator.ne)
+
+    def __lt__(self, other: object) -> Any:
+        return self._compared(other, operator.lt)
+
+    def __le__(self, other: object) -> Any:
+        return self._compared(other, operator.le)
+
+    def __gt__(self, other: object) -> Any:
+        return self._compared(other, operator.gt)
+
+    def __ge__(self, other: object) -> Any:
+        return self._compared(other, operator.ge)
+
+    def _compared(self, other: Any, compare: Callable[[Any, Any], Any]) -> Any:
+        if isinstance(other, str):
+            return compare(int(self), code_of(other))
+        if isinstance(other, Modes):
+            raise TypeError(f"{other!r} is a set of modes, and {self!r} a mode; `mode in modes` says whether it is in it")
+        if isinstance(other, int):
+            return compare(int(self), int(other))
+        if (kind := _kind(other)) is None:
+            return NotImplemented
+        if kind == "frame":
+            return other.apply(lambda column: compare(self, column))
+        if kind == "objects":
+            return other.map(lambda item: compare(self, item))
+        return compare(self.symbol if kind == "words" else int(self), other)
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        """Beside an array of words a mode is its symbol, beside all others its code."""
+        kinds = [np.asarray(other).dtype for other in inputs if not isinstance(other, Mode)]
+        if any(kind == np.uint16 for kind in kinds):
+            raise TypeError("an array of uint16 has sets of modes, in bits, which are asked by sets: `others & Modes.ROCK_O != 0`")
+        words = any(kind.kind in "UT" for kind in kinds)
+        plain = [_alone(one, words, any(kind.kind == "O" for kind in kinds)) if isinstance(one, Mode) else one for one in inputs]
+        return getattr(ufunc, method)(*plain, **options)
 
     # As of its code, which it stands for among the keys of dicts.
     __hash__ = int.__hash__
@@ -79,7 +140,13 @@ class Mode(enum.IntEnum):
         return self.symbol
 
     def __format__(self, spec: str) -> str:
-        return format(self.symbol, spec)
+        """Its symbol; its code by a format of numbers, as ``d``."""
+        return format(int(self) if spec[-1:] in _NUMBERS else self.symbol, spec)
+
+    @property
+    def code(self) -> int:
+        """Its code, a plain number."""
+        return int(self)
 
     @property
     def symbol(self) -> str:
@@ -93,6 +160,120 @@ class Mode(enum.IntEnum):
 
 
 BY_SYMBOL = {mode.symbol: mode for mode in Mode}
+
+#: By their codes.
+SYMBOLS: NDArray[np.str_] = np.array(list(BY_SYMBOL))
+
+
+def code_of(word: str) -> int:
+    """The code of the mode that a word names.
+
+    Raises:
+        ValueError: if it names none.
+    """
+    if (mode := BY_SYMBOL.get(word)) is not None:
+        return int(mode)
+    *others, last = BY_SYMBOL
+    raise ValueError(f"{word!r} is no mode; expected {', '.join(others)} or {last}")
+
+
+def codes_of(other: Any) -> Any:
+    """Codes in place of words and modes, alone or in what holds many; anything else as it is."""
+    if isinstance(other, Modes):
+        raise TypeError(f"{other!r} is a set of modes; expected a mode, a code or a word")
+    if isinstance(other, str):
+        return code_of(other)
+    if isinstance(other, Mode):
+        return int(other)
+    if isinstance(other, (list, tuple, set, frozenset)):
+        # numpy would make words of all of them where one is a word.
+        return np.array([codes_of(item) for item in other])
+    items = np.asarray(other)
+    if items.dtype.kind == "O" and any(isinstance(item, (str, Mode)) for item in items.flat):
+        return np.array([codes_of(item) for item in items.flat], dtype=object).reshape(items.shape)
+    if items.dtype.kind not in "UT":
+        return other
+    return np.array([code_of(str(word)) for word in items.flat], dtype=np.uint8).reshape(items.shape)
+
+
+def _alone(mode: Mode, words: bool, objects: bool) -> Any:
+    """A mode as an operand beside arrays."""
+    if not objects:
+        return mode.symbol if words else int(mode)
+    alone = np.empty((), dtype=object)
+    alone[()] = mode
+    return alone
+
+
+def _kind(column: Any) -> str | None:
+    """What a column of pandas holds: codes, words or objects; ``None`` if it is no column of pandas."""
+    pd = sys.modules.get("pandas")
+    if pd is None or not isinstance(column, (pd.Series, pd.Index, pd.DataFrame, pd.api.extensions.ExtensionArray)):
+        return None
+    if isinstance(column, pd.DataFrame):
+        return "frame"
+    dtype = column.dtype.categories.dtype if isinstance(column.dtype, pd.CategoricalDtype) else column.dtype
+    if pd.api.types.is_numeric_dtype(dtype):
+        return "codes"
+    return "objects" if dtype == object and not isinstance(column.dtype, pd.CategoricalDtype) else "words"
+
+
+class ModeArray(np.ndarray[Any, np.dtype[np.uint8]]):
+    """Codes of modes in an array of ``uint8``, which may be compared with modes, codes and words.
+
+    What is computed with it is plain. An item is a :class:`Mode`. It is made of codes, of modes or of words, as those of a column
+    ``mode``.
+
+    >>> modes = ModeArray(["RE", "SL", "RO"])
+    >>> modes
+    ModeArray([0, 1, 2], dtype=uint8)
+    >>> modes == "SL", "RO" in modes, modes[1]
+    (array([False,  True, False]), True, <Mode.SLIDE_LEFT: 1>)
+    >>> modes.names, modes.code
+    (array(['RE', 'SL', 'RO'], dtype='<U5'), array([0, 1, 2], dtype=uint8))
+    """
+
+    def __new__(cls, modes: Any) -> ModeArray:
+        codes = np.asarray(codes_of(modes))
+        known = codes.size == 0 or codes.dtype.kind in "iuO"
+        if not known or not np.isin(codes.astype(np.float64), np.arange(len(Mode))).all():
+            raise ValueError(f"codes of modes are 0 to {len(Mode) - 1}, or words: {', '.join(BY_SYMBOL)}")
+        return codes.astype(np.uint8).view(cls)
+
+    @property
+    def code(self) -> NDArray[np.uint8]:
+        """The codes as a plain array."""
+        return self.view(np.ndarray)
+
+    @property
+    def names(self) -> NDArray[np.str_]:
+        """The report's symbols, an array of words."""
+        return SYMBOLS[self.code]
+
+    def __getitem__(self, index: Any) -> Any:
+        found = super().__getitem__(index)
+        return Mode(int(found)) if isinstance(found, np.uint8) and found < len(Mode) else found
+
+    def __contains__(self, mode: object) -> bool:
+        return bool(np.any(self == mode))
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        compares = ufunc in (np.equal, np.not_equal)
+        if any(isinstance(one, Modes) for one in inputs):
+            raise TypeError("an array of modes beside a set of modes; expected a mode, a code or a word")
+        plain = [_codes_alone(one) if isinstance(one, ModeArray) else codes_of(one) if compares else one for one in inputs]
+        if (out := options.get("out")) is not None:
+            options["out"] = tuple(_codes_alone(one) for one in out)
+        return getattr(ufunc, method)(*plain, **options)
+
+    def __array_function__(self, function: Any, types: Any, args: Any, options: Any) -> Any:
+        if function is np.isin and len(args) > 1:
+            args = (args[0], codes_of(args[1]), *args[2:])
+        return super().__array_function__(function, types, args, options)
+
+
+def _codes_alone(array: Any) -> Any:
+    return array.view(np.ndarray) if isinstance(array, ModeArray) else array
 
 #: Above all sets of modes.
 _BITS = 1 << Mode.BEARING_FAILURE
@@ -145,6 +326,22 @@ class Modes(enum.IntFlag, metaclass=_SetType):
         return super().__xor__(_bits(other))
 
     __ror__, __rand__, __rxor__ = __or__, __and__, __xor__
+
+    def __eq__(self, other: object) -> bool:
+        """Whether it is the same set, or has these bits.
+
+        Raises:
+            TypeError: for a mode, of which the code would be taken for bits.
+        """
+        if isinstance(other, Mode):
+            raise TypeError(f"{other!r} is a mode, and {self!r} a set of modes; `mode in modes` says whether it is in it")
+        return int.__eq__(self, other) if isinstance(other, int) else NotImplemented
+
+    def __ne__(self, other: object) -> bool:
+        found = self.__eq__(other)
+        return found if found is NotImplemented else not found
+
+    __hash__ = int.__hash__
 
     # Python 3.10 names the members from the last to the first.
     def __repr__(self) -> str:

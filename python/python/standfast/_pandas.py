@@ -11,15 +11,15 @@ from typing import Any
 import numpy as np
 import pandas as pd  # type: ignore[import-untyped,unused-ignore]
 
-from ._modes import BY_SYMBOL, Mode
+from ._modes import Mode, Modes, codes_of
 
 
 class ModeDtype(pd.UInt8Dtype):  # type: ignore[misc,unused-ignore]
     """The type of a column of codes of modes: ``UInt8``, by name and by whatever is computed with it."""
 
     @classmethod
-    def construct_array_type(cls) -> type[ModeArray]:
-        return ModeArray
+    def construct_array_type(cls) -> type[ModeColumn]:
+        return ModeColumn
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, pd.UInt8Dtype) or super().__eq__(other)
@@ -28,7 +28,7 @@ class ModeDtype(pd.UInt8Dtype):  # type: ignore[misc,unused-ignore]
         return hash(pd.UInt8Dtype())
 
 
-class ModeArray(pd.arrays.IntegerArray):  # type: ignore[misc,unused-ignore]
+class ModeColumn(pd.arrays.IntegerArray):  # type: ignore[misc,unused-ignore]
     """Codes of modes as integers that may be missing. Where they are compared, modes and symbols stand for their codes."""
 
     #: Above that of columns of words, which so leave it to this class to compare them with codes.
@@ -55,14 +55,11 @@ class ModeArray(pd.arrays.IntegerArray):  # type: ignore[misc,unused-ignore]
 
 def _codes(other: Any) -> Any:
     """A mode's code for its symbol, alone or in what holds many."""
-    if isinstance(other, Mode):
-        return int(other)
-    if isinstance(other, str):
-        if other not in BY_SYMBOL:
-            raise ValueError(f"{other!r} is not the symbol of a mode; expected one of {', '.join(BY_SYMBOL)}")
-        return int(BY_SYMBOL[other])
-    if isinstance(other, (list, tuple, np.ndarray, pd.api.extensions.ExtensionArray)) and not isinstance(other, pd.arrays.IntegerArray):
+    if isinstance(other, pd.api.extensions.ExtensionArray) and not isinstance(other, pd.arrays.IntegerArray):
+        other = np.asarray(other, dtype=object)
+    if isinstance(other, (list, tuple, np.ndarray)):
         items = np.asarray(other, dtype=object)
         if any(isinstance(one, str) for one in items.flat):
-            return pd.array([pd.NA if pd.isna(one) else _codes(one) for one in items.flat], dtype="UInt8")
-    return other
+            return pd.array([pd.NA if pd.isna(one) else codes_of(one) for one in items.flat], dtype="UInt8")
+        return other
+    return codes_of(other) if isinstance(other, (str, Mode, Modes)) else other

@@ -5,19 +5,26 @@ from __future__ import annotations
 import functools
 import operator
 import os
-from collections.abc import Callable, Mapping
-from typing import Any, Literal, NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
 from . import _standfast
+from ._advice import shown as said
 from ._answer import Rendered
 from ._arrow import ArrowTable
 from ._assess import Figure, case_text
+from ._modes import SYMBOLS
 from ._run import run
+from ._simulate import Records, check_unit, records_of
+from ._types import Array
 from .chances import ProbabilityDocument
 
 _SEED, _PRECISION, _FLOOR, _SAMPLES = _standfast.plain_effort()
+#: An acceleration of the base: an array, or arrays under "horizontal", "vertical" and "dt".
+Record: TypeAlias = "Array | Mapping[str, Any]"
+
 #: The code of no mode.
 _NO_MODE = np.iinfo(np.uint8).max
 
@@ -33,10 +40,14 @@ class Probability(ProbabilityDocument, Rendered):
 
     _what = "this answer"
     _drawn: Callable[[], list[tuple[str, str]]]
+    #: That of a case that is a dict.
+    _title: str | None
 
-    def __init__(self, text: str, document: str, figures: list[tuple[str, str]] | Callable[[], list[tuple[str, str]]]) -> None:
+    def __init__(
+        self, text: str, document: str, figures: list[tuple[str, str]] | Callable[[], list[tuple[str, str]]], title: str | None = None
+    ) -> None:
         super().__init__(text, document)
-        vars(self)["_drawn"] = figures if callable(figures) else lambda: figures
+        vars(self).update(_drawn=figures if callable(figures) else lambda: figures, _title=title)
 
     @functools.cached_property
     def figures(self) -> list[Figure]:
@@ -50,15 +61,26 @@ class Probability(ProbabilityDocument, Rendered):
         return chosen[0].svg if chosen else None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self._text, self._json, [tuple(figure) for figure in self.figures])
+        return type(self), (self._text, self._json, [tuple(figure) for figure in self.figures], self._title)
 
     def __repr__(self) -> str:
+        others = f"; {len(self.others)} other set{'s' if len(self.others) > 1 else ''} of loads" if self.others else ""
+        return f"<Probability {self._title or os.path.basename(self.case)}: {self._said()}{others}>"
+
+    def _said(self) -> str:
+        """What was asked for: how likely the body overturns along peaks, does not rest along a number, or begins in each mode."""
+        if self.overturning is not None:
+            first, last = self.overturning.points[0], self.overturning.points[-1]
+            ends = [f"{end.overturned.probability:.4g} at {end.peak:.4g} m/s²" for end in (first, last)]
+            return f"overturns {' to '.join(ends)}"
+        if self.fragility is not None:
+            first_value, last_value = self.fragility.points[0], self.fragility.points[-1]
+            values = [f"{end.not_rest.probability:.4g} at {end.value:.4g}" for end in (first_value, last_value)]
+            return f"does not rest {' to '.join(values)} of {self.fragility.name}"
         likely = [(name, chance) for name, chance in self.modes.items() if chance.probability > 0]
         likely.sort(key=lambda one: -one[1].probability)
         shown = ", ".join(f"{name} {chance.probability:.4g}" for name, chance in likely[:4])
-        more = f", … {len(likely) - 4} more" if len(likely) > 4 else ""
-        others = f"; {len(self.others)} other sets of loads" if self.others else ""
-        return f"<Probability {os.path.basename(self.case)}: {shown}{more}{others}>"
+        return shown + (f", … {len(likely) - 4} more" if len(likely) > 4 else "")
 
 
 class _Asked(NamedTuple):
@@ -85,6 +107,9 @@ def probability(
     samples: int = _SAMPLES,
     years: float | None = None,
     over: str | None = None,
+    records: Sequence[Record] | None = None,
+    dt: float | Array | None = None,
+    unit: Literal["m/s2", "g", "cm/s2"] | None = None,
     rotations: Literal["count", "simulate"] = "count",
     threads: int | None = None,
 ) -> Probability:
@@ -104,12 +129,16 @@ def probability(
         over: the same along a number of the case, with what goes with it: ``"width=12 m..20 m:9"``, its name, the first and the last
             value as a case file has them, and how many. The answer is ``fragility``, with a lognormal curve. ``"pga=0.2 g..1 g:9"`` of a
             case whose base moves follows bodies in time: ``overturning``.
+        records: of ``over="pga=…"``, accelerations of the base in place of those of the case, each as likely, and scaled to each peak to the
+            sides: arrays, or dicts of arrays under ``"horizontal"`` and ``"vertical"``, with ``"dt"`` where that is their own. The vertical
+            one is scaled by the same factor.
+        dt, unit: of the records, as for :func:`simulate`.
         rotations: what becomes of waves of a storm that begin a rotation: ``"count"`` them apart, or ``"simulate"`` each in time.
         threads: how many threads to use; ``None`` for as many as there are processors.
 
     Raises:
-        ValueError: for a case, law or correlation that is not understood, or without random numbers; the message shows where, and
-            what is expected.
+        CaseError: for a case, law or correlation that is not understood; the message shows where, and what is expected.
+        ValueError: for a case without random numbers, and for other arguments.
         OSError: if the case file cannot be read.
 
     >>> plane = {
@@ -141,8 +170,36 @@ def probability(
         method, _whole(seed, "seed", 0), float(precision), float(floor), _whole(samples, "samples", 1),
         None if years is None else float(years), over, rotations == "simulate", how.threads,
     )  # fmt: skip
-    found = _standfast.probability(case_text(case), asked)
-    return Probability(found.text(), found.json(), lambda: [(words, svg) for words, _, svg in found.figures()])
+    found = _standfast.probability(case_text(case), asked, _given(records, dt, unit, over))
+    title = case.get("title") if isinstance(case, Mapping) else None
+    drawn = functools.partial(_drawn, found)
+    return Probability(found.text(), found.json(), drawn, None if title is None else str(title))
+
+
+def _drawn(found: _standfast.ChanceAnswer) -> list[tuple[str, str]]:
+    return [(words, svg) for words, _, svg in found.figures()]
+
+
+def _given(records: Any, dt: Any, unit: str | None, over: str | None) -> list[Records]:
+    """Records as the native module takes them."""
+    if records is None:
+        if dt is not None or unit is not None:
+            raise TypeError(f"{'dt' if dt is not None else 'unit'} is that of records, which are not given")
+        return []
+    if over is None or over.partition("=")[0].strip() != "pga":
+        raise TypeError("records are scaled to peaks; expected over='pga=0.2 g..1 g:9' beside them")
+    if isinstance(records, Mapping) or not isinstance(records, Sequence) or not records or np.ndim(records[0]) == 0 and not isinstance(records[0], Mapping):
+        raise TypeError(f"records is {said(records)}; expected a list of records, each an array or a dict of arrays")
+    given = []
+    for place, record in enumerate(records):
+        step = dt
+        if isinstance(record, Mapping) and "dt" in record:
+            step, record = record["dt"], {name: values for name, values in record.items() if name != "dt"}
+        given.append(records_of(record, step, unit, f"records[{place}]"))
+        check_unit(given[-1], unit, True)
+        if given[-1][0] is None:
+            raise ValueError(f"records[{place}] has nothing 'horizontal', whose peak is asked for")
+    return given
 
 
 def draws(
@@ -186,7 +243,7 @@ def draws(
         missing = np.isnan(values)
         columns.append(_standfast.make_array(name, values, missing if missing.any() else None, None, {"description": words}))
     missing = modes == _NO_MODE
-    columns.append(_standfast.make_array("mode", modes, missing if missing.any() else None, None, {"description": "the mode that begins"}))
+    columns.append(_standfast.make_array("mode", modes, missing if missing.any() else None, SYMBOLS.tolist(), {"description": "the mode that begins"}))
     return ArrowTable(_standfast.make_table(columns))
 
 

@@ -21,6 +21,7 @@ from ._answer import Lazy, with_infinity
 from ._arrow import ArrowTable
 from ._assess import Figure, case_text
 from ._columns import column_of
+from ._modes import SYMBOLS
 from ._types import Array
 from .motions import MotionDocument
 
@@ -29,6 +30,8 @@ _ADVICE = Advice("simulate")
 #: So many m/s² are one of them.
 _UNITS = {"m/s2": 1.0, "g": 9.80665, "cm/s2": 0.01}
 _DIRECTIONS = ("horizontal", "vertical")
+#: Times that differ by this share of a record's length are the same.
+_SAME = 1e-6
 
 #: The columns of a series, with their units of a body and what they are.
 _SERIES = (
@@ -112,7 +115,7 @@ class Simulation(Lazy, MotionDocument):
             situation: 0 for this answer, 1 for the first of ``others``, and so on.
 
         Returns:
-            A table with the columns ``t``, ``slide``, ``x`` and ``y`` (of the centre of mass), ``theta``, ``omega`` and ``state``, codes of
+            A table with the columns ``t``, ``slide``, ``x`` and ``y`` (of the centre of mass), ``theta``, ``omega`` and ``state``, words of
             :class:`Mode`. ``series.theta.to_numpy()`` and ``numpy.asarray(series.theta)`` are arrays, ``polars.DataFrame(series)``,
             ``pyarrow.table(series)`` and ``pandas.DataFrame(series.to_dict())`` tables; ``series.theta.metadata`` has unit and words.
 
@@ -129,7 +132,7 @@ class Simulation(Lazy, MotionDocument):
         for values, (name, unit, words) in zip(columns, _SERIES):
             metadata = {"description": words} | ({"unit": unit} if units else {})
             made.append(_standfast.make_array(name, values, None, None, metadata))
-        made.append(_standfast.make_array("state", states, None, None, {"description": "state of motion"}))
+        made.append(_standfast.make_array("state", states, None, SYMBOLS.tolist(), {"description": "state of motion"}))
         return ArrowTable(_standfast.make_table(made))
 
     def __repr__(self) -> str:
@@ -167,7 +170,8 @@ def simulate(
             in the working directory.
         base: accelerations of the base in place of those of the case: an array, to the right, or a dict of arrays under
             ``"horizontal"`` and ``"vertical"``, upwards. Lines join the values; before and after them there is none.
-        dt: the step of time between the values of ``base``, in seconds, or their times.
+        dt: the step of time between the values of ``base``, in seconds, or their times. Left out, a Series of pandas has them in its index,
+            as seconds, time deltas or dates; where it has them, ``dt`` may not say others.
         unit: that of the values in ``base``; of a ``[block]``, which has none, it is left out.
         strength: whether to follow it under stronger and weaker loads, some fifty motions, for ``strength``: which change its verdict;
             left to itself where no record is as long as 20,000 points. False where many motions are followed one by one.
@@ -214,8 +218,8 @@ def check_unit(base: Records, unit: str | None, is_si: bool) -> None:
     raise ValueError(f"unit is {unit!r}, and the case has a [block], whose accelerations have no unit; leave it out")
 
 
-def records_of(base: Any, dt: Any, unit: str | None) -> Records:
-    """Horizontal and vertical record."""
+def records_of(base: Any, dt: Any, unit: str | None, called: str = "base") -> Records:
+    """Horizontal and vertical record; ``called`` is what errors call them."""
     if unit is not None and unit not in _UNITS:
         raise ValueError(f"unit is {unit!r}; expected one of {', '.join(map(repr, _UNITS))}")
     factor = 1.0 if unit is None else _UNITS[unit]
@@ -226,35 +230,65 @@ def records_of(base: Any, dt: Any, unit: str | None) -> Records:
     if isinstance(base, Mapping):
         for direction in base:
             if direction not in _DIRECTIONS:
-                raise ValueError(f"base has {direction!r}; expected 'horizontal' and 'vertical'")
-        named = {direction: (f"base[{direction!r}]", values) for direction, values in base.items()}
+                raise ValueError(f"{called} has {direction!r}; expected 'horizontal' and 'vertical'")
+        named = {direction: (f"{called}[{direction!r}]", values) for direction, values in base.items()}
         if not named:
-            raise ValueError("base is empty; expected an array, or arrays under 'horizontal' and 'vertical'")
+            raise ValueError(f"{called} is empty; expected an array, or arrays under 'horizontal' and 'vertical'")
     else:
-        named = {"horizontal": ("base", base)}
-    if dt is None:
-        raise TypeError("dt is missing; expected the step of time between the values of base, or their times")
+        named = {"horizontal": (called, base)}
     found = {direction: _record(name, values, dt, factor) for direction, (name, values) in named.items()}
+    lengths = {direction: len(values) for direction, (_, values) in found.items()}
+    if len(set(lengths.values())) > 1:
+        counted = " and ".join(f"{count} values {direction}" for direction, count in lengths.items())
+        raise ValueError(f"{called} has {counted}; expected as many")
     return found.get("horizontal"), found.get("vertical")
 
 
 def _record(name: str, given: Any, dt: Any, factor: float) -> _Record:
     values = _values(given, name) * factor
+    own = _own_times(given)
+    if dt is None:
+        if own is None:
+            raise TypeError(f"dt is missing; expected the step of time between the values of {name}, or their times")
+        return _rising(own, f"the index of {name}"), values
     if np.ndim(dt) == 0 and not hasattr(dt, "__len__"):
-        return np.arange(len(values), dtype=np.float64) * positive(dt, "dt"), values
-    times = _values(dt, "dt")
+        times = np.arange(len(values), dtype=np.float64) * positive(dt, "dt")
+    else:
+        times = _rising(_values(dt, "dt"), "dt")
     if times.shape != values.shape:
         raise ValueError(f"dt has {len(times)} times and {name} {len(values)} values; expected as many")
-    back = np.flatnonzero(np.diff(times) <= 0)
-    if len(back):
-        raise ValueError(f"dt is {times[back[0] + 1]:g} at index {back[0] + 1}, after {times[back[0]]:g}; expected times that rise")
+    if own is not None:
+        apart = np.abs(own - times) > _SAME * max(own[-1] - own[0], times[-1] - times[0])
+        if apart.any():
+            at = int(np.argmax(apart))
+            raise ValueError(
+                f"{name} has the time {own[at]:.6g} in its index at row {at}, and {times[at]:.6g} by dt; leave dt out, or give {name}.to_numpy()"
+            )
     return times, values
+
+
+def _own_times(given: Any) -> NDArray[np.float64] | None:
+    """The times in the index of a Series of pandas; ``None`` of numbers and labels of rows."""
+    if not is_of(given, "pandas", "Series"):
+        return None
+    index = given.index
+    if index.dtype.kind == "M":
+        index = index - index[0]
+    if index.dtype.kind == "m":
+        return np.asarray(index.total_seconds(), dtype=np.float64)
+    return np.asarray(index, dtype=np.float64) if index.dtype.kind == "f" else None
+
+
+def _rising(times: NDArray[np.float64], name: str) -> NDArray[np.float64]:
+    """Times that rise."""
+    back = np.flatnonzero(~(np.diff(times) > 0))
+    if len(back):
+        raise ValueError(f"{name} is {times[back[0] + 1]:g} at index {back[0] + 1}, after {times[back[0]]:g}; expected times that rise")
+    return times
 
 
 def _values(given: Any, name: str) -> NDArray[np.float64]:
     """Finite numbers of one axis."""
-    if is_of(given, "pint", "Quantity"):
-        raise TypeError(f"{name} is a quantity of pint, in {given.units}; expected its .magnitude, and unit='m/s2'")
     column = column_of(given, name, _ADVICE)
     found = column.read(name)
     if found.missing() is not None or found.values.ndim != 1 or len(found.values) < 2:

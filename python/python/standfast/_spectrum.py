@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import operator
 import os
 from collections.abc import Mapping
 from typing import Any, Literal, NamedTuple
@@ -11,17 +10,15 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from . import _standfast
+from ._advice import shown as said
 from ._answer import Rendered
 from ._arrow import ArrowTable
 from ._assess import case_text
 from ._progress import shown
 from ._run import Told, run
-from ._simulate import check_unit, folder_of, positive, records_of
+from ._simulate import check_unit, folder_of, records_of
 from ._types import Array, Progress
 from .motions import SpectrumDocument
-
-#: From, to, and how many.
-_Range = tuple[float, float] | tuple[float, float, int]
 
 #: What each kind goes over.
 _OVER = {"rocking": ("size", "slenderness"), "newmark": ("ratio",), "overturning": ("scale",)}
@@ -81,10 +78,10 @@ class _Asked(NamedTuple):
     """What the native module is asked beside the case."""
 
     kind: str
-    size: tuple[float, float, int] | None
-    slenderness: tuple[float, float, int] | None
-    ratio: tuple[float, float, int] | None
-    scale: tuple[float, float, int] | None
+    size: str | None
+    slenderness: str | None
+    ratio: str | None
+    scale: str | None
     threads: int | None
     progress: Told | None
 
@@ -93,10 +90,10 @@ def spectrum(
     case: str | os.PathLike[str] | Mapping[str, object],
     kind: Literal["rocking", "newmark", "overturning"] = "rocking",
     *,
-    size: _Range | None = None,
-    slenderness: _Range | None = None,
-    ratio: _Range | None = None,
-    scale: _Range | None = None,
+    size: str | None = None,
+    slenderness: str | None = None,
+    ratio: str | None = None,
+    scale: str | None = None,
     base: Array | Mapping[Literal["horizontal", "vertical"], Array] | None = None,
     dt: float | Array | None = None,
     unit: Literal["m/s2", "g", "cm/s2"] | None = None,
@@ -109,7 +106,8 @@ def spectrum(
         case: as for :func:`simulate`, with a base that moves.
         kind: ``"rocking"``, uniform blocks over size and slenderness; ``"newmark"``, a block that can only slide, over its yield
             acceleration; ``"overturning"``, the body of the case over the strength of the shaking, which need not be monotone.
-        size, slenderness: of a rocking spectrum half diagonals, at equal factors, and heights over widths: from, to, and how many.
+        size, slenderness: of a rocking spectrum half diagonals (m), at equal factors, and heights over widths: ``"1..8:41"``, from, to, and
+            how many, or ``"1..8"``.
         ratio: of Newmark's yield accelerations over the peak of the shaking.
         scale: of an overturning curve factors on the shaking.
         base, dt, unit: as for :func:`simulate`.
@@ -120,7 +118,7 @@ def spectrum(
         ValueError, TypeError, OSError: as :func:`simulate`; and for a range that is none, or does not belong to the kind.
 
     >>> block = {"block": {"b1": 1, "b2": 1, "d": 3, "mu_s": 50, "gravity": 1}}
-    >>> found = spectrum(block, "overturning", scale=(0.5, 2, 4), base=[0.5, 0.5], dt=4)
+    >>> found = spectrum(block, "overturning", scale="0.5..2:4", base=[0.5, 0.5], dt=4)
     >>> found.points.scale.to_pylist(), found.points.overturned.to_pylist()
     ([0.5, 1.0, 1.5, 2.0], [False, True, True, True])
     """
@@ -130,29 +128,16 @@ def spectrum(
     for name, given in ranges.items():
         if given is not None and name not in _OVER[kind]:
             raise TypeError(f"{name} does not belong to a spectrum of kind {kind!r}, which goes over {' and '.join(_OVER[kind])}")
-    steps = {name: None if given is None else _steps(given, name) for name, given in ranges.items()}
+    texts = {name: _range(given, name) for name, given in ranges.items()}
     records = records_of(base, dt, unit)
     with shown(progress, "motions") as told:
-        asked = _Asked(kind, **steps, threads=run(threads).threads, progress=told)
+        asked = _Asked(kind, **texts, threads=run(threads).threads, progress=told)
         found = _standfast.spectrum((*case_text(case), folder_of(case), {}), records, asked)
     check_unit(records, unit, found[-1])
     return Spectrum(*found)
 
 
-def _steps(given: Any, name: str) -> tuple[float, float, int]:
-    """From, to, and how many, 0 if that is left to the program."""
-    expected = "expected (from, to) or (from, to, how many), with 0 < from < to and two or more"
-    if not isinstance(given, (tuple, list)) or len(given) not in (2, 3):
-        raise TypeError(f"{name} is {given!r}; {expected}")
-    low, high = (positive(end, name) for end in given[:2])
-    count = 0
-    if len(given) == 3:
-        try:
-            count = operator.index(given[2])
-        except TypeError:
-            count = -1
-        if not 2 <= count <= 10**7:
-            raise ValueError(f"{name} is {given!r}; {expected}")
-    if not low < high < 1e50:
-        raise ValueError(f"{name} is {given!r}; {expected}")
-    return low, high, count
+def _range(given: object, name: str) -> str | None:
+    if given is None or isinstance(given, str):
+        return given
+    raise TypeError(f"{name} is {said(given)}; expected a text as '0.5..2:41', from, to, and how many")

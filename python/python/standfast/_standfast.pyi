@@ -10,9 +10,12 @@ __all__ = [
     "ArrowArray",
     "ArrowTable",
     "CaseAnswer",
+    "CaseError",
     "ChanceAnswer",
     "MotionAnswer",
     "NUMBER",
+    "NoSolution",
+    "StandfastError",
     "Sweep",
     "__version__",
     "assess",
@@ -52,6 +55,10 @@ __all__ = [
 ]
 
 __version__: str
+class StandfastError(ValueError): ...
+class CaseError(StandfastError): ...
+class NoSolution(StandfastError): ...
+
 #: Stands before what was a number in a column of texts and numbers.
 NUMBER: str
 
@@ -183,7 +190,6 @@ class MotionAnswer:
         """The motion in one of the situations, every `dt` until it ends."""
 
 _MotionCase = tuple[str, str, str, dict[str, str]]
-_Steps = tuple[float, float, int] | None
 
 def simulate(case: _MotionCase, base: tuple[_RecordOf, _RecordOf], options: tuple[bool | None, bool]) -> MotionAnswer: ...
 
@@ -193,13 +199,13 @@ class _Spectrum(Protocol):
     @property
     def kind(self) -> str: ...
     @property
-    def size(self) -> _Steps: ...
+    def size(self) -> str | None: ...
     @property
-    def slenderness(self) -> _Steps: ...
+    def slenderness(self) -> str | None: ...
     @property
-    def ratio(self) -> _Steps: ...
+    def ratio(self) -> str | None: ...
     @property
-    def scale(self) -> _Steps: ...
+    def scale(self) -> str | None: ...
     @property
     def threads(self) -> int | None: ...
     @property
@@ -240,7 +246,9 @@ class ChanceAnswer:
     def figures(self) -> list[tuple[str, str, str]]:
         """Words, suffix and SVG of each figure."""
 
-def probability(file: tuple[str, str], asked: _Asked) -> ChanceAnswer: ...
+def probability(
+    file: tuple[str, str], asked: _Asked, records: Sequence[tuple[_RecordOf, _RecordOf]]
+) -> ChanceAnswer: ...
 def plain_effort() -> tuple[int, float, float, int]: ...
 def draws(
     file: tuple[str, str], situation: str | None, count: int, seed: int

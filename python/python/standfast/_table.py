@@ -1,5 +1,8 @@
 """Tables of cases and sweeps: a case answered for many values of some of its numbers."""
 
+# A dict of DataArrays is a dict of objects, too: the first overload that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+
 from __future__ import annotations
 
 import os
@@ -12,23 +15,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._advice import Advice
+from ._advice import Advice, is_of
 from ._advice import shown as said
 from ._assess import case_text
 from ._arrow import ArrowTable
 from ._frames import Arrow, Form, Missing
-from ._inputs import broadcast, listed
+from ._inputs import broadcast, check_indexes, listed
 from ._measured import array_of, column_of_cases
+from ._named import Broadcast, is_named, variables_of
 from ._progress import shown
 from ._run import run
 from ._tables import Frame, column_names, frame_of
 from ._types import Arrow as ArrowObject
-from ._types import OnError, PandasFrame, PolarsFrame, Progress, PyarrowTable
+from ._types import OnError, PandasFrame, PolarsFrame, Progress, PyarrowTable, XarrayArray
 
 if TYPE_CHECKING:
     import pandas as pd  # type: ignore[import-untyped,unused-ignore]
     import polars as pl
     import pyarrow as pa  # type: ignore[import-untyped,unused-ignore]
+    import xarray as xr
 
 _Case = str | os.PathLike[str] | Mapping[str, object]
 
@@ -92,6 +97,17 @@ class Varied(NamedTuple):
     results: dict[str, ResultColumn]
 
 
+@overload
+def assess_table(
+    case: _Case,
+    table: Mapping[str, XarrayArray],
+    *,
+    columns: Sequence[str] | None = None,
+    map: Mapping[str, str] | None = None,
+    on_error: OnError = "raise",
+    threads: int | None = None,
+    progress: Progress = None,
+) -> xr.Dataset: ...
 @overload
 def assess_table(
     case: _Case,
@@ -168,10 +184,12 @@ def assess_table(
     Args:
         case: the path of a case file, or a dict with the same keys.
         table: a DataFrame (pandas, polars), a pyarrow Table, or anything else that speaks the Arrow PyCapsule interface. Columns
-            that vary nothing are left alone. Or a dict of arrays and scalars by the names of what they vary, which broadcast by
-            numpy's rules. Numbers are in SI units, accelerations of the base in g; the name ``"wave.Hmax [cm]"`` gives another
+            that vary nothing are left alone. Or a dict of arrays, columns and scalars by the names of what they vary, which broadcast by
+            numpy's rules; Series of pandas have one index. Or a Dataset of xarray, or a dict of its DataArrays, which broadcast by the
+            names of their dimensions, in the units of their attribute ``units``. Numbers are in SI units, accelerations of the base in g; the name ``"wave.Hmax [cm]"`` gives another
             unit, and so does a text in place of a number: ``"8 m"``.
-        columns: the results that are computed, by their names in ``docs/answer.schema.json``; all of them if it is left out.
+        columns: the results that are computed, by their names in ``docs/answer.schema.json``; all of a situation if it is left out. Those
+            of the waves, as ``"Hmax"`` or ``"p1"``, are given where they are named.
         map: which column of the table varies a key, ``{"wave.Hmax": "H"}``, where it has another name.
         on_error: with ``"raise"``, the first row whose values no case can have is an error; with ``"null"``, such rows have no
             results, and the column ``problem`` says why.
@@ -183,7 +201,7 @@ def assess_table(
     Returns:
         For a table one of the same library with the results as columns, and with the index of a pandas one:
         ``pd.concat([table, answer], axis=1)`` puts both together; for any other Arrow object an :class:`ArrowTable`. For a dict a dict
-        of arrays of the broadcast shape: numbers as float64, NaN where there is no such thing; words as text, empty where there is
+        of arrays of the broadcast shape, for arrays of xarray a Dataset with units and words: numbers as float64, NaN where there is no such thing; words as text, empty where there is
         none. Units are SI. A number without bound is infinite. A row with a missing value has no results; of arrays it is masked.
 
     Raises:
@@ -211,6 +229,9 @@ def assess_table(
     """
     how = run(threads, on_error)
     options = _Options(_pairs(map), _names(columns), how.null_errors, how.threads)
+    if is_named(table):
+        with shown(progress) as report:
+            return _swept_by_name(case, table, options, report)
     _ADVICE.refuse_lazy(table, "table")
     frame = None if isinstance(table, Mapping) else frame_of(table, _ADVICE)
     if frame is None and not isinstance(table, Mapping):
@@ -223,9 +244,30 @@ def _swept(case: _Case, table: Mapping[str, object], options: _Options, report: 
     """The results of a dict of arrays."""
     sweep = _sweep(case, table, options)
     _refuse_idle(table, sweep)
-    arrays, minded = _sweep_of(table, sweep, options.null, report)
+    arrays, minded = _sweep_of(_varying(table, sweep), sweep, options.null, report)
     _mind(minded, sweep)
     return arrays
+
+
+def _swept_by_name(case: _Case, table: Any, options: _Options, report: Any) -> Any:
+    """The results of arrays of xarray, as a Dataset."""
+    variables = variables_of(table)
+    # The variables of a Dataset are as the columns of a table: those that vary nothing are left alone.
+    is_dataset = is_of(table, "xarray", "Dataset")
+    sweep = _sweep(case, list(variables) if is_dataset else variables, options)
+    if not is_dataset:
+        _refuse_idle(variables, sweep)
+    broadcast = Broadcast.of(_varying(variables, sweep))
+    arrays, minded = _sweep_of(broadcast.arrays, sweep, options.null, report)
+    _mind(minded, sweep)
+    said = {name: (unit, words or "") for name, unit, words in sweep.results}
+    return broadcast.dataset(arrays, said)
+
+
+def _varying(table: Mapping[str, object], sweep: _standfast.Sweep) -> dict[str, Any]:
+    """What of a dict varies the case, in the order of the sweep."""
+    given = list(table.items())
+    return {str(given[place][0]): given[place][1] for place in sweep.places}
 
 
 def _answered(case: _Case, frame: Frame, options: _Options, report: Any) -> Any:
@@ -279,6 +321,8 @@ class _Options(NamedTuple):
 
 def _column_names(table: Any) -> list[str]:
     """The names of the columns of a table, or themselves."""
+    if is_named(table):
+        return list(variables_of(table))
     _ADVICE._replace(function="varied").refuse_lazy(table, "table")
     if isinstance(table, Mapping):
         return [str(name) for name in table]
@@ -349,9 +393,9 @@ def _sweep_of(
     table: Mapping[str, object], sweep: _standfast.Sweep, null: bool, report: Any
 ) -> tuple[dict[str, NDArray[Any]], list[_standfast._Minded]]:
     """The results of a dict of arrays, and the warnings."""
-    given = list(table.items())
-    columns = [array_of(given[place][1], str(given[place][0]), null) for place in sweep.places]
-    shape = broadcast([str(given[place][0]) for place in sweep.places], [values for values, _ in columns])
+    check_indexes(table)
+    columns = [array_of(value, name, null) for name, value in table.items()]
+    shape = broadcast(list(table), [values for values, _ in columns])
     flat: list[_standfast._Numbers | list[str | None]] = []
     for values, missing in columns:
         spread = np.broadcast_to(values, shape).ravel()

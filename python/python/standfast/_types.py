@@ -65,6 +65,14 @@ class PandasFrame(Protocol):
     def iterrows(self) -> Any: ...
 
 
+class XarrayArray(Protocol):
+    """A DataArray of xarray."""
+
+    @property
+    def dims(self) -> Any: ...
+    def to_dataset(self) -> Any: ...
+
+
 class PolarsSeries(Protocol):
     """A polars Series."""
 

@@ -15,6 +15,7 @@ from standfast import (
     Diagram,
     Figure,
     Mode,
+    ModeArray,
     Modes,
     Onset,
     OnsetArrays,
@@ -23,10 +24,10 @@ from standfast import (
 
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6), Mode)
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6, names=True), str)
-assert_type(standfast.classify(1, 0.4, np.ones(3), [0.6]), NDArray[np.uint8])
+assert_type(standfast.classify(1, 0.4, np.ones(3), [0.6]), ModeArray)
 assert_type(standfast.classify(1, 0.4, np.ones(3), 0.6, names=True), NDArray[np.str_])
 assert_type(standfast.classify(1, np.float32(0.4), np.int64(1), 0.6), Mode)
-assert_type(standfast.classify([[1, 2], [3, 4]], 0.4, 1, 0.6, threads=None, progress=True), NDArray[np.uint8])
+assert_type(standfast.classify([[1, 2], [3, 4]], 0.4, 1, 0.6, threads=None, progress=True), ModeArray)
 assert_type(standfast.classify(1, 0.4, 0.5, -0.6, on_error="null"), Mode | None)
 assert_type(
     standfast.classify(1, 0.4, [0.5], -0.6, on_error="null"), np.ma.MaskedArray[tuple[Any, ...], np.dtype[np.uint8]]
@@ -46,7 +47,7 @@ assert_type(standfast.onset(1, 0.4, 0.5, 0.6).others, Modes)
 assert_type(standfast.onset(1, 0.4, 0.5, 0.6).theta_ddot, float)
 assert_type(standfast.onset(1, 0.4, 0.5, 0.6, on_error="null"), Onset | None)
 assert_type(standfast.onset(1, 0.4, [0.5], 0.6), OnsetArrays)
-assert_type(standfast.onset(1, 0.4, [0.5], 0.6).mode, NDArray[np.uint8])
+assert_type(standfast.onset(1, 0.4, [0.5], 0.6).mode, ModeArray)
 assert_type(standfast.onset(1, 0.4, [0.5], 0.6, columns=["unique", "xi"]).xi, NDArray[np.float64])
 unique, xi = standfast.onset(1, 0.4, [0.5], 0.6, columns=["unique", "xi"])
 assert_type(xi, NDArray[Any])
@@ -81,7 +82,7 @@ assert_type(standfast.assess_table({"body": {}}, {"friction": [0.5]}), dict[str,
 assert_type(standfast.varied("case.toml", ["friction"]).keys, dict[str, str])
 assert_type(Diagram(1, 0.4).regions[0].mode, Mode)
 assert_type(Diagram(1, 0.4).mode_at(0.5, 0.6), Mode)
-assert_type(Diagram(1, 0.4).mode_at([0.5], 0.6), NDArray[np.uint8])
+assert_type(Diagram(1, 0.4).mode_at([0.5], 0.6), ModeArray)
 assert_type(Diagram(1, 0.4).mode_at(pl.Series([0.5]), 0.6), pl.Series)
 Diagram(1, 0.4).svg({"storm": 0.5})  # type: ignore[dict-item]
 Diagram(1, 0.4).svg(pl.DataFrame({"k": [0.5], "mu": [0.6]}))
@@ -111,6 +112,8 @@ assert_type(standfast.probability("case.toml").life, standfast.chances.Life | No
 assert_type(standfast.probability("case.toml").figures, list[Figure])
 assert_type(standfast.draws("case.toml", 10, seed=3).mode, standfast.ArrowArray)
 standfast.probability("case.toml", method="simpson")  # type: ignore[arg-type]
-assert_type(standfast.spectrum("case.toml", "newmark", ratio=(0.1, 0.9)).points, ArrowTable)
+assert_type(standfast.spectrum("case.toml", "newmark", ratio="0.1..0.9").points, ArrowTable)
 assert_type(standfast.simulate("case.toml").figures, list[Figure])
 standfast.spectrum("case.toml", "rock")  # type: ignore[arg-type]
+assert_type(standfast.probability("case.toml").modes[Mode.SLIDE_LEFT].probability, float)
+assert_type(standfast.assess_table("case.toml", {"friction": np.ones(3)}), dict[str, NDArray[Any]])

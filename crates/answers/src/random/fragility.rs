@@ -24,7 +24,7 @@ use super::resolve::find;
 use super::subject::{ChanceSubject, problems_of};
 use crate::couple::vary;
 use crate::key::Key;
-use standfast_model::CaseFile;
+use standfast_model::{CaseFile, GivenBase};
 
 /// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -112,6 +112,21 @@ impl Probability {
         request: ChanceRequest,
         over: Option<&ValueRange>,
     ) -> Result<Probability, ProbabilityError> {
+        Probability::under(file, request, over, &[])
+    }
+
+    /// As [`along`](Probability::along), with records that are given in place of those of the file.
+    ///
+    /// # Errors
+    /// As [`along`](Probability::along).
+    pub fn under(
+        file: &CaseFile,
+        request: ChanceRequest,
+        over: Option<&ValueRange>,
+        records: &[GivenBase],
+    ) -> Result<Probability, ProbabilityError> {
+        let shaken = records.first().map(|record| file.on_base(record));
+        let file = shaken.as_ref().unwrap_or(file);
         let mut asked = ChanceSubject::of(file, request.years)?;
         let mut of_peak = None;
         if let ChanceSubject::Case { note: Some(_), moving, .. } = &mut asked {
@@ -121,7 +136,8 @@ impl Probability {
         let along = over.filter(|_| of_peak.is_none());
         let fragility = along.map(|over| over.fragility(&asked, &request)).transpose()?;
         let answer = Probability { fragility, ..Probability::of_asked(file.name(), &asked, request)? };
-        let overturning = of_peak.map(|over| Overturning::of(file, &request, over)).transpose()?;
+        let overturning =
+            of_peak.map(|over| Overturning::under(file, &request, over, records)).transpose()?;
         let title = file.inputs().text(Key::Title).map(str::to_owned);
         Ok(Probability { title, overturning, ..answer })
     }

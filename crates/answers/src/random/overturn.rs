@@ -30,8 +30,8 @@ use super::subject::problems_of;
 use crate::case::Acting;
 use crate::key::Table;
 use crate::units::{Dimension, in_gravity};
-use standfast_model::CaseFile;
 use standfast_model::load_words;
+use standfast_model::{CaseFile, GivenBase};
 
 /// A motion takes a millisecond or two: it counts as so many points of an effort.
 const POINTS: u64 = 1 << 10;
@@ -78,6 +78,19 @@ impl Overturning {
         request: &ChanceRequest,
         over: &ValueRange,
     ) -> Result<Overturning, ProbabilityError> {
+        Overturning::under(file, request, over, &[])
+    }
+
+    /// As [`of`](Overturning::of), under records that are given in place of those of the file, whose base moves as in one of them.
+    ///
+    /// # Errors
+    /// As [`of`](Overturning::of).
+    pub fn under(
+        file: &CaseFile,
+        request: &ChanceRequest,
+        over: &ValueRange,
+        given: &[GivenBase],
+    ) -> Result<Overturning, ProbabilityError> {
         let wrong = |what: &str| over.wrong(what);
         let random = file.random().ok_or(ProbabilityError::NoRandom)?;
         if random.named.iter().any(|named| named.name.starts_with(Table::Earthquake.name())) {
@@ -91,23 +104,11 @@ impl Overturning {
         let Some(own) = &motion.base.horizontal else {
             return Err(wrong("the base does not move to the sides; [motion.base] has no `horizontal`"));
         };
-        if !random.records.is_empty() && motion.base.vertical.is_some() {
-            return Err(wrong("[random] has `records` and the base moves up and down, by another record"));
-        }
-        let mut bases = Vec::new();
-        for record in &random.records {
-            let text = file
-                .beside(record)
-                .ok_or_else(|| over.wrong(format!("cannot read {record}: it is not read yet")))?;
-            let record = text.record(None, None).map_err(|error| over.wrong(error.to_string()))?;
-            let history = record.history(1.0).map_err(|error| over.wrong(error.to_string()))?;
-            bases.push(BaseMotion { horizontal: Some(history), vertical: None });
-        }
-        let records =
-            if bases.is_empty() { vec!["that of the case".to_owned()] } else { random.records.clone() };
-        if bases.is_empty() {
-            bases.push(BaseMotion { horizontal: Some(own.clone()), vertical: motion.base.vertical.clone() });
-        }
+        let own = BaseMotion { horizontal: Some(own.clone()), vertical: motion.base.vertical.clone() };
+        let (records, bases) = match given {
+            [] => of_file(file, own, over)?,
+            given => of_given(file, given)?,
+        };
         let gravity = motion.gravity;
         let peaks = over.values(|text| peak(text, gravity))?;
         if let Some(still) = bases.iter().position(|base| peak_of(base) == 0.0) {
@@ -139,6 +140,44 @@ impl Overturning {
         let not_a_body = drawn.iter().filter(|body| body.is_none()).count() as u64;
         Ok(Overturning { records, bodies, not_a_body, points, fit: Fit::of(&told), gravity })
     }
+}
+
+/// The records of a file, with their names; its own base where it has none.
+fn of_file(
+    file: &CaseFile,
+    own: BaseMotion,
+    over: &ValueRange,
+) -> Result<(Vec<String>, Vec<BaseMotion>), ProbabilityError> {
+    let records = file.random().map_or(&[][..], |random| &random.records);
+    if records.is_empty() {
+        return Ok((vec!["that of the case".to_owned()], vec![own]));
+    }
+    if own.vertical.is_some() {
+        return Err(over.wrong("[random] has `records` and the base moves up and down, by another record"));
+    }
+    let base = |record: &String| {
+        let text = file
+            .beside(record)
+            .ok_or_else(|| over.wrong(format!("cannot read {record}: it is not read yet")))?;
+        let record = text.record(None, None).map_err(|error| over.wrong(error.to_string()))?;
+        let history = record.history(1.0).map_err(|error| over.wrong(error.to_string()))?;
+        Ok(BaseMotion { horizontal: Some(history), vertical: None })
+    };
+    Ok((records.to_vec(), records.iter().map(base).collect::<Result<_, ProbabilityError>>()?))
+}
+
+/// Records that are given, called by their places.
+fn of_given(
+    file: &CaseFile,
+    given: &[GivenBase],
+) -> Result<(Vec<String>, Vec<BaseMotion>), ProbabilityError> {
+    let base = |given: &GivenBase| {
+        let motion = file.on_base(given).motions()?.swap_remove(0).problem;
+        let vertical = motion.base.vertical.filter(|_| given.vertical.is_some());
+        Ok(BaseMotion { horizontal: motion.base.horizontal.filter(|_| given.horizontal.is_some()), vertical })
+    };
+    let names = (1..=given.len()).map(|place| format!("record {place}")).collect();
+    Ok((names, given.iter().map(base).collect::<Result<_, ProbabilityError>>()?))
 }
 
 /// That beside the shaking nothing varies.

@@ -17,8 +17,7 @@
 //! Of a force that points right, [`mirrored`](LimitStates::mirrored), the same holds with left and right, O and O' exchanged.
 
 use super::Point;
-use super::polynomials::{Need, Polynomials};
-use crate::approx::Approx;
+use super::polynomials::{Corner, Of};
 
 /// The limit states of a [`Point`]: negative where what they are named for happens.
 ///
@@ -79,6 +78,11 @@ pub enum LimitState {
     SfOverturning,
 }
 
+const TIP: Of = (|p| p.tip, |p| p.tip);
+const TURN: Of = (|p| p.turn, |p| p.turn);
+const SLIP_LEFT: Of = (|p| p.slip_left, |p| p.slip_left);
+const SLIP_RIGHT: Of = (|p| p.slip_right, |p| p.slip_right);
+
 impl LimitState {
     /// All, in the order of the fields.
     pub const ALL: [LimitState; 12] = [
@@ -135,24 +139,26 @@ impl LimitState {
     /// Its value at a point, without those of the others.
     #[inline]
     pub fn at(self, point: &Point) -> f64 {
-        // About O, and about O', with the sign of one polynomial alone.
-        let about = |g: f64, of: fn(&Polynomials<Approx>) -> Approx| {
-            point.polynomials_about(g, Need::Sign, |p| [of(p)])
-        };
-        let (o, o_prime) = (point.gamma, -point.gamma);
+        self.told(point, |g| Corner::of(g, point.numbers()))
+    }
+
+    /// Its value at a point, by what tells the polynomials about O (g = γ) and O' (g = −γ).
+    #[inline(always)]
+    fn told(self, point: &Point, corner: impl Fn(f64) -> Corner) -> f64 {
+        let gamma = point.gamma;
         // What the polynomials of slip are multiplied out by: μf_y ∓ f_x of the rock is theirs over 4(1+γ²).
-        let inertia = 4.0 * (1.0 + point.gamma * point.gamma);
+        let inertia = 4.0 * (1.0 + gamma * gamma);
+        // `0.0 − x` rather than `−x`, so that nothing becomes −0.
         match self {
             LimitState::Slide => point.mu - point.k,
-            // `0.0 − x` rather than `−x`, so that nothing becomes −0.
-            LimitState::RockO => 0.0 - about(o, |p| p.tip).tip,
-            LimitState::RockOPrime => 0.0 - about(o_prime, |p| p.tip).tip,
-            LimitState::TurnO => 0.0 - about(o, |p| p.turn).turn,
-            LimitState::TurnOPrime => 0.0 - about(o_prime, |p| p.turn).turn,
-            LimitState::SlipOLeft => about(o, |p| p.slip_left).slip_left / inertia,
-            LimitState::SlipORight => about(o, |p| p.slip_right).slip_right / inertia,
-            LimitState::SlipOPrimeLeft => about(o_prime, |p| p.slip_left).slip_left / inertia,
-            LimitState::SlipOPrimeRight => about(o_prime, |p| p.slip_right).slip_right / inertia,
+            LimitState::RockO => 0.0 - corner(gamma).value(TIP),
+            LimitState::RockOPrime => 0.0 - corner(-gamma).value(TIP),
+            LimitState::TurnO => 0.0 - corner(gamma).value(TURN),
+            LimitState::TurnOPrime => 0.0 - corner(-gamma).value(TURN),
+            LimitState::SlipOLeft => corner(gamma).value(SLIP_LEFT) / inertia,
+            LimitState::SlipORight => corner(gamma).value(SLIP_RIGHT) / inertia,
+            LimitState::SlipOPrimeLeft => corner(-gamma).value(SLIP_LEFT) / inertia,
+            LimitState::SlipOPrimeRight => corner(-gamma).value(SLIP_RIGHT) / inertia,
             LimitState::LoadFactor => point.safety_against_sliding().min(point.safety_against_overturning()),
             LimitState::SfSliding => point.safety_against_sliding(),
             LimitState::SfOverturning => point.safety_against_overturning(),
@@ -177,7 +183,8 @@ impl LimitState {
 
 impl LimitStates {
     pub(super) fn of(point: &Point) -> LimitStates {
-        let at = |state: LimitState| state.at(point);
+        let [o, o_prime] = [point.gamma, -point.gamma].map(|g| Corner::of(g, point.numbers()));
+        let at = |state: LimitState| state.told(point, |g| if g > 0.0 { o } else { o_prime });
         LimitStates {
             slide: at(LimitState::Slide),
             rock_o: at(LimitState::RockO),

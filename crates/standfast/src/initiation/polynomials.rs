@@ -31,7 +31,7 @@ pub(super) fn signed_slenderness(gamma: f64, k_prime: f64) -> f64 {
 }
 
 /// The polynomials of the module's table.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Polynomials<T> {
     pub(super) tip: T,
     pub(super) turn: T,
@@ -116,6 +116,35 @@ impl Polynomials<f64> {
     #[cold]
     fn exact(g: f64, point: [f64; 4]) -> Polynomials<f64> {
         Polynomials::<Exact>::about(g, point).map(|value| value.to_f64())
+    }
+}
+
+/// The polynomials for a corner with rounding tracked, each of which is asked for by itself.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    g: f64,
+    point: [f64; 4],
+    tracked: Polynomials<Approx>,
+}
+
+/// One of the polynomials, by its values in tracked and in exact arithmetic.
+pub(super) type Of = (fn(&Polynomials<Approx>) -> Approx, fn(&Polynomials<f64>) -> f64);
+
+impl Corner {
+    /// Those for the corner of g at a valid point.
+    #[inline(always)]
+    pub(super) fn of(g: f64, point: [f64; 4]) -> Corner {
+        Corner { g, point, tracked: Polynomials::about(g, point) }
+    }
+
+    /// The value of one, whose sign is right: exact, rounded once, where floating point cannot tell the sign.
+    #[inline(always)]
+    pub(super) fn value(&self, (tracked, exact): Of) -> f64 {
+        let value = tracked(&self.tracked);
+        match value.sign() {
+            Some(_) => value.value(),
+            None => exact(&Polynomials::exact(self.g, self.point)),
+        }
     }
 }
 
