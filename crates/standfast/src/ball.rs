@@ -37,7 +37,7 @@ pub trait Scalar: Real + Div<Output = Self> + Debug + PartialEq {
     /// A number that was computed in f64, to [some thirteen digits](COMPUTED).
     fn computed(x: f64) -> Self;
 
-    /// Sum of two terms; in f64 zero where they cancel but for their rounding, [a few digits in the last place](ROUNDED).
+    /// Sum of two terms; in f64 zero where they cancel but for their rounding, 2⁻⁴⁹ of the first.
     fn plus(self, other: Self) -> Self;
 }
 
