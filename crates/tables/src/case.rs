@@ -485,7 +485,7 @@ pub fn column_warnings(file: &CaseFile, found: &[String], places: &[usize]) -> V
                     let (column, key) = (column.clone(), all[place].clone());
                     return Some(TableWarning::ColumnLikeKey { column, key, unit: None });
                 }
-                if let Some(key) = Factor::absent(bare, inputs) {
+                if let Some(key) = Factor::absent(key_meant(bare).unwrap_or(bare), inputs) {
                     return Some(TableWarning::ColumnLikeAbsentKey { column: column.clone(), key });
                 }
             }
