@@ -302,7 +302,14 @@ def test_names() -> None:
     found = assess_table(BLOCK, frame, map={"friction": "mu", "load[1].force": "F"}, columns=["SF_sliding"])
     assert found["SF_sliding"][0] == assess_table(BLOCK, {"friction": 0.5})["SF_sliding"]
     for call, words in [
-        (lambda: assess_table(BLOCK, frame), 'has no column that varies the case; its columns are mu, F.*say map={"KEY": "COLUMN"}'),
+        (
+            lambda: assess_table(BLOCK, frame),
+            'has no column that varies the case; its columns are mu, F; did you mean `body.friction`[?] then say map={"body.friction": "mu"}',
+        ),
+        (
+            lambda: assess_table(BLOCK, frame.rename(columns={"mu": "q"})),
+            'has no column that varies the case; its columns are q, F.*say map={"KEY": "COLUMN"}',
+        ),
         (lambda: assess_table(BLOCK, {"friction": 1}, columns=["SF_slidin"]), "columns SF_slidin: there is no such result here; did you mean"),
         (lambda: assess_table(BLOCK, {"friction": 1}, columns=["met"]), "columns met: there is no such result here"),
         (lambda: assess_table(BLOCK, {"friction": 1}, columns=["mode", "mode"]), "columns names mode twice"),

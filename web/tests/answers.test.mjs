@@ -293,7 +293,7 @@ for (const [name, loads, words] of [
     else if (loads.mu === 0) assert.equal(beside, "Any force at this elevation moves the body, however small, into SL.");
     // The program says the same.
     const { departure, departureBy, loadFactor, departsInto } = assess(loads);
-    const start = { at: "The body first", never: "The body stays", "permanent-loads": "The permanent", "any-share": "Any share" };
+    const start = { at: "As the load rises, the body leaves rest", never: "The body stays", "permanent-loads": "The permanent", "any-share": "Any share" };
     assert.ok(said.startsWith(start[departureBy ?? departure]), `${said}: ${departure}`);
     if (departure === "at") near(Number(said.match(/λ = ([\d.]+)/)[1]), loadFactor, "λ", 1e-3);
     if (departsInto) assert.ok(said.includes(`into ${departsInto}`));
