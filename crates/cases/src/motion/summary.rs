@@ -34,7 +34,7 @@ pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
     let names = worst.warnings.iter().map(|warning| warning.name);
     Summary {
         criteria: criteria(&words),
-        met: (!checks.is_empty()).then(|| checks.iter().all(|check| check.met)),
+        met: worst.met(),
         governing: checks
             .first()
             .map(|check| GoverningCriterion::of(CheckEntry::of_motion(check), situation.clone())),
