@@ -71,7 +71,7 @@ def random_case(seed: int) -> str:
         for _ in range(n.choice([1, 2, 3])):
             lines += ["[[combination]]", f"factors = {{ {', '.join(n.sample(factors, n.randint(0, len(factors))))} }}"]
     if n.random() < 0.4:
-        criteria = ["SF_sliding = 1.2", "SF_overturning = 1.5", 'bearing_max = "400 kPa"', "contact_share = 0.667", "load_factor = 1.1"]
+        criteria = ["SF_sliding = 1.2", "SF_overturning_net = 1.5", 'bearing_max = "400 kPa"', "contact_share = 0.667", "load_factor = 1.1"]
         criteria += [f"eccentricity = {width / 6}", 'modes_not = ["RO", "SRO-"]']
         lines += ["[criteria]", *n.sample(criteria, n.randint(1, len(criteria)))]
     text = on_ground("\n".join(lines) + "\n", width, height, random.Random(-10_000 - seed))
@@ -169,7 +169,7 @@ def compare_situation(said: dict[str, Any], text: str, per: str) -> None:
     if said["mode"] == "RE":
         # Never said to rest without the least of its factors; an object that is shaken begins to rock where others overturn.
         ground = (said["ground"] or {}).get("factor")
-        all_of = {"sliding": said["SF_sliding"], "overturning": said["SF_overturning"], "failure of the ground": ground}
+        all_of = {"sliding": said["SF_sliding"], "overturning": said["SF_overturning_net"], "failure of the ground": ground}
         numbers = {against: math.inf if found in ("infinite", None) else found for against, found in all_of.items()}
         against = min(numbers, key=lambda name: numbers[name])
         least = numbers[against]
@@ -199,9 +199,9 @@ def compare_situation(said: dict[str, Any], text: str, per: str) -> None:
         assert toe[1] == factor(about[1])
     gross = re.search(r"by gross moments, about the (?:heel|toe) +(\S+)$", text, re.MULTILINE)
     if gross:
-        assert gross[1] == factor(said["SF_overturning_gross"]) != factor(said["SF_overturning"])
+        assert gross[1] == factor(said["SF_overturning_gross"]) != factor(said["SF_overturning_net"])
     if about[0] is not None:
-        assert said["SF_overturning"] == min(about, key=lambda found: math.inf if found == "infinite" else found)
+        assert said["SF_overturning_net"] == min(about, key=lambda found: math.inf if found == "infinite" else found)
     if said["bearing"] == "pressed":
         for begin, edge, other in [("bearing", "heel", "toe"), ("             at the toe", "toe", "heel")]:
             pressure, opposite = said[f"{edge}_pressure"], said[f"{other}_pressure"]
@@ -220,7 +220,7 @@ def compare_situation(said: dict[str, Any], text: str, per: str) -> None:
             share = digits(100 * other["load_factor"]) + " %" if other["departure"] == "at" else other["departure"].replace("-", " ")
             gravity = 9.81
             expected = [digits(other["horizontal"] / gravity), digits(other["vertical"] / gravity), other["mode"] or "none"]
-            expected += [factor(other["SF_sliding"]), factor(other["SF_overturning"]), share]
+            expected += [factor(other["SF_sliding"]), factor(other["SF_overturning_net"]), share]
             assert re.split(r"\s{2,}", line.strip())[: len(expected)] == expected, line
     assert row(text, "P")[0] == f"{digits(said['P'] / 1e3)} kN{per}"
     assert row(text, "P")[1] == f"M_p = {digits(said['M_p'] / 1e3)} kN m{per} about the base"

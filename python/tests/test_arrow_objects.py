@@ -98,7 +98,7 @@ def test_comparisons(modes: ArrowArray, names: ArrowArray) -> None:
     assert (names != "SL").tolist() == [True, False, False, True, False]
     assert (modes == modes).tolist() == [True, True, True, False, True] and (names != names).tolist() == [False] * 3 + [True, False]
     assert modes[modes == "SL"].to_pylist() == [1, 1, 1]
-    with pytest.raises(ValueError, match="'slide' is no mode; expected RE, SL, RO"):
+    with pytest.raises(ValueError, match="'slide' is not a mode; expected RE, SL, RO"):
         modes == "slide"  # noqa: B015
     with pytest.raises(ValueError, match="broadcast|shape"):
         modes == [1, 2, 3]  # noqa: B015

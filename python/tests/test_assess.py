@@ -76,7 +76,7 @@ def test_what_is_unlimited_and_what_is_not_there() -> None:
     raw = json.loads(goda.to_json())
     assert raw["situations"][0]["SF_overturning_toe"] == "infinite"
     lifted = standfast.assess(ODD / "floating.toml")
-    assert lifted.lifted and lifted.SF_sliding is lifted.SF_overturning is lifted.heel_pressure is None
+    assert lifted.lifted and lifted.SF_sliding is lifted.SF_overturning_net is lifted.heel_pressure is None
     assert (lifted.mode, lifted.departure, lifted.load_factor) == (Mode.FLIGHT, "at-once", None)
 
     # What a user calls infinite is a word.

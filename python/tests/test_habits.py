@@ -44,7 +44,7 @@ def test_codes_compare_with_words_of_every_kind() -> None:
         assert (other == codes).tolist() == [True] * 3 and (other != codes).tolist() == [False] * 3, other.dtype
     assert (codes == words.where(words != "SL")).isna().tolist() == [False, True, False]
     assert (codes == [0, 1, 2]).tolist() == [True, True, False]
-    with pytest.raises(ValueError, match="'XX' is no mode"):
+    with pytest.raises(ValueError, match="'XX' is not a mode"):
         _ = codes == ["RE", "XX", "SL"]
     # Numbers are numbers as before.
     assert (pd.Series([1.5, 2, None], index=POINTS.index, dtype="Float64") + codes).tolist()[:2] == [1.5, 3.0]
@@ -55,7 +55,7 @@ def test_codes_are_mapped_by_symbols() -> None:
     for said in ({"RE": "rest", "SL": "slides"}, {0: "rest", 1: "slides"}, {Mode.REST: "rest", Mode.SLIDE_LEFT: "slides"}):
         for mapper in (said, pd.Series(list(said.values()), index=list(said))):
             assert codes.map(mapper).tolist()[:2] == ["rest", "slides"] and pd.isna(codes.map(mapper).iloc[2])
-    with pytest.raises(ValueError, match="'SLIDES' is no mode"):
+    with pytest.raises(ValueError, match="'SLIDES' is not a mode"):
         codes.map({"SLIDES": 1})
 
 

@@ -349,7 +349,7 @@ def test_missing_operands() -> None:
         (b"1", "mu is b'1', a bytes"),
         (pd.NA, "mu is <NA>, a NAType"),
         (object(), "a object; expected real numbers"),
-        ([10**400], "mu holds what is no number within float64"),
+        ([10**400], "mu holds what is not a number within float64"),
         (10**400, "expected a number within float64"),
         (np.nan, "friction μ is NaN; expected"),
         ([0.5, np.nan], "friction μ is NaN at index 1"),

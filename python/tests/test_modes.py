@@ -63,13 +63,13 @@ def test_codes_compare_with_a_mode_a_code_and_a_word():
 
 @pytest.mark.parametrize("wrong", ["slide", ["RE", "slide", "SL"], "0"])
 def test_a_word_that_names_no_mode_is_an_error(wrong):
-    with pytest.raises(ValueError, match="is no mode; expected RE, SL, RO, SRO-, "):
+    with pytest.raises(ValueError, match="is not a mode; expected RE, SL, RO, SRO-, "):
         _ = wrong == CODES
-    with pytest.raises(ValueError, match="is no mode"):
+    with pytest.raises(ValueError, match="is not a mode"):
         np.isin(CODES, wrong)
     if isinstance(wrong, str):
         for said in (lambda: wrong in CODES, lambda: Mode.REST == wrong, lambda: Mode.REST in (wrong,), lambda: Mode.REST != wrong):
-            with pytest.raises(ValueError, match="is no mode"):
+            with pytest.raises(ValueError, match="is not a mode"):
                 said()
 
 
@@ -126,6 +126,6 @@ def test_tables_carry_words_as_categories():
         word = column[0]
         found = (column == word).tolist()
         assert any(found) and found == (column == Mode(word)).tolist() == (column.to_pandas() == Mode(word)).tolist()
-        with pytest.raises(ValueError, match="'rest' is no mode"):
+        with pytest.raises(ValueError, match="'rest' is not a mode"):
             _ = column == "rest"
         assert ModeArray(column).names.tolist() == column.to_pylist()

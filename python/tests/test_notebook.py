@@ -151,7 +151,7 @@ def test_modes_compare_with_their_symbols() -> None:
         assert (modes == "RE").tolist() == (modes == Mode.REST).tolist() == (modes == 0).tolist() == [True, False, False]
         assert (modes != "RE").tolist() == (~modes.isin(["RE"])).tolist() == [False, True, True] and modes.isin([Mode.ROCK_O, "SL"]).tolist() == [False, True, True]
         assert modes.dtype == "UInt8" and modes.dtype == pd.UInt8Dtype() and modes.tolist() == [0, 1, 1]
-        with pytest.raises(ValueError, match="'Rest' is no mode; expected RE, SL, "):
+        with pytest.raises(ValueError, match="'Rest' is not a mode; expected RE, SL, "):
             modes == "Rest"  # noqa: B015
     assert storms.groupby("mode").k.count().index.tolist() == sorted(set(storms["mode"]))
     assert (standfast.onset(storms[list(POINTS)])["mode"] == "SL").tolist() == (storms["mode"] == "SL").tolist()

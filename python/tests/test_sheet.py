@@ -91,7 +91,7 @@ def test_the_case_file_is_not_written_over(tmp_path: Path) -> None:
 def test_pdf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("STANDFAST_BROWSER", "/no/such/browser")
     path = tmp_path / "sheet.pdf"
-    with pytest.raises(RuntimeError, match="STANDFAST_BROWSER is /no/such/browser, which is no program"):
+    with pytest.raises(RuntimeError, match="STANDFAST_BROWSER is /no/such/browser, which is not a program"):
         standfast.sheet(BLOCK, path)
     assert not path.exists()
     monkeypatch.delenv("STANDFAST_BROWSER")

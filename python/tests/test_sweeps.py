@@ -69,7 +69,7 @@ def test_named_dimensions_come_back_as_a_dataset() -> None:
     assert holes.SF_sliding.isnull().values.tolist() == [True, False, False] and holes["mode"].values[0] == ""
     for given, words in [
         ({"friction": friction, "width": xr.DataArray([1.0, 2.0], dims="mu", coords={"mu": [0.3, 0.4]})}, "coordinates of friction, width differ"),
-        ({"friction": friction, "foo": friction}, "'foo' is no number of the case"),
+        ({"friction": friction, "foo": friction}, "'foo' is not a number of the case"),
         ({"width": friction.assign_attrs(units="kN")}, "`width` in `kN`: the unit does not fit"),
     ]:
         with pytest.raises(ValueError, match=words):

@@ -316,7 +316,7 @@ def test_names() -> None:
         (lambda: assess_table(BLOCK, {"friction": 1}, columns=[]), "columns is empty"),
         (lambda: assess_table(BLOCK, {"load[1].elevatio": 1, "friction": 1}), r"column load\[1\].elevatio: the case has no number"),
         (lambda: assess_table(BLOCK, {"mass": 1, "body.mass": 2}), "the columns mass and body.mass both vary body.mass"),
-        (lambda: assess_table(BLOCK, {"friction": 1, "foo": 2}), "'foo' is no number of the case"),
+        (lambda: assess_table(BLOCK, {"friction": 1, "foo": 2}), "'foo' is not a number of the case"),
         (lambda: assess_table(BLOCK, {"friction": 1}, on_error="stop"), "on_error is 'stop'; expected 'raise' or 'null'"),
         (lambda: assess_table({}, {"friction": 1}), "the case"),
     ]:

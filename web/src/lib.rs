@@ -257,7 +257,7 @@ impl Explorer {
     }
 }
 
-/// A place pulled into a plot; `None` if it is no place.
+/// A place pulled into a plot; `None` if it is not a place.
 fn inside(picture: &figures::Picture, x: f64, y: f64) -> Option<(f64, f64)> {
     let plot = picture.plot;
     (x.is_finite() && y.is_finite()).then(|| (x.clamp(plot.x0, plot.x1), y.clamp(plot.y0, plot.y1)))

@@ -81,7 +81,7 @@ test("30 cases typed key by key are the cases of program and sheet", async () =>
 
     await enter(page, given, i);
     assert.equal(await mode(page), said.mode, what("mode"));
-    const [sliding, overturning] = [said.SF_sliding, said.SF_overturning].map(number);
+    const [sliding, overturning] = [said.SF_sliding, said.SF_overturning_net].map(number);
     const sentence = await page.textContent("#sentence");
     assert.ok(says(sentence, said.mode_words, { mode: said.mode, sliding, overturning }), what(`words: ${sentence}`));
     const { numbers: shown } = await reading(page);
@@ -95,7 +95,7 @@ test("30 cases typed key by key are the cases of program and sheet", async () =>
       near(shown.motion[n] * scale, said.motion[key], what(key));
     }
     assert.equal(shown.factors === null, said.SF_sliding === null, what("factors"));
-    for (const [n, key] of ["SF_sliding", "SF_overturning"].entries()) {
+    for (const [n, key] of ["SF_sliding", "SF_overturning_net"].entries()) {
       if (said[key] !== null) near(shown.factors[n] ?? Infinity, number(said[key]), what(key));
     }
 
@@ -108,7 +108,7 @@ test("30 cases typed key by key are the cases of program and sheet", async () =>
       all.map((data) => [data.dataset.quantity, data.getAttribute("value"), data.textContent]),
     );
     const found = (key) => printed.filter(([quantity]) => quantity === key).map(([, value]) => (value === "inf" ? Infinity : Number(value)));
-    for (const key of ["SF_sliding", "SF_overturning", "SF_overturning_heel", "SF_overturning_toe", "k_eff", "k_prime_eff"]) {
+    for (const key of ["SF_sliding", "SF_overturning_net", "SF_overturning_heel", "SF_overturning_toe", "k_eff", "k_prime_eff"]) {
       const values = found(key);
       assert.equal(values.length > 0, said[key] !== null, what(`${key} of the sheet`));
       for (const value of values) near(value, number(said[key]), what(`${key} of the sheet`));

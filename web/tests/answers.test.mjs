@@ -151,7 +151,7 @@ function assess({ g, kp, k, mu, sea, lee, up }) {
     lifted: said.lifted,
     motion: said.motion,
     sliding: number(said.SF_sliding),
-    overturning: number(said.SF_overturning),
+    overturning: number(said.SF_overturning_net),
     departure: said.departure,
     departureBy: said.departure_by,
     loadFactor: said.load_factor,

@@ -57,7 +57,7 @@ impl Check {
     pub fn of(criterion: Criterion, assessed: &Assessed) -> Check {
         let result = RESULTS.iter().find(|(key, _)| *key == criterion.key).map(|(_, result)| *result);
         let value = match result {
-            // Where a body that never leaves rest, or does not rest at all, would be is no number of the list.
+            // Where a body that never leaves rest, or does not rest at all, would be is not a number of the list.
             Some(ResultName::LoadFactor) => ResultValue::Number(assessed.departure().load_factor()),
             Some(result) => result.of(assessed),
             None if criterion.is_chance() => {

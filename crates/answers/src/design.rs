@@ -227,7 +227,7 @@ pub fn sliding(assessed: &Assessed) -> f64 {
     assessed.outcome.stability.sliding
 }
 
-/// SF_overturning of a situation, about either corner.
+/// SF_overturning_net of a situation, about either corner.
 pub fn overturning(assessed: &Assessed) -> f64 {
     assessed.outcome.stability.overturning()
 }

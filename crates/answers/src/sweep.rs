@@ -90,7 +90,7 @@ const LARGEST_BIAS: f64 = 1e50;
 /// The names of criteria, which are those of the keys that ask for them.
 const CRITERIA: [&str; 15] = [
     "SF_sliding",
-    "SF_overturning",
+    "SF_overturning_net",
     "SF_overturning_gross",
     "bearing_max",
     "contact_share",

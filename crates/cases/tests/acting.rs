@@ -286,7 +286,7 @@ fn criteria_use_their_share() {
     for (line, used) in [
         ("SF_sliding = 1.2\n", 1.2 / sliding),
         ("SF_sliding = 1.5\n", 1.5 / sliding),
-        ("SF_overturning = 1.2\n", 1.2 / (weight * 7.5 / 6e6)),
+        ("SF_overturning_net = 1.2\n", 1.2 / (weight * 7.5 / 6e6)),
         ("bearing_max = \"300 kPa\"\n", pressed / 300e3),
         ("contact_share = 0.667\n", 0.667 / (3.0 * arm / base)),
         ("eccentricity = 2.5\n", (7.5 - arm) / 2.5),
@@ -300,9 +300,10 @@ fn criteria_use_their_share() {
     assert_eq!(checks("modes_not = [\"RO\", \"SL\"]\n"), [("modes_not", None, true)]);
     assert_eq!(checks("modes_not = [\"RE\"]\n"), [("modes_not", None, false)]);
     // The governing one first; modes that are not allowed before all.
-    let all = checks("SF_sliding = 1.2\nSF_overturning = 1.2\nbearing_max = 300e3\nmodes_not = [\"RE\"]\n");
+    let all =
+        checks("SF_sliding = 1.2\nSF_overturning_net = 1.2\nbearing_max = 300e3\nmodes_not = [\"RE\"]\n");
     let names: Vec<_> = all.iter().map(|(name, ..)| *name).collect();
-    assert_eq!(names, ["modes_not", "bearing_max", "SF_sliding", "SF_overturning"]);
+    assert_eq!(names, ["modes_not", "bearing_max", "SF_sliding", "SF_overturning_net"]);
 }
 
 /// A bound that is exactly reached is met, and the next number is not.
@@ -324,7 +325,7 @@ fn a_bound_that_is_reached_is_met() {
 /// Missing values meet no bound; a body that never leaves rest meets any load factor.
 #[test]
 fn criteria_of_bodies_that_do_not_rest() {
-    let criteria = "[criteria]\nSF_sliding = 0.1\nSF_overturning = 0.1\nbearing_max = 1e9\ncontact_share = 0.01\nload_factor = 0.1\n";
+    let criteria = "[criteria]\nSF_sliding = 0.1\nSF_overturning_net = 0.1\nbearing_max = 1e9\ncontact_share = 0.01\nload_factor = 0.1\n";
     let lifted = format!("{STATUE}[uplift]\nleft = 900e3\nright = 900e3\n{criteria}");
     let lifted = assess(&lifted);
     assert!(
@@ -453,7 +454,7 @@ fn eccentric_vertical_loads_have_no_factor_but_a_load_factor() {
             .text(&standfast_cases::AssessmentView::default())
             .contains("No horizontal force turns the body")
     );
-    let after = assess(&text(1.01 * turns, "eccentricity = 10\nSF_overturning = 0.1\n"));
+    let after = assess(&text(1.01 * turns, "eccentricity = 10\nSF_overturning_net = 0.1\n"));
     assert!(after.checks().iter().all(|check| !check.check.met), "the resultant misses the base");
 }
 
@@ -471,7 +472,7 @@ fn what_stays_where_it_is_is_said() {
         !notes(&format!("{STATUE}[[load]]\nforce = 1\nelevation = 1\n"), "width")
             .contains(standfast_cases::couple::STAYS)
     );
-    // What is asked of the results is no number of the case.
+    // What is asked of the results is not a number of the case.
     let criteria = format!("{QUAY}[criteria]\nSF_sliding = 1.2\n");
     let file = CaseFile::parse("case.toml", &criteria).unwrap();
     assert!(standfast_cases::couple::Variable::find("criteria.SF_sliding", file.inputs()).is_err());

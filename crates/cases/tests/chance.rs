@@ -243,6 +243,31 @@ fn a_template_answers_with_every_example() {
     assert!(count >= 8, "{count}");
 }
 
+/// How heavy a shaken body is says nothing of what shakes it, so that it has no law; records have their place where one direction is shaken.
+#[test]
+fn a_template_fits_what_is_shaken() {
+    let body = "[body]\nwidth = \"0.6 m\"\nheight = \"2 m\"\ndensity = \"2.6 t/m3\"\nfriction = 0.5\n";
+    let of = |more: &str| template(&file(&format!("{body}{more}"))).unwrap();
+    let laws = |template: &str| -> Vec<String> {
+        let lines = template.lines().filter(|line| !line.starts_with(['#', '[']));
+        lines.filter_map(|line| Some(line.split_once(" =")?.0.to_owned())).collect()
+    };
+    let pulse = "{ shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" }";
+    let shaken = of(&format!("[motion.base]\nhorizontal = {pulse}\n"));
+    let both = of(&format!("[motion.base]\nhorizontal = {pulse}\nvertical = {pulse}\n"));
+    let held = of("[earthquake]\nhorizontal = \"0.2 g\"\n");
+    let pushed = of("[[load]]\nforce = \"2 kN/m\"\nelevation = \"1 m\"\n");
+    for (template, records) in [(&shaken, true), (&both, false), (&held, false), (&pushed, false)] {
+        assert_eq!(template.contains("# records = ["), records, "{template}");
+        assert!(!template.contains("rubble"), "{template}");
+    }
+    assert_eq!(laws(&shaken), ["friction"]);
+    assert_eq!(laws(&held), ["friction"]);
+    assert_eq!(laws(&pushed), ["friction", "mass", "bias.force"]);
+    let placed = of("centroid_height = \"0.9 m\"\n[earthquake]\nhorizontal = \"0.2 g\"\n");
+    assert_eq!(laws(&placed), ["friction", "body.centroid_height"]);
+}
+
 /// The weights of the draws, summed by mode, are the printed probabilities of plain Monte Carlo.
 #[test]
 fn weighed_draws_add_up_to_the_answer() {
@@ -479,7 +504,7 @@ fn overturning_is_that_of_the_motions_one_by_one() {
     ] {
         let error = Probability::along(file, ChanceRequest::default(), over).unwrap_err().to_string();
         assert!(
-            error.starts_with(&format!("`{name}` is no number of the case that can be random")),
+            error.starts_with(&format!("`{name}` is not a number of the case that can be random")),
             "{error}"
         );
         assert!(error.contains("[motion.impact] and [motion.initial]"), "{error}");

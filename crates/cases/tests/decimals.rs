@@ -63,7 +63,7 @@ impl Block {
         };
         format!(
             "[body]\nwidth = {}\nheight = \"{} cm\"\ndensity = \"{} t/m3\"\nfriction = {}\n{water}[[load]]\nforce = \"{force} kN/m\"\n\
-             elevation = {elevation}\ndirection = \"{direction}\"\n[criteria]\nSF_sliding = 1\nSF_overturning = 1\n",
+             elevation = {elevation}\ndirection = \"{direction}\"\n[criteria]\nSF_sliding = 1\nSF_overturning_net = 1\n",
             decimal(self.width, 2),
             self.height,
             decimal(self.density, 3),
@@ -161,7 +161,7 @@ fn a_round_number_on_overturning_rests_with_a_factor_of_one() {
     let text = |force: &str| {
         format!(
             "[body]\nwidth = \"3 m\"\nheight = \"5 m\"\ndensity = \"2.4 t/m3\"\nfriction = 50\n[[load]]\nforce = \"{force} kN/m\"\n\
-             elevation = \"2 m\"\n[criteria]\nSF_overturning = 1\n"
+             elevation = \"2 m\"\n[criteria]\nSF_overturning_net = 1\n"
         )
     };
     holds(&text("264.870"), None, Mode::RockO, |answer| answer.all[0].outcome.stability.overturning());
@@ -178,7 +178,7 @@ fn criteria_are_met_by_decimals() {
     let text = |force: &str, elevation: &str, friction: &str| {
         format!(
             "[body]\nwidth = 8\nheight = 8\nmass = 150e3\nbuoyant_weight = \"286 kN/m\"\nfriction = {friction}\n[[load]]\n\
-             force = \"{force} kN/m\"\nelevation = {elevation}\n[criteria]\nSF_sliding = 1.1\nSF_overturning = 1.1\nload_factor = 1.1\n"
+             force = \"{force} kN/m\"\nelevation = {elevation}\n[criteria]\nSF_sliding = 1.1\nSF_overturning_net = 1.1\nload_factor = 1.1\n"
         )
     };
     // 0.5 · 286/130 = 1.1, and 286 · 4/(130 · 8) = 1.1.

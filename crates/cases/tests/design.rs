@@ -54,7 +54,7 @@ fn refusal(text: &str, request: DesignRequest) -> String {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
 /// A case with a quantity changed, assessed; nothing where it makes no sense.
@@ -90,7 +90,7 @@ fn a_dry_block_has_its_closed_form() {
     let turns = (1.3 * 2.0 * 300e3 * 4.0 / weight_per_metre).sqrt();
     for (target, expected) in [
         ("SF_sliding=1.3", slides),
-        ("SF_overturning=1.3", turns),
+        ("SF_overturning_net=1.3", turns),
         ("factor=1.3", slides.max(turns)),
         ("load_factor=1.3", slides.max(turns)),
         ("load-factor=1.3", slides.max(turns)),
@@ -306,12 +306,12 @@ fn every_refusal_says_why() {
     assert!(
         refusal(BLOCK, ranged("width", "rest", "9", "8 m")).contains("the range from 9 m to 8 m is empty")
     );
-    let refused = refusal(BLOCK, ranged("friction", "SF_overturning=9", "", ""));
+    let refused = refusal(BLOCK, ranged("friction", "SF_overturning_net=9", "", ""));
     assert!(
-        refused.contains("friction does not change how far the case is from SF_overturning=9"),
+        refused.contains("friction does not change how far the case is from SF_overturning_net=9"),
         "{refused}"
     );
-    assert!(refused.contains("SF_overturning is 0.9418, not ≥ 9"), "{refused}");
+    assert!(refused.contains("SF_overturning_net is 0.9418, not ≥ 9"), "{refused}");
     let refused = refusal(BLOCK, ranged("width", "bearing_max=1kPa", "", ""));
     assert!(refused.contains("where bearing_max is"), "{refused}");
 }
@@ -507,6 +507,6 @@ fn refusals_of_two_quantities() {
     assert!(refused("width", "rest", "frictio", None).contains("did you mean `friction`?"));
     assert!(refused("width", "rest", "friction", Some("0.5 m")).contains("--and-from is \"0.5 m\""));
     assert!(refused("width", "rest", "friction", Some("9")).contains("--and-from and --and-to"));
-    let said = refused("height", "SF_overturning=9", "friction", None);
+    let said = refused("height", "SF_overturning_net=9", "friction", None);
     assert!(said.contains("whatever friction is from 0.25 to 1, the target is not met; at 0.5: "), "{said}");
 }

@@ -2,10 +2,10 @@
 
 use standfast::initiation::Chart;
 use standfast::{Mode, Verdict};
-use standfast_cases::CaseFile;
 use standfast_cases::random::{
     ChanceRequest, Chances, Draws, Happening, Method, Probability, ProbabilityError, ValueRange,
 };
+use standfast_cases::{CaseFile, Document};
 use standfast_probability::normal::below;
 use standfast_probability::sample::{Effort, Estimate};
 
@@ -342,6 +342,14 @@ fn first_departures_part_at_the_load_that_turns() {
     let chances = &found.situations[0];
     assert_close("SL", first(chances, Mode::SlideLeft), slides, 1e-12);
     assert_close("RO", first(chances, Mode::RockO), 1.0 - slides, 1e-12);
+    let share = |p: f64| format!("{:.1} %", 100.0 * p);
+    let words = found.text(&()).split_whitespace().collect::<Vec<_>>().join(" ");
+    let said = format!(
+        "Were the loads to rise without end, it would first leave rest into SL in {} and RO in {} of all outcomes.",
+        share(slides),
+        share(1.0 - slides)
+    );
+    assert!(words.contains(&said), "{said}\n{words}");
     // But where the force is nothing at all.
     assert!(chances.first_departure.never.value + chances.first_departure.at_once.value < 1e-15);
 

@@ -208,7 +208,7 @@ fn under_waves_on_sand() {
     });
 }
 
-/// Friction to stick and to slip with a law each, or one that goes with the other; a friction to slip above that to stick is no body.
+/// Friction to stick and to slip with a law each, or one that goes with the other; a friction to slip above that to stick is not a body.
 #[test]
 fn two_frictions() {
     let text = |v: &[f64]| {

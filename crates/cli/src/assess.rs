@@ -29,7 +29,7 @@ pub fn assess(
         return Err(CommandError::NothingToCheck {
             path: path.to_owned(),
             of: "",
-            example: "SF_sliding = 1.2\nSF_overturning = 1.2",
+            example: "SF_sliding = 1.2\nSF_overturning_net = 1.2",
         });
     }
     let printed = PrintedAnswer::of(&assessment, view, shown, figures, (path, &read));

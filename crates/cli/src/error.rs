@@ -67,7 +67,7 @@ pub enum CommandError {
         cause: String,
     },
     /// A case file is not text.
-    #[error("{name} is not UTF-8 text: line {line} has a byte that is no character")]
+    #[error("{name} is not UTF-8 text: line {line} has a byte that is not a character")]
     Encoding {
         /// The case file.
         name: String,

@@ -3,7 +3,7 @@
 mod fault;
 mod help;
 
-use standfast::number::exact;
+use standfast::number::{exact, reached};
 use standfast::section::SectionError;
 use standfast::{HistoryError, InputError};
 use standfast_motion::MotionError;
@@ -434,7 +434,7 @@ pub enum Problem {
         /// Reason why it cannot be read.
         why: String,
     },
-    /// A file that is no record, or not one of what it should be.
+    /// A file that is not a record, or not one of what it should be.
     #[error("{words}")]
     Record {
         /// The fault of the record, in words.
@@ -510,7 +510,7 @@ pub enum Problem {
         side: &'static str,
     },
     /// Water of different depths on both sides, of which one is counted.
-    #[error("`sides` is 1, and water stands on both sides: {} m at the right, {} m at the left", exact(*right), exact(*left))]
+    #[error("`sides` is 1, and water stands on both sides: {} m at the right, {} m at the left", reached(*right), reached(*left))]
     WhichSide {
         /// Its depth at the right, m.
         right: f64,
@@ -518,7 +518,7 @@ pub enum Problem {
         left: f64,
     },
     /// A value that does not go with the others.
-    #[error("`{}` is {}; expected {}", key.entry(), exact(.error.value), .error.expected)]
+    #[error("`{}` is {}; expected {}", key.entry(), reached(.error.value), .error.expected)]
     Impossible {
         /// The key.
         key: Key,
@@ -541,7 +541,9 @@ fn without_body(table: Table) -> &'static str {
 
 /// A value in the unit of plain numbers.
 fn with_unit(key: Key, value: f64) -> String {
-    key.info().dimension().map_or(exact(value), |dimension| format!("{} {}", exact(value), dimension.si()))
+    key.info()
+        .dimension()
+        .map_or(reached(value), |dimension| format!("{} {}", reached(value), dimension.si()))
 }
 
 impl std::fmt::Display for Key {

@@ -232,7 +232,7 @@ impl Inputs {
         if whole { Extent::Whole } else { Extent::PerMetre }
     }
 
-    /// Dimension of the numbers under a key; `None` for plain numbers and for what is no number.
+    /// Dimension of the numbers under a key; `None` for plain numbers and for what is not a number.
     pub fn dimension(&self, id: impl Into<Id>) -> Option<Dimension> {
         dimension(id.into(), self.units())
     }

@@ -319,7 +319,7 @@ impl Table {
                  pressure = [\"54 kPa\", \"0 kPa\"]\npermanent = true"
             }
             Table::Combination => "[[combination]]\nname = \"storm\"\nfactors = { weight = 0.9, wave = 1.3 }",
-            Table::Criteria => "[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2",
+            Table::Criteria => "[criteria]\nSF_sliding = 1.2\nSF_overturning_net = 1.2",
             Table::Motion | Table::Base | Table::BaseHorizontal | Table::BaseVertical => {
                 "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" }"
             }
@@ -461,7 +461,7 @@ pub struct KeyInfo {
     pub name: &'static str,
     /// Kind of value it takes.
     pub kind: Kind,
-    /// Its symbol in calculations; empty for what is no number.
+    /// Its symbol in calculations; empty for what is not a number.
     pub symbol: &'static str,
     /// Its meaning, in words.
     pub words: &'static str,
@@ -490,7 +490,7 @@ impl KeyInfo {
     }
 
     /// Dimension of its numbers in a case per metre run, see [`Inputs::dimension`](crate::Inputs::dimension) for any; `None` for
-    /// plain numbers and for what is no number.
+    /// plain numbers and for what is not a number.
     pub fn dimension(&self) -> Option<Dimension> {
         match self.kind {
             Kind::Measured(dimension, _) | Kind::List(dimension) => Some(dimension),
@@ -499,7 +499,7 @@ impl KeyInfo {
         }
     }
 
-    /// Range of the numbers it takes; `None` for what is no number.
+    /// Range of the numbers it takes; `None` for what is not a number.
     pub fn range(&self) -> Option<Range> {
         match self.kind {
             Kind::Measured(_, range) | Kind::Plain(range) => Some(range),
@@ -771,7 +771,7 @@ listed! {
         "{ weight = 0.9, wave = 1.3, crane = 1.5 }");
 
     LeastSliding = key(Criteria, "SF_sliding", Plain(Positive), "", "at least: safety factor against sliding", "1.2");
-    LeastOverturning = key(Criteria, "SF_overturning", Plain(Positive), "",
+    LeastOverturning = key(Criteria, "SF_overturning_net", Plain(Positive), "",
         "at least: safety factor against overturning, net: water under the base taken off the weight; the lesser of both corners", "1.2");
     LeastOverturningGross = key(Criteria, "SF_overturning_gross", Plain(Positive), "",
         "at least: safety factor against overturning by gross moments, water under the base turning the body; the lesser of both corners", "1.5");
@@ -987,7 +987,7 @@ mod tests {
             let twins = info.table.keys().filter(|other| other.name() == info.name);
             assert_eq!(twins.count(), 1, "{}", info.name);
             assert!(!info.words.is_empty() && !info.example.is_empty());
-            // What is asked of results is no number of a calculation.
+            // What is asked of results is not a number of a calculation.
             let calculated = info.range().is_some() && info.table != Table::Criteria;
             assert_eq!(calculated, !info.symbol.is_empty(), "{}", info.name);
             if let Kind::Measured(dimension, range) = info.kind {

@@ -164,8 +164,8 @@ pub enum RandomProblem {
         /// Values that are expected.
         expected: String,
     },
-    /// A number of the case that is no number, or not there.
-    #[error("`{name}` is no number of the case that can be random{}; {known}", suggestion.as_ref().map_or(String::new(), |s| format!(": did you mean `{s}`?")))]
+    /// A number of the case that is not a number, or not there.
+    #[error("`{name}` is not a number of the case that can be random{}; {known}", suggestion.as_ref().map_or(String::new(), |s| format!(": did you mean `{s}`?")))]
     NoNumber {
         /// The name.
         name: String,

@@ -52,7 +52,7 @@ impl RecordFile {
     /// The record, of a column and with a step where the file leaves them open.
     ///
     /// # Errors
-    /// If the file is no record.
+    /// If the file is not a record.
     pub fn record(&self, column: Option<&str>, dt: Option<f64>) -> Result<Record, RecordError> {
         match &self.content {
             Content::Record(record) => Ok(record.clone()),

@@ -300,7 +300,7 @@ fn split(text: &str) -> Option<(f64, &str)> {
 
 /// The text of the longest number at the beginning of `text`, and what follows it.
 pub fn split_text(text: &str) -> Option<(&str, &str)> {
-    // Only these, so that Rust's "inf", "nan" and "infinity" are no numbers.
+    // Only these, so that Rust's "inf", "nan" and "infinity" are not numbers.
     let end =
         text.find(|c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E')).unwrap_or(text.len());
     (1..=end).rev().find(|end| text[..*end].parse::<f64>().is_ok()).map(|end| text.split_at(end))

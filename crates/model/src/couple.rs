@@ -34,7 +34,7 @@ pub struct Variable {
     units: Option<Extent>,
 }
 
-/// A name that is no number of a case.
+/// A name that is not a number of a case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unknown {
     /// The name.
@@ -136,7 +136,7 @@ impl Variable {
     /// The value that a text says behind its key in the case file that `inputs` are of, SI. It need not be in the range of the key.
     ///
     /// # Errors
-    /// If it is no number, or its unit does not fit.
+    /// If it is not a number, or its unit does not fit.
     pub fn read(&self, text: &str, inputs: &Inputs) -> Result<f64, Problem> {
         let key = self.key();
         let kind = match key.info().kind {

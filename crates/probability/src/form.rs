@@ -10,7 +10,7 @@
 //! is all that is left. The function has kinks where formulas change, and none is smooth at a corner of a mode's region: so
 //! Nelder and Mead's simplex, begun again about what it has found until two rounds agree, from several starts.
 //!
-//! Φ(−β) is no probability: it is that of a half-space. It ranks; [`integrate`](crate::integrate) and
+//! Φ(−β) is not a probability: it is that of a half-space. It ranks; [`integrate`](crate::integrate) and
 //! [`sample`](crate::sample) answer.
 
 use crate::normal;

@@ -1,7 +1,7 @@
 //! The standard normal law, as accurate far out in either tail as it is in the middle.
 //!
 //! Φ by the complementary error function; Φ⁻¹ by Wichura's AS 241 (Applied Statistics 37, 1988, 477–484), good to 1e-16
-//! relative. A probability near 1 is no number to keep: what lies above is. So everything here has a lower and an upper form.
+//! relative. A probability near 1 is not a number to keep: what lies above is. So everything here has a lower and an upper form.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 

@@ -83,7 +83,7 @@ pub enum PrintError {
     #[error("a PDF is printed by Chromium or Chrome, and none was found")]
     NoBrowser,
     /// The browser that was named is none.
-    #[error("{VARIABLE} is {}, which is no program", path.display())]
+    #[error("{VARIABLE} is {}, which is not a program", path.display())]
     NoProgram {
         /// Path that the variable names.
         path: PathBuf,

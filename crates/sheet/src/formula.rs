@@ -47,9 +47,9 @@ pub enum Formula {
     Absolute(Box<Formula>),
 }
 
-/// A text that is no formula.
+/// A text that is not a formula.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("`{text}` is no formula: expected {expected} at {}", place(.text, *.at))]
+#[error("`{text}` is not a formula: expected {expected} at {}", place(.text, *.at))]
 pub struct FormulaError {
     /// The text.
     pub text: String,
@@ -346,9 +346,9 @@ mod tests {
         let error = |text: &str| Formula::parse(text).unwrap_err().to_string();
         assert_eq!(
             error("cos β"),
-            "`cos β` is no formula: expected `(` behind the name of a function at `β`"
+            "`cos β` is not a formula: expected `(` behind the name of a function at `β`"
         );
-        assert_eq!(error("(a"), "`(a` is no formula: expected `)` at its end");
+        assert_eq!(error("(a"), "`(a` is not a formula: expected `)` at its end");
     }
 
     #[test]

@@ -301,19 +301,19 @@ mod tests {
         let unreadable: [(Write, &str); 6] = [
             (
                 |steps| steps.add("", "", ["d", "2 (a"], 1.0, METRE, ""),
-                "the step for `d`: `2 (a` is no formula: expected `)` at its end",
+                "the step for `d`: `2 (a` is not a formula: expected `)` at its end",
             ),
             (
                 |steps| steps.relation(&relation("μ <", "a")),
-                "the inequality (3.4): `μ <` is no formula: expected a number, a name or a sign at `<`",
+                "the inequality (3.4): `μ <` is not a formula: expected a number, a name or a sign at `<`",
             ),
             (
                 |steps| steps.relation(&relation("μ", "")),
-                "the inequality (3.4): `` is no formula: expected a number, a name, `(` or `|` at its end",
+                "the inequality (3.4): `` is not a formula: expected a number, a name, `(` or `|` at its end",
             ),
             (
                 |steps| steps.note("For `a = b`."),
-                "the sentence “For `a = b`.”: `a = b` is no formula: expected a number, a name or a sign at `= b`",
+                "the sentence “For `a = b`.”: `a = b` is not a formula: expected a number, a name or a sign at `= b`",
             ),
             (
                 |steps| steps.told("Of `a", "d", 1.0, METRE, "", ""),
@@ -321,7 +321,7 @@ mod tests {
             ),
             (
                 |steps| steps.add("Of `a +`", "", ["d", "a"], 3.0, METRE, ""),
-                "the sentence “Of `a +`”: `a +` is no formula: expected a number, a name, `(` or `|` at its end",
+                "the sentence “Of `a +`”: `a +` is not a formula: expected a number, a name, `(` or `|` at its end",
             ),
         ];
         for (write, expected) in unreadable {

@@ -228,9 +228,9 @@ impl fmt::Display for Mode {
     }
 }
 
-/// A text that is no mode's symbol.
+/// A text that is not a mode's symbol.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("\"{0}\" is no mode; expected one of RE, SL, RO, SRO-, SRO+, SRO'-, RO', SL+, SRO'+, FL")]
+#[error("\"{0}\" is not a mode; expected one of RE, SL, RO, SRO-, SRO+, SRO'-, RO', SL+, SRO'+, FL")]
 pub struct ParseModeError(String);
 
 impl FromStr for Mode {

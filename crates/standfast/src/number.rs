@@ -73,6 +73,19 @@ pub fn exact(x: f64) -> String {
     if plain { x.to_string() } else { format!("{x:e}") }
 }
 
+/// `x` as [`exact`] has it, without what arithmetic left behind its ninth digit: −0.001, not −0.00099999999999989. A whole number is not
+/// rounded to, as it may be the bound that `x` misses.
+pub fn reached(x: f64) -> String {
+    /// Digits that people write, and those of a number that was computed.
+    const WRITTEN: usize = 15;
+    let all = exact(x);
+    let mantissa = all.split_once('e').map_or(all.as_str(), |(mantissa, _)| mantissa);
+    let count = mantissa.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit).count();
+    let rounded = significant(x, 9);
+    let whole = rounded.to_string().parse().is_ok_and(|rounded: f64| rounded.fract() == 0.0);
+    if count <= WRITTEN || whole { all } else { rounded.to_string() }
+}
+
 impl fmt::Display for Significant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.exponent {
@@ -84,7 +97,19 @@ impl fmt::Display for Significant {
 
 #[cfg(test)]
 mod tests {
-    use super::{beside, significant};
+    use super::{beside, reached, significant};
+
+    #[test]
+    fn what_arithmetic_leaves_is_not_shown() {
+        assert_eq!(reached(9.0 - 9.001), "-0.001");
+        assert_eq!(reached(3.4 + (7.1 - 10.51)), "-0.01");
+        assert_eq!([reached(0.3), reached(-2.5e-9), reached(1e300)], ["0.3", "-2.5e-9", "1e300"]);
+        // What a person wrote stands as written, and what misses a bound does not look like it.
+        assert_eq!(
+            [reached(0.123_456_789_012_345), reached(1.0 + f64::EPSILON)],
+            ["0.123456789012345", "1.0000000000000002"]
+        );
+    }
 
     #[test]
     fn a_compared_number_is_told_from_its_bound() {

@@ -1,7 +1,7 @@
 //! The classical checks of a caisson: safety factors and bearing pressure at both edges of the base.
 //!
 //! ```text
-//! SF_sliding = μ(W' − U)/P        SF_overturning = (W' t − M_U)/M_p, about the heel
+//! SF_sliding = μ(W' − U)/P        SF_overturning_net = (W' t − M_U)/M_p, about the heel
 //!                                 (W'(B_c − t) − U B_c + M_U)/(−M_p), about the toe, where the force turns that way
 //! W_e = W' − U                    t_e = (W' t − M_U − M_p)/W_e
 //!
@@ -114,7 +114,7 @@ impl Stability {
         eccentricity.map(|eccentricity| if eccentricity <= rounding { 0.0 } else { eccentricity })
     }
 
-    /// SF_overturning: the lesser of the factors about both corners.
+    /// SF_overturning_net: the lesser of the factors about both corners.
     pub fn overturning(&self) -> f64 {
         self.overturning_about_heel.min(self.overturning_about_toe)
     }

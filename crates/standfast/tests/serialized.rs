@@ -36,7 +36,7 @@ fn what_is_written_is_read_back() {
     assert_eq!(none, Modes::NONE);
 }
 
-/// Modes are their symbols, words are in kebab-case, and what is no mode is refused with the list of those that are.
+/// Modes are their symbols, words are in kebab-case, and what is not a mode is refused with the list of those that are.
 #[test]
 fn words_are_those_of_the_report() {
     let written = |value: &dyn Fn() -> Result<toml::Value, toml::ser::Error>| value().unwrap().to_string();
@@ -48,7 +48,7 @@ fn words_are_those_of_the_report() {
     assert_eq!(written(&|| toml::Value::try_from(LoadKind::Horizontal)), "\"horizontal\"");
     assert_eq!(written(&|| toml::Value::try_from(LoadSource::HorizontalInertia)), "\"horizontal-inertia\"");
     let error = toml::Value::from("slides").try_into::<Mode>().unwrap_err().to_string();
-    assert!(error.contains("\"slides\" is no mode; expected one of RE, SL"), "{error}");
+    assert!(error.contains("\"slides\" is not a mode; expected one of RE, SL"), "{error}");
     for (mode, text) in Mode::ALL.map(|mode| (mode, toml::Value::from(mode.symbol()))) {
         assert_eq!(text.try_into::<Mode>().unwrap(), mode);
     }

@@ -17,7 +17,7 @@ fn every_mode_is_read_back_from_its_symbol() {
         assert_eq!(format!("{mode:>6}").trim_start(), mode.symbol());
         for wrong in [mode.symbol().to_lowercase(), format!("{mode}x"), format!("x{mode}"), String::new()] {
             let error = wrong.parse::<Mode>().unwrap_err().to_string();
-            assert!(error.starts_with(&format!("\"{wrong}\" is no mode; expected one of")), "{error}");
+            assert!(error.starts_with(&format!("\"{wrong}\" is not a mode; expected one of")), "{error}");
         }
     }
     let error = "".parse::<Mode>().unwrap_err().to_string();

@@ -176,7 +176,7 @@ pub enum TableError {
         sheets: String,
     },
     /// A sheet is named for a table that has none.
-    #[error("--sheet-name {sheet}: {name} is no workbook, and has no sheets")]
+    #[error("--sheet-name {sheet}: {name} is not a workbook, and has no sheets")]
     NoSheets {
         /// The table.
         name: String,

@@ -74,7 +74,7 @@ def is_plain(text: str) -> bool:
 OF_ONE = ("explain", "contact_conditions", "Diagram")
 #: Functions of a case and a table.
 _OF_CASES = ("assess_table", "varied")
-#: Functions of arrays that are no answers for each of their values.
+#: Functions of arrays that are not answers for each of their values.
 _OF_WHOLE = ("simulate",)
 
 

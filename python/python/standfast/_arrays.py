@@ -213,7 +213,7 @@ def classify(
         ValueError: for the first value, in the order of C, that no body, force or friction can have (not finite,
             beyond 1e50, negative, a slenderness of zero), with its index; for shapes that do not broadcast, and for
             lengths and indexes that differ.
-        TypeError: for operands that are no real numbers, or that are to be unwrapped first; the error says how.
+        TypeError: for operands that are not real numbers, or that are to be unwrapped first; the error says how.
         KeyError: if a table lacks a column.
 
     >>> classify(1, 0.4, 0.5, 0.6)

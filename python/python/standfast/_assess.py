@@ -171,7 +171,7 @@ def assess(case: str | os.PathLike[str] | Mapping[str, object], *, up_to: float 
     >>> found = assess(block)
     >>> found
     <Assessment Block: RO>
-    >>> found.mode, round(found.SF_overturning, 4), found.departure, round(found.load_factor, 4)
+    >>> found.mode, round(found.SF_overturning_net, 4), found.departure, round(found.load_factor, 4)
     (<Mode.ROCK_O: 2>, 0.7848, 'at', 0.7848)
     >>> found["situations"][0]["mode"], str(found).splitlines()[0]
     ('RO', 'Block')
@@ -196,7 +196,7 @@ def case_text(case: str | os.PathLike[str] | Mapping[str, object]) -> tuple[str,
         return name, content.decode("utf-8")
     except UnicodeDecodeError as error:
         line = 1 + content[: error.start].count(b"\n")
-        raise CaseError(f"{name} is not UTF-8 text: line {line} has a byte that is no character") from None
+        raise CaseError(f"{name} is not UTF-8 text: line {line} has a byte that is not a character") from None
 
 
 def _toml(case: Mapping[str, Any]) -> str:

@@ -156,7 +156,7 @@ def _from_objects(array: NDArray[Any], mask: Missing, name: str) -> NDArray[np.f
     try:
         return array.astype(np.float64)
     except (TypeError, ValueError, OverflowError) as error:
-        raise ValueError(f"{name} holds what is no number within float64: {error}") from None
+        raise ValueError(f"{name} holds what is not a number within float64: {error}") from None
 
 
 def _check_leaves(items: Sequence[Any], name: str, index: tuple[int, ...]) -> None:
@@ -174,7 +174,7 @@ def _check_leaves(items: Sequence[Any], name: str, index: tuple[int, ...]) -> No
 
 
 def check_leaf(item: Any, name: str, index: tuple[int, ...]) -> None:
-    """Refuses an item of a list or of an array of objects that is no real number."""
+    """Refuses an item of a list or of an array of objects that is not a real number."""
     if unit_of(item) is not None:
         raise TypeError(f"{name} is {shown(item)}{_at(index)}; expected real numbers, or one quantity, Quantity.from_list(...)")
     real = isinstance(item, (numbers.Real, Decimal)) or hasattr(item, "__float__")

@@ -65,7 +65,7 @@ class Fields(tuple[_T, ...]):
         self.__dict__.update(values, _fields=tuple(values))
         return self
 
-    if not TYPE_CHECKING:  # A checker is to refuse names that are no fields.
+    if not TYPE_CHECKING:  # A checker is to refuse names that are not fields.
 
         def __getattr__(self, name: str) -> NoReturn:
             if name in type(self)._fields:

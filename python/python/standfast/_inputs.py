@@ -163,7 +163,7 @@ def read(
         optional: an operand more, which may be ``None``: its name and what was given. A table may have it in a column of its name.
 
     Raises:
-        TypeError: for what is no real number, or comes from a library whose objects have to be unwrapped by the caller;
+        TypeError: for what is not a real number, or comes from a library whose objects have to be unwrapped by the caller;
             the error says how.
         ValueError: for lengths or indexes that differ, and for a wrong ``map``.
         KeyError: if a table lacks a column.
@@ -237,7 +237,7 @@ def chosen(columns: Sequence[str] | None, known: Sequence[str]) -> list[str]:
     """The columns to compute, in the order asked for; all that are known if none are.
 
     Raises:
-        TypeError, ValueError: for what is no list of known names, each once.
+        TypeError, ValueError: for what is not a list of known names, each once.
     """
     if columns is None:
         return list(known)
@@ -261,7 +261,7 @@ def listed(columns: object, known: str) -> list[Any]:
         known: what there is to compute, in words of the error.
 
     Raises:
-        TypeError: for what has no order or is no list.
+        TypeError: for what has no order or is not a list.
     """
     if isinstance(columns, (str, Mapping, Set)) or not isinstance(columns, Iterable):
         said = "; which column of a table holds what is said by map={...}" if isinstance(columns, Mapping) else ""

@@ -17,7 +17,7 @@ _ADVICE = Advice("assess_table")
 
 
 def array_of(value: Any, name: str, null: bool) -> tuple[NDArray[Any], Missing]:
-    """The numbers of one entry of a dict as float64, or its texts as objects; with ``null``, what is no value is no error here."""
+    """The numbers of one entry of a dict as float64, or its texts as objects; with ``null``, what is not a value is no error here."""
     if isinstance(value, str):
         return np.array(_text(value, name, (), null), dtype=object), None
     if isinstance(value, (list, tuple)) and any(isinstance(part, str) for part in value):

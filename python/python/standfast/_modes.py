@@ -41,7 +41,7 @@ class Mode(enum.IntEnum, metaclass=_ModeType):
     >>> Mode.ROCK_O == "R0"
     Traceback (most recent call last):
     ...
-    ValueError: 'R0' is no mode; expected RE, SL, RO, SRO-, SRO+, SRO'-, RO', SL+, SRO'+, FL or BF
+    ValueError: 'R0' is not a mode; expected RE, SL, RO, SRO-, SRO+, SRO'-, RO', SL+, SRO'+, FL or BF
     >>> print(Mode.ROCK_O, f"{Mode.REST:>4}")
     RO   RE
     >>> print("The body", Mode.ROCK_O.words)
@@ -174,7 +174,7 @@ def code_of(word: str) -> int:
     if (mode := BY_SYMBOL.get(word)) is not None:
         return int(mode)
     *others, last = BY_SYMBOL
-    raise ValueError(f"{word!r} is no mode; expected {', '.join(others)} or {last}")
+    raise ValueError(f"{word!r} is not a mode; expected {', '.join(others)} or {last}")
 
 
 def codes_of(other: Any) -> Any:
@@ -206,7 +206,7 @@ def _alone(mode: Mode, words: bool, objects: bool) -> Any:
 
 
 def _kind(column: Any) -> str | None:
-    """What a column of pandas holds: codes, words or objects; ``None`` if it is no column of pandas."""
+    """What a column of pandas holds: codes, words or objects; ``None`` if it is not a column of pandas."""
     pd = sys.modules.get("pandas")
     if pd is None or not isinstance(column, (pd.Series, pd.Index, pd.DataFrame, pd.api.extensions.ExtensionArray)):
         return None

@@ -27,7 +27,7 @@ MODULES = {
 }
 #: Keys of documents for which the package has something of its own.
 _OWN = {"Document": ("governing", "situations", "figures"), "SpectrumDocument": ("figures", "points")}
-#: Definitions that are no classes.
+#: Definitions that are not classes.
 _PLAIN = {"number-or-infinite": "float", "mode": "Mode", "modes": "Modes"}
 #: Classes that are not called after their definitions.
 _NAMES = {"warning": "CaseWarning", "departure": "FirstDeparture"}

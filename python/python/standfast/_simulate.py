@@ -181,7 +181,7 @@ def simulate(
     Raises:
         ValueError: for a case that is not understood, a record that is none, and values that no motion has; the message shows where,
             and what is expected.
-        TypeError: for what is no array of numbers.
+        TypeError: for what is not a array of numbers.
         OSError: if the case file cannot be read.
 
     >>> caisson = simulate("examples/motion/caisson-breaking-wave.toml")

@@ -385,7 +385,7 @@ def _refuse_idle(table: Mapping[str, object], sweep: _standfast.Sweep) -> None:
     for place, name in enumerate(table):
         if place not in sweep.places:
             meant = next((words for _, words in sweep.warnings if words.startswith(f"column {name} ")), None)
-            words = f"{name!r} is no number of the case" if meant is None else meant
+            words = f"{name!r} is not a number of the case" if meant is None else meant
             raise ValueError(f"{words}; the numbers that vary are given by their keys, or by map={{...}}")
 
 

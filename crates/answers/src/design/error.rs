@@ -21,10 +21,10 @@ pub enum DesignError {
         /// The target.
         name: &'static str,
     },
-    /// A name that is no number of the case.
+    /// A name that is not a number of the case.
     #[error("the case has no `{}` to vary", .0.name)]
     UnknownVariable(Unknown),
-    /// An end of a range that is no value of the quantity.
+    /// An end of a range that is not a value of the quantity.
     #[error("{option} is \"{written}\": {fault}")]
     Bracket {
         /// The option.
@@ -179,13 +179,13 @@ impl Explained for DesignError {
             DesignError::UnknownVariable(it) => known(it),
             DesignError::Bracket { expected, .. } => expected.clone(),
             DesignError::NoCriteria { .. } => {
-                "add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2".into()
+                "add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning_net = 1.2".into()
             }
             DesignError::NothingRandom { .. } => {
                 "for example\n[random]\nfriction = { normal = { mean = 0.6, sd = 0.1 } }".into()
             }
             DesignError::NothingRises { .. } => {
-                "SF_sliding, SF_overturning or factor say how safe a body is under permanent loads".into()
+                "SF_sliding, SF_overturning_net or factor say how safe a body is under permanent loads".into()
             }
             DesignError::NoCase { spelling, .. } => {
                 format!("{} and {} give another range", spelling.from, spelling.to)

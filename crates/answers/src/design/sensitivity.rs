@@ -59,7 +59,7 @@ pub struct Sensitivity {
     pub value: f64,
     /// Of SF_sliding, the least of all situations.
     pub sliding: SensitivityChange,
-    /// Of SF_overturning, about either corner, the least of all situations.
+    /// Of SF_overturning_net, about either corner, the least of all situations.
     pub overturning: SensitivityChange,
     /// Of the load factor at which the body first leaves rest, the least of all situations.
     pub load_factor: SensitivityChange,

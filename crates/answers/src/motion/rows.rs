@@ -48,7 +48,7 @@ const OF_CRITERIA: [&str; 3] = ["met", "utilisation", "criterion"];
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ColumnError {
-    /// It is no number of the case, or its unit does not fit.
+    /// It is not a number of the case, or its unit does not fit.
     #[error("column {column}: {error}")]
     NoFactor {
         /// The column.

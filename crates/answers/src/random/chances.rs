@@ -21,7 +21,7 @@ use super::problem::ChanceProblem;
 
 /// Above this index probabilities are looked for about the design points.
 const FAR: f64 = 2.5;
-/// Φ(−β) is no probability, but none is so many times as likely.
+/// Φ(−β) is not a probability, but none is so many times as likely.
 const UNLIKELIER: f64 = 1e-2;
 /// Least distance of two points about which is drawn, in deviations.
 const APART: f64 = 0.1;

@@ -195,7 +195,7 @@ impl ValueRange {
                     Ok(vec![of.problem(moved, None)?])
                 };
                 let read = |text: &str| {
-                    text.parse::<f64>().map_err(|_| self.wrong(format!("\"{text}\" is no number")))
+                    text.parse::<f64>().map_err(|_| self.wrong(format!("\"{text}\" is not a number")))
                 };
                 (None, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
             }
@@ -205,7 +205,7 @@ impl ValueRange {
                 let unknown = if self.is_of_peak() {
                     "it is the peak of a shaking, and the case has no [motion.base]; that of an [earthquake] is earthquake.horizontal"
                 } else {
-                    "it is no number of the case; a load is named by its name, as in load.push.force"
+                    "it is not a number of the case; a load is named by its name, as in load.push.force"
                 };
                 let variable = find(file, &case, &self.name).map_err(|found| match found.suggestion {
                     Some(meant) if !self.is_of_peak() => {

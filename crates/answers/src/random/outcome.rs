@@ -27,7 +27,7 @@ pub(super) fn modes() -> impl Iterator<Item = usize> {
     (0..16).filter(|code| Mode::from_code(*code as u8).is_some())
 }
 
-/// Everything but rest: modes, ground that fails, and what is no body.
+/// Everything but rest: modes, ground that fails, and what is not a body.
 pub(super) fn not_rest() -> u64 {
     exclusive(true).filter(|outcome| *outcome != REST).fold(0, |set, outcome| set | 1 << outcome)
 }

@@ -200,9 +200,9 @@ fn varies_not(problem: &ChanceProblem, over: &ValueRange) -> Result<(), Probabil
 fn peak(text: &str, gravity: f64) -> Result<f64, String> {
     let share = in_gravity(text).map(|share| share * gravity);
     let value = share.or_else(|| Dimension::Acceleration.parse(text).ok());
-    value
-        .filter(|value| *value > 0.0 && value.is_finite())
-        .ok_or_else(|| format!("\"{text}\" is no peak above zero with its unit, as \"0.2 g\" or \"2 m/s2\""))
+    value.filter(|value| *value > 0.0 && value.is_finite()).ok_or_else(|| {
+        format!("\"{text}\" is not a peak above zero with its unit, as \"0.2 g\" or \"2 m/s2\"")
+    })
 }
 
 /// A body that was drawn.
@@ -265,7 +265,7 @@ fn peak_of(base: &BaseMotion) -> f64 {
     base.horizontal.as_ref().map_or(0.0, |history| history.peak().abs())
 }
 
-/// Outcome for every body, under every record, at every peak, shared out to threads. A draw that is no body stands.
+/// Outcome for every body, under every record, at every peak, shared out to threads. A draw that is not a body stands.
 fn follow(
     bodies: &[Option<Body>],
     bases: &[BaseMotion],

@@ -38,6 +38,11 @@ pub fn template(file: &CaseFile) -> Result<String, CaseError> {
     }
     text += "[random]\n";
     text += "# years = 50                 # of a life; what is drawn anew each year says every = \"year\"\n";
+    // A record that moves the base up and down as well goes with one that moves it to the side.
+    if file.inputs().has(Table::BaseHorizontal) && !file.inputs().has(Table::BaseVertical) {
+        text += "\n# Records in place of the one of the case, each as likely as the next; over their strength: --over \"pga=0.1 g..1 g:10\".\n\
+                 # records = [\"near.csv\", \"far.csv\"]\n";
+    }
     for Line { name, law, says } in lines(&case, file.inputs()) {
         let _ = write!(text, "\n# {says}\n{name} = {law}\n");
     }
@@ -59,16 +64,37 @@ fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
             format!("Concrete on rubble: Takayama and Ikeda (1992), tests of sliding caissons; {NOT_READ}"),
         ));
     } else {
+        let (cov, says) = match case.water.is_some() {
+            true => {
+                let says = format!(
+                    "The scatter of concrete on rubble, Takayama and Ikeda (1992), about the case's {}; {NOT_READ}",
+                    digits(case.friction)
+                );
+                (0.15, says)
+            }
+            false => {
+                let says = format!(
+                    "Friction: an assumption and no law of practice, about the case's {}. Measure it: pull the body, or a piece of the \
+                     same stone, over the same floor.",
+                    digits(case.friction)
+                );
+                (0.2, says)
+            }
+        };
+        lines.push(line("friction", &format!("{{ lognormal = {{ cov = {cov} }} }}"), says));
+    }
+    // How heavy a body is changes nothing of what its own inertia does to it.
+    let shaken = inputs.has(Table::BaseHorizontal) || case.earthquake.is_some() && case.forces.is_empty();
+    let dry = case.wave.is_none() && case.water.is_none() && case.pressures.is_empty();
+    if inputs.get(Key::CentroidHeight).is_some() {
         lines.push(line(
-            "friction",
-            "{ lognormal = { cov = 0.15 } }",
-            format!(
-                "The scatter of concrete on rubble, Takayama and Ikeda (1992), about the case's {}; {NOT_READ}",
-                digits(case.friction)
-            ),
+            "body.centroid_height",
+            "{ normal = { cov = 0.05 } }",
+            "How well the height of the centre of mass is known: an assumption and no law of practice"
+                .to_owned(),
         ));
     }
-    if inputs.has(Table::Part) {
+    if inputs.has(Table::Part) || shaken && dry {
         // Each part has a density of its own.
     } else if case.weight == Weight::Total {
         lines.push(line(

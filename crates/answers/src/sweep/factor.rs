@@ -40,7 +40,7 @@ enum Counted {
     StandardGravity,
 }
 
-/// Reason why a name is no number that can vary.
+/// Reason why a name is not a number that can vary.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum NoFactor {

@@ -24,7 +24,7 @@ const SOIL: &str = "The formulas hold for level, homogeneous, drained ground und
 const ENVELOPE: &str = "The resistance of the whole base is given by the user. Butterfield and Gottardi's envelope tells how much of it is left under a force that is inclined \
     and eccentric. Left out: pore pressure and its growth under cycles of load, and all that the resistance given does not contain.";
 
-const ELASTIC: &str = "k_n and k_t are no constants of a soil: they depend on the size of the base and of the load. The mode under the full load is that of a base without \
+const ELASTIC: &str = "k_n and k_t are not constants of a soil: they depend on the size of the base and of the load. The mode under the full load is that of a base without \
     springs.";
 
 const IN_TIME: &str = "In time the base is linear and without damping up to its first event; loads of which no history is given are there all the time. One period alone \

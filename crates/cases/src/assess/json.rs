@@ -215,7 +215,7 @@ struct OtherEarthquake {
     departure_mode: ResultValue,
     #[serde(rename = "SF_sliding")]
     sliding: ResultValue,
-    #[serde(rename = "SF_overturning")]
+    #[serde(rename = "SF_overturning_net")]
     overturning: ResultValue,
 }
 

@@ -40,12 +40,13 @@ pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
     Some(format!("with a safety factor of {} against {against}", layout::factor(factor)))
 }
 
-/// The least of the safety factors: against sliding, against overturning, and of ground that can fail; what it is against. `None` of a body
-/// that no load pushes, or that is lifted.
+/// The least of the safety factors: against sliding, against overturning, and of ground that can fail where it bears anything; what it is
+/// against. `None` of a body that no load pushes, or that is lifted.
 pub fn least_factor(assessed: &Assessed) -> Option<(f64, &'static str)> {
     let stability = &assessed.outcome.stability;
     let turning = if is_object(assessed) { "the onset of rocking" } else { "overturning" };
-    let ground = assessed.ground.as_ref().and_then(|ground| ground.factor);
+    // Beyond the edge no ground bears: its factor is 0 whatever it is made of, and that against overturning says by how much.
+    let ground = assessed.ground.as_ref().and_then(|ground| ground.factor).filter(|factor| *factor > 0.0);
     let factors = [
         (stability.sliding, "sliding"),
         (stability.overturning(), turning),

@@ -130,7 +130,7 @@ struct Row<'a> {
     unit: Option<&'static str>,
     #[serde(rename = "SF_sliding")]
     sliding: Option<f64>,
-    #[serde(rename = "SF_overturning")]
+    #[serde(rename = "SF_overturning_net")]
     overturning: Option<f64>,
     load_factor: Option<f64>,
     slide: Option<f64>,

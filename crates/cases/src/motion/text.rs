@@ -209,16 +209,20 @@ pub fn event_rows(followed: &FollowedMotion) -> Rows {
 /// The events, of many the first and the last; `how` says how to see the others.
 fn events_shown(followed: &FollowedMotion, all: bool, how: &str) -> Rows {
     let s = seconds(followed);
+    let events = &followed.outcome.events;
+    // Impacts follow each other ever faster: where four digits do not tell them apart, a fifth tells most, and more would be noise.
+    let at = |event: &Event, digits: usize| significant(event.t, digits);
+    let hidden = |pair: &[Event]| pair[0].t != pair[1].t && at(&pair[0], 4) == at(&pair[1], 4);
+    let digits = if events.windows(2).any(hidden) { 5 } else { 4 };
     let row = |event: &Event| {
         let others = event.consistent.without(Some(event.state));
         let also = if others.is_empty() { String::new() } else { format!(" (or {others})") };
         vec![
-            format!("t = {}{s}", significant(event.t, 7)),
+            format!("t = {}{s}", at(event, digits)),
             event.why.words().to_owned(),
             format!("{}{also}", event.state.symbol()),
         ]
     };
-    let events = &followed.outcome.events;
     if all || events.len() <= SHOWN {
         return events.iter().map(row).collect();
     }

@@ -265,7 +265,7 @@ struct ImportanceDocument<'a> {
 struct DesignPointDocument<'a> {
     mode: String,
     beta: f64,
-    /// Φ(−β), which is no probability of the mode.
+    /// Φ(−β), which is not a probability of the mode.
     first_order: f64,
     point: BTreeMap<&'a str, f64>,
     alpha: BTreeMap<&'a str, f64>,

@@ -169,6 +169,10 @@ fn matters(answer: &Probability, worst: &Chances) -> Option<String> {
     let most =
         (0..answer.random.len()).max_by(|a, b| point.alpha[*a].abs().total_cmp(&point.alpha[*b].abs()))?;
     let (name, known) = (&answer.random[most].name, worst.known.get(most)?);
+    // What would be the same were it known, hangs on nothing that is shown.
+    if below_or(*known) == below_or(worst.not_rest) {
+        return None;
+    }
     Some(format!("It hangs most on {name}: were that known, the probability would be {}.", below_or(*known)))
 }
 

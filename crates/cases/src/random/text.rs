@@ -9,7 +9,8 @@ use super::{
     Chances, Exceedance, FirstDeparture, Fit, FollowedWaves, Fragility, Happening, JointChance, Method,
     Overturning, PeakChances, Probability, Pulse, Quantile, RandomNumber, Sliding,
 };
-use crate::layout::{columns, digits, paragraph, row, significant};
+use crate::layout::{columns, digits, paragraph, percent, row, significant};
+use crate::summary::listed;
 
 /// The answer as text: its top, what was asked for, and what it rests on.
 pub(super) fn text(answer: &Probability) -> String {
@@ -42,10 +43,7 @@ fn static_modes(answer: &Probability) -> String {
         text += &event_table(chances, floor(answer));
     }
     if let Some(JointChance { count, not_rest, method }) = &answer.joined {
-        let within = match method {
-            Method::Integrate => String::new(),
-            _ => format!(", {} … {}", probability(not_rest.low), probability(not_rest.high)),
-        };
+        let within = interval(*not_rest, *method).map_or(String::new(), |interval| format!(", {interval}"));
         let words = format!(
             "Under any of these {count}, all with the same numbers drawn, it does not rest: {}{within}.",
             probability(not_rest.value)
@@ -159,7 +157,7 @@ fn overturns(answer: &Probability, overturning: &Overturning) -> String {
     text += &columns(&rows, 2, &[0, 1, 2, 3]);
     text += &said_of_records.map_or(String::new(), |words| paragraph(&words, 2));
     if *not_a_body > 0 {
-        text += &paragraph(&format!("{not_a_body} draws are no body, and are counted as standing."), 2);
+        text += &paragraph(&format!("{not_a_body} draws make no possible body; they count as standing."), 2);
     }
     if let Some(Fit { median, dispersion, misfit }) = fit.filter(|_| records.len() >= FEW) {
         let words = format!(
@@ -240,17 +238,35 @@ fn imprecise(answer: &Probability) -> String {
     paragraph(&words, 2)
 }
 
-/// Into which mode it first leaves rest.
+/// Into which mode it would first leave rest, were the loads to rise until it does.
 fn departures(answer: &Probability, chances: &Chances) -> String {
     let FirstDeparture { modes, never, at_once, .. } = &chances.first_departure;
-    let mut parts: Vec<(String, f64)> =
-        modes.iter().map(|(happening, e)| (happening.name(), e.value)).collect();
-    parts.push(("at once".to_owned(), at_once.value));
-    parts.push(("never".to_owned(), never.value));
-    parts.retain(|(_, p)| *p >= floor(answer));
-    parts.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let parts: Vec<String> = parts.iter().map(|(name, p)| format!("{name} {}", probability(*p))).collect();
-    paragraph(&format!("First departure as the loads rise from nothing: {}.", parts.join(", ")), 2)
+    let of_all = |p: f64| {
+        let [least, most] = [1e-4, 1.0 - 1e-4];
+        if (most..1.0).contains(&p) { format!("over {}", percent(most)) } else { percent(p.max(least)) }
+    };
+    let mut shares: Vec<(String, f64)> =
+        modes.iter().map(|(happening, share)| (happening.name(), share.value)).collect();
+    shares.retain(|(_, share)| *share >= floor(answer).max(1e-4));
+    shares.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut parts = Vec::new();
+    if !shares.is_empty() {
+        let shares: Vec<String> =
+            shares.iter().map(|(name, share)| format!("{name} in {}", of_all(*share))).collect();
+        parts.push(format!("would first leave rest into {}", listed(&shares)));
+    }
+    for (share, what) in [(at_once, "moves at once in"), (never, "would never move in")] {
+        if share.value >= floor(answer).max(1e-4) {
+            parts.push(format!("{what} {}", of_all(share.value)));
+        }
+    }
+    match parts.is_empty() {
+        true => String::new(),
+        false => paragraph(
+            &format!("Were the loads to rise without end, it {} of all outcomes.", parts.join("; it ")),
+            2,
+        ),
+    }
 }
 
 /// The reliability index beside the probability.
@@ -361,11 +377,12 @@ pub(super) fn within(e: Estimate, words: &dyn Fn(f64) -> String) -> Option<Strin
 }
 
 fn line(words: &str, e: Estimate, method: Method) -> Vec<String> {
-    let interval = match method {
-        Method::Integrate => String::new(),
-        _ => format!("{} … {}", probability(e.low), probability(e.high)),
-    };
-    row![words, probability(e.value), interval]
+    row![words, probability(e.value), interval(e, method).unwrap_or_default()]
+}
+
+/// The interval of a probability that was counted, not integrated.
+fn interval(e: Estimate, method: Method) -> Option<String> {
+    if method == Method::Integrate { None } else { within(e, &probability) }
 }
 
 pub(super) fn words(happening: Happening) -> String {

@@ -93,7 +93,7 @@ fn without_a_browser_nothing_is_written_and_the_error_says_where_one_was_looked_
     let arguments = ["examples/monument.toml", "-o", pdf.to_str().unwrap()];
     let named = sheet(&arguments).env("STANDFAST_BROWSER", "/no/such/browser").output().unwrap();
     let error = words(&String::from_utf8_lossy(&named.stderr));
-    assert!(error.contains("STANDFAST_BROWSER is /no/such/browser, which is no program"), "{error}");
+    assert!(error.contains("STANDFAST_BROWSER is /no/such/browser, which is not a program"), "{error}");
 
     #[cfg(target_os = "linux")]
     {

@@ -42,7 +42,7 @@ pub struct ChanceCloud<'a> {
     pub caption: &'a str,
     /// The views, side by side.
     pub panels: &'a [CloudPanel<'a>],
-    /// The mode of each draw; none of what is no mode, which is drawn as a hollow dot.
+    /// The mode of each draw; none of what is not a mode, which is drawn as a hollow dot.
     pub modes: &'a [Option<Mode>],
 }
 

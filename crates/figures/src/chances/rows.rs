@@ -28,7 +28,7 @@ const LEAST: f64 = 1e-12;
 pub struct ChanceRow<'a> {
     /// The mode, which gives symbol, words and colour.
     pub mode: Option<Mode>,
-    /// Words for the event where it is no mode; not markup.
+    /// Words for the event where it is not a mode; not markup.
     pub words: &'a str,
     /// The probability; 0 with an interval says that it was never met.
     pub chance: Chance,

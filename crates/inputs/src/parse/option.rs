@@ -41,7 +41,7 @@ mod tests {
     use crate::key::Key;
     use crate::parse::CaseText;
 
-    /// Texts say the same in a file, in quotes where they are no numbers, and at an option.
+    /// Texts say the same in a file, in quotes where they are not numbers, and at an option.
     #[test]
     fn an_option_says_what_a_file_says() {
         let keys =

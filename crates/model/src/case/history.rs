@@ -305,7 +305,7 @@ impl Field<'_> {
                 let unit = record.known_unit(name, column).map_err(|error| wrong(error.to_string(), None))?;
                 if !unit.is_acceleration() {
                     let words =
-                        format!("{name} is no record of an acceleration, as that of a base has to be");
+                        format!("{name} is not a record of an acceleration, as that of a base has to be");
                     return Err(wrong(words, None));
                 }
                 Ok(unit.si())

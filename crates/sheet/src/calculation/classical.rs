@@ -118,7 +118,7 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
         (false, true) => "SF_toe",
         (false, false) => "",
     };
-    let key = "SF_overturning";
+    let key = "SF_overturning_net";
     match lesser {
         "" => {
             steps.told(about, key, stability.overturning(), FACTOR, "no force turns the body", key);

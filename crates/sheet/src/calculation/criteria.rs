@@ -54,7 +54,7 @@ fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
 fn quantity(key: Key) -> (&'static str, SheetUnit) {
     match key {
         Key::LeastSliding => ("SF_sliding", FACTOR),
-        Key::LeastOverturning => ("SF_overturning", FACTOR),
+        Key::LeastOverturning => ("SF_overturning_net", FACTOR),
         Key::LeastOverturningGross => ("SF_overturning_gross", FACTOR),
         Key::GreatestBearing => ("p_max", KILOPASCAL),
         Key::LeastContact => ("ψ", NONE),

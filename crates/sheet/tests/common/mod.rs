@@ -111,7 +111,7 @@ fn more() -> Vec<(String, String)> {
             [[load]]\nname = \"lift\"\nforce = 20e3\ndirection = \"up\"\ndistance = 4\ntogether = true\n\
             [[load]]\nname = \"push\"\nforce = 70e3\nelevation = 3\ntogether = true\n\
             [[combination]]\nname = \"one `of` two\"\nfactors = {{ lift = 1.5, push = 1.35, weight = 0.9 }}\n[[combination]]\nfactors = {{ push = 1.1 }}\n\
-            [criteria]\nSF_sliding = 1.3\nSF_overturning = 1.4\nbearing_max = \"200 kPa\"\ncontact_share = 0.5\neccentricity = \"1 m\"\nload_factor = 1.2\n\
+            [criteria]\nSF_sliding = 1.3\nSF_overturning_net = 1.4\nbearing_max = \"200 kPa\"\ncontact_share = 0.5\neccentricity = \"1 m\"\nload_factor = 1.2\n\
             modes_not = [\"RO\", \"SL\"]\n")),
         ("all in a combination", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nuplift = false\n[uplift]\nleft = 1e3\nright = 2e3\n[earthquake]\nhorizontal = \"0.05 g\"\n\
             vertical = \"0.02 g\"\n[added_mass]\nsides = 2\n[[combination]]\nfactors = {{ weight = 0.95, water = 1.05, uplift = 1.2, wave = 0.5, earthquake = 0.7 }}\n\
@@ -307,7 +307,7 @@ pub fn shown(element: ElementRef<'_>) -> f64 {
     if text == "unlimited" {
         f64::INFINITY
     } else {
-        text.parse().unwrap_or_else(|_| panic!("`{text}` is no number"))
+        text.parse().unwrap_or_else(|_| panic!("`{text}` is not a number"))
     }
 }
 

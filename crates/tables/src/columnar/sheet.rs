@@ -72,7 +72,7 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
         };
         let width = columns.len();
         let cells = &mut columns[place].2;
-        // Rows rise in a sheet, and there are no more of them; what says otherwise is no sheet.
+        // Rows rise in a sheet, and there are no more of them; what says otherwise is not a sheet.
         let index =
             row.checked_sub(header + 1).filter(|_| u64::from(row) <= ROWS).map(|index| index as usize);
         let Some(index) = index.filter(|index| cells.len() <= *index) else {

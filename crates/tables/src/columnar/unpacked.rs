@@ -24,7 +24,7 @@ pub(super) const LIMITS: Limits = Limits { part: 1 << 30, all: 1 << 31, text: 1 
 /// Bytes read at once.
 const BUFFER: usize = 1 << 16;
 
-/// Refuses a workbook that unpacks to more than `limits`, whatever sizes it claims. What is no workbook is for its reader to tell.
+/// Refuses a workbook that unpacks to more than `limits`, whatever sizes it claims. What is not a workbook is for its reader to tell.
 pub(super) fn check(file: &File, options: &TableOptions, limits: Limits) -> Result<(), TableError> {
     let Ok(mut archive) = ZipArchive::new(BufReader::new(file)) else { return Ok(()) };
     let mut left = limits.all;

@@ -126,7 +126,7 @@ fn what_is_wrong_is_said_with_its_place_in_the_sheet() {
     let csv = TableOptions { sheet: Some("Points".to_owned()), ..TableOptions::new("in.csv") };
     fs::write(folder.path().join("in.csv"), "gamma,k_prime,k,mu\n1,1,2,5\n").unwrap();
     let error = answer(&folder, "in.csv", "out.csv", csv).unwrap_err();
-    assert_eq!(error.to_string(), "--sheet-name Points: in.csv is no workbook, and has no sheets");
+    assert_eq!(error.to_string(), "--sheet-name Points: in.csv is not a workbook, and has no sheets");
 }
 
 /// Numbers of a text are numbers in a sheet, names of digits are not.

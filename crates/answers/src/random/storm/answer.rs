@@ -158,7 +158,7 @@ const WORST: f64 = 0.05;
 /// The mean is a smooth integral, and quick to have to this.
 const PRECISION: f64 = 2e-3;
 
-/// A tenth of a millimetre is no slide that anybody sees.
+/// A tenth of a millimetre is not a slide that anybody sees.
 const LEAST: f64 = 1e-4;
 /// Number of slides in a decade in the course of the exceedance.
 const EACH_DECADE: f64 = 16.0;

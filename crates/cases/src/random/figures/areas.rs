@@ -103,7 +103,7 @@ mod tests {
 
     use super::*;
 
-    /// A diamond on two half-planes, and a corner that is no mode: areas are those of school, and nothing is painted twice.
+    /// A diamond on two half-planes, and a corner that is not a mode: areas are those of school, and nothing is painted twice.
     #[test]
     fn areas_are_those_of_the_regions() {
         let axis = |from, to| SpectrumAxis { name: "", from, to, logarithmic: false };

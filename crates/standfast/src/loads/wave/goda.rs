@@ -203,7 +203,7 @@ fn pressures(
 
 impl Goda {
     /// The pressures of the same sea with another deep-water height (m), without warnings; `None` where these were found from
-    /// heights at the wall, or the height is no number above zero. What depends on period and depth alone is not worked out again.
+    /// heights at the wall, or the height is not a number above zero. What depends on period and depth alone is not worked out again.
     pub fn from_deep_water(
         &self,
         sea: &Sea,
