@@ -41,7 +41,7 @@ pub(crate) fn met_word(met: bool) -> &'static str {
 /// The results that criteria on numbers ask for.
 const RESULTS: [(Key, ResultName); 10] = [
     (Key::LeastSliding, ResultName::SfSliding),
-    (Key::LeastOverturning, ResultName::SfOverturning),
+    (Key::LeastOverturningNet, ResultName::SfOverturningNet),
     (Key::LeastOverturningGross, ResultName::SfOverturningGross),
     (Key::GreatestBearing, ResultName::BearingMax),
     (Key::LeastContact, ResultName::ContactShare),
@@ -109,7 +109,7 @@ impl Check {
                 let text = match criterion.key {
                     _ if !value.is_finite() => digits(value),
                     Key::LeastSliding
-                    | Key::LeastOverturning
+                    | Key::LeastOverturningNet
                     | Key::LeastOverturningGross
                     | Key::LeastGround
                     | Key::LeastLoadFactor => number::beside(value, against, 4).to_string(),
