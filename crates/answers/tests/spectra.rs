@@ -64,6 +64,20 @@ fn kinds_are_called_by_their_words() {
     assert!("newmrk".parse::<SpectrumKind>().unwrap_err().ends_with("did you mean newmark?"));
 }
 
+/// A motion that is left at 1 s of a shaking that goes on has no verdict; Newmark's slides are those of the whole shaking.
+#[test]
+fn a_motion_that_is_cut_off_has_no_overturning_spectrum() {
+    let cut = block(1.0, 3.0, 0.9, BASE).replace("[motion.base]", "[motion]\nt_max = 0.1\n[motion.base]");
+    let cut = case(&cut);
+    let refused = spectrum(&cut, &SpectrumRequest::new(SpectrumKind::Overturning)).unwrap_err();
+    assert!(matches!(refused, SpectrumError::CutShort { t_max: 0.1, end } if end > 0.1), "{refused}");
+    let ratio = steps(0.2, 0.4, 2);
+    let request = SpectrumRequest { ratio, ..SpectrumRequest::new(SpectrumKind::Newmark) };
+    let [whole, part] =
+        [&case(&block(1.0, 3.0, 0.9, BASE)), &cut].map(|case| spectrum(case, &request).unwrap().points);
+    assert_eq!(format!("{whole:?}"), format!("{part:?}"));
+}
+
 /// Uniform blocks of half diagonal R and slenderness γ are those with b = R/√(1 + γ²) and d = γ b, followed one by one.
 #[test]
 fn a_rocking_spectrum_is_of_single_blocks() {

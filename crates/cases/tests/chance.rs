@@ -452,6 +452,10 @@ fn overturning_is_that_of_the_motions_one_by_one() {
         assert_eq!((found.bodies, found.records.len(), found.points.len()), (BODIES as u64, 3, 3));
         let alone = ChanceRequest { effort: Effort { threads: 1, ..effort }, ..request };
         assert_eq!(Overturning::of(&in_time, &alone, &over).unwrap(), found);
+        // A motion that is left before its record ends tells nothing of what becomes of the body.
+        let cut = CaseFile::read("case.toml", &text.replace("t_max = 20", "t_max = 1.5"), &files).unwrap();
+        let refused = Overturning::of(&cut, &request, &over).unwrap_err().to_string();
+        assert!(refused.contains("`t_max` is 1.5 s, and one.csv goes on to 3 s"), "{refused}");
         let draws = Draws::of(&in_time, Some(&situation(&in_time)), BODIES as u64, 1).unwrap();
         for (point, peak) in found.points.iter().zip(peaks) {
             let mut became = [vec![], vec![], vec![]];

@@ -217,7 +217,7 @@ fn a_record_that_is_given_moves_the_base() {
 fn a_record_that_is_given_moves_a_body_as_points_do() {
     let body = "[body]\nwidth = 4\nheight = 6\nmass = 50000\nfriction = 0.4\n[added_mass]\nmass = 9000\nelevation = 3\n";
     let values = [0.0, 5.0, -4.0, 6.0, 1.0, 0.0];
-    let points = "[motion.base]\nhorizontal = { shape = \"points\", times = [0, 0.5, 1, 1.5, 2, 2.5], values = [0, 5, -4, 6, 1, 0] }\n";
+    let points = "[motion.base]\nhorizontal = { shape = \"points\", peak = \"1 m/s2\", times = [0, 0.5, 1, 1.5, 2, 2.5], values = [0, 5, -4, 6, 1, 0] }\n";
     let [of_file] = &follow(&format!("{body}{points}"))[..] else { panic!() };
     let [given] = &shaken(body, &values, 0.5)[..] else { panic!() };
     assert!(given.outcome.slide != 0.0);
@@ -388,6 +388,44 @@ fn slips_are_named_in_both_kinds_of_case() {
     // 0.1 s over √(0.2 m/9.81 m/s²).
     assert!(words[1].contains("0.100 apart, 0.70 of"), "{words:?}");
     assert!(words[2].contains("0.9995"), "{words:?}");
+}
+
+/// What is warned of a case at rest is warned of its motion: a centre of mass above the body, a mass in the wrong unit.
+#[test]
+fn warnings_of_the_case_are_those_of_its_motion() {
+    let shaken =
+        "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"3 m/s2\", duration = \"0.4 s\" }\n";
+    let body =
+        "[body]\nwidth = \"0.6 m\"\nlength = \"0.6 m\"\nheight = \"2 m\"\nmass = \"1.9 t\"\nfriction = 0.5\n";
+    let names = |text: &str| -> Vec<&'static str> {
+        let cases = motions(&format!("{text}{shaken}"), &no_file).unwrap();
+        cases[0].warnings.iter().map(|warning| warning.name).collect()
+    };
+    assert_eq!(names(body), [""; 0]);
+    assert_eq!(names(&format!("{body}centroid_height = \"17 m\"\n")), ["centroid-outside-body"]);
+    assert_eq!(
+        names(&body.replace("1.9 t", "1.9 kg").replace("= 0.5", "= 50")),
+        ["mean-density", "high-friction"]
+    );
+}
+
+/// Values of an acceleration are shares of a peak with its unit; an [earthquake], which is held, is pointed to a base that moves; ground that
+/// may fail is not followed, and the answer begins with that.
+#[test]
+fn what_a_motion_is_of_is_said() {
+    let body = "[body]\nwidth = 3\nlength = 1\nheight = 4\nmass = 28000\nfriction = 0.5\n";
+    let refused = |text: &str| standfast_cases::report(&motions(text, &no_file).unwrap_err());
+    let points =
+        "[motion.base]\nhorizontal = { shape = \"points\", times = [0, 0.1, 0.2], values = [0, 0.4, 0] }\n";
+    let told = refused(&format!("{body}{points}"));
+    assert!(told.contains("`peak`"), "{told}");
+    let with_peak = points.replace("times", "peak = \"2 g\", times");
+    assert!(follow(&format!("{body}{with_peak}"))[0].outcome.max_slide > 0.0);
+    let told = refused(&format!("{body}[earthquake]\nhorizontal = \"0.3 g\"\n"));
+    assert!(told.contains("has no course in time") && told.contains("[motion.base]"), "{told}");
+    let sand = "[ground]\nfriction_angle_deg = 35\nunit_weight = 10e3\n";
+    let words = follow(&format!("{body}{with_peak}{sand}")).summary().unwrap().answer;
+    assert!(words.starts_with("On a rigid base, as [ground] is not followed in time: "), "{words}");
 }
 
 /// Two loads that are equal but for their histories, one in each combination: each has its own, whichever stands first. The slide of a

@@ -163,6 +163,16 @@ pub enum SpectrumError {
     /// The motion begins other than at rest.
     #[error("a rocking spectrum is of blocks that stand at first, and the case has [motion.initial]")]
     Initial,
+    /// Motions that would be left before the shaking ends.
+    #[error(
+        "`t_max` is {}, and the shaking goes on to {}: whether the body overturns later is not known", exact(*.t_max), exact(*.end)
+    )]
+    CutShort {
+        /// The time up to which motions are followed.
+        t_max: f64,
+        /// The time at which the shaking ends.
+        end: f64,
+    },
     /// Too many motions.
     #[error("{count} motions are asked for; expected {MOST} at most")]
     Many {
@@ -306,6 +316,9 @@ fn overturning(
     progress: &(dyn Fn(Progressed) + Sync),
 ) -> Result<SpectrumPoints, SpectrumError> {
     let scales = steps(request.scale, SpectrumSteps { from: 0.05, to: 5.0, count: 199 }).even();
+    if let Some((t_max, end)) = case.problem.cut_short() {
+        return Err(SpectrumError::CutShort { t_max, end });
+    }
     let curve = OverturningCurve::new(&case.problem);
     let at = |name, value: f64| move |error| SpectrumError::Motion { name, value, error };
     let bodies = each(&scales, request.threads, progress, |scale| curve.at(*scale))
