@@ -5,9 +5,10 @@ use crate::axes::{Axis, Look, NUMBER, Plot, Tick};
 use crate::below::{Key, Words};
 use crate::caption::SMALL;
 use crate::number::significant;
-use crate::palette::{INK, MARK, OVERTURNS, PUSH, ROCKING};
+use crate::palette::{FAINT, INK, MARK, OVERTURNS, PUSH, ROCKING};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
+use crate::texture;
 
 const PLOT: (f64, f64) = (470.0, 310.0);
 const TOP: f64 = 34.0;
@@ -60,47 +61,85 @@ pub struct SpectrumMap<'a> {
     pub across: SpectrumAxis<'a>,
     /// The quantity upwards.
     pub up: SpectrumAxis<'a>,
-    /// The values to the right that were asked for, rising.
-    pub columns: &'a [f64],
-    /// The values upwards, rising.
-    pub rows: &'a [f64],
-    /// The class of each column and row, column by column: a number of `classes`.
-    pub cells: &'a [usize],
+    /// Outlines of the areas of each class but the first together with those after it, in the quantities of the axes; an outline in
+    /// another is that of a hole.
+    pub above: &'a [Vec<Vec<(f64, f64)>>],
+    /// True for a class that occurs.
+    pub occurs: [bool; 7],
     /// Words of each class, in markup: does not rock, four of rotations up to the angle of balance, beyond it, overturns.
     pub classes: [&'a str; 7],
 }
+
+/// The class whose area is striped, and the one whose edge is drawn the strongest.
+const BACK: usize = 5;
+const OVER: usize = 6;
 
 /// Draws a map of classes.
 pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
     let mut scene = Scene::default();
     let plot = plot(&map.across, &map.up);
-    // Halfway to the neighbours, to the edge at the ends.
-    let edges = |values: &[f64], place: &dyn Fn(f64) -> f64, ends: [f64; 2]| -> Vec<f64> {
-        let between = values.windows(2).map(|pair| (place(pair[0]) + place(pair[1])) / 2.0);
-        std::iter::once(ends[0]).chain(between).chain([ends[1]]).collect()
-    };
-    let (axes, area) = (plot.axes, plot.axes.area);
-    let xs = edges(map.columns, &|value| axes.x(value), [area.x0, area.x1]);
-    let ys = edges(map.rows, &|value| axes.y(value), [area.y1, area.y0]);
-    for (i, column) in xs.windows(2).enumerate() {
-        let classes = &map.cells[i * map.rows.len()..(i + 1) * map.rows.len()];
-        // Cells of one class above each other are one rectangle: two that touch show a seam.
-        let mut j = 0;
-        for run in classes.chunk_by(|one, two| one == two) {
-            let cell =
-                Rect { x0: column[0], x1: (column[1] + 0.7).min(area.x1), y0: ys[j + run.len()], y1: ys[j] };
-            scene.fill(&Path::rectangle(&cell), ROCKING[run[0]]);
-            j += run.len();
+    let axes = plot.axes;
+    scene.fill(&Path::rectangle(&axes.area), ROCKING[0]);
+    let areas: Vec<Vec<Vec<(f64, f64)>>> = map
+        .above
+        .iter()
+        .map(|loops| loops.iter().map(|each| each.iter().map(|(x, y)| axes.held(*x, *y)).collect()).collect())
+        .collect();
+    // Each class lies on those before it, so that no paper is seen between two.
+    for (class, loops) in areas.iter().enumerate().map(|(i, loops)| (i + 1, loops)) {
+        scene.fill(&outlines(loops), ROCKING[class]);
+        if class == BACK {
+            texture::stripes(&mut scene, &loops.iter().map(Vec::as_slice).collect::<Vec<_>>());
         }
+    }
+    for (class, loops) in areas.iter().enumerate().map(|(i, loops)| (i + 1, loops)) {
+        let pen = if class == OVER { Pen::solid(INK, 1.2) } else { Pen::solid(FAINT, 0.6) };
+        scene.stroke(&within(&axes.area, loops), pen);
     }
     let mut key = key(&mut scene, &plot);
-    for (i, (words, colour)) in map.classes.iter().zip(ROCKING).enumerate() {
-        if map.cells.contains(&i) {
-            let paint = |scene: &mut Scene, patch: &Rect| scene.fill(&Path::rectangle(patch), colour);
-            key.patch(&mut scene, paint, &[Text::inline(words, SMALL)]);
-        }
+    for (class, words) in map.classes.iter().enumerate().filter(|(class, _)| map.occurs[*class]) {
+        let paint = |scene: &mut Scene, patch: &Rect| {
+            scene.fill(&Path::rectangle(patch), ROCKING[class]);
+            if class == BACK {
+                texture::stripes(scene, &[&patch.corners()]);
+            }
+        };
+        key.patch(&mut scene, paint, &[Text::inline(words, SMALL)]);
     }
     finished(scene, &plot, &key, (map.title, map.caption))
+}
+
+/// Outlines as one path.
+fn outlines(loops: &[Vec<(f64, f64)>]) -> Path {
+    let mut path = Path::default();
+    for each in loops {
+        for (i, &(x, y)) in each.iter().enumerate() {
+            if i == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
+        }
+        path.close();
+    }
+    path
+}
+
+/// Outlines without what runs along the edges of the plot.
+fn within(area: &Rect, loops: &[Vec<(f64, f64)>]) -> Path {
+    let mut path = Path::default();
+    for each in loops {
+        let mut last = None;
+        for (one, two) in each.iter().zip(each.iter().cycle().skip(1)) {
+            let along = (one.0 == two.0 && (one.0 == area.x0 || one.0 == area.x1))
+                || (one.1 == two.1 && (one.1 == area.y0 || one.1 == area.y1));
+            if along {
+                continue;
+            }
+            if last != Some(one) {
+                path.move_to(one.0, one.1);
+            }
+            path.line_to(two.0, two.1);
+            last = Some(two);
+        }
+    }
+    path
 }
 
 /// Lines over a quantity.

@@ -1,26 +1,20 @@
 //! The figure of a spectrum.
 
-use standfast_answers::motion::{Spectrum, SpectrumPoints};
+use crate::layout::significant;
+use standfast_answers::motion::{RockingDistance, RockingEdges, Spectrum, SpectrumPoints, rocking_class};
 use standfast_figures::{Figure, SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map};
-use standfast_motion::spectrum::{Rocked, Slid};
+use standfast_motion::spectrum::Slid;
 
-/// Classes of the rotation of a block: the greatest share of the angle of balance of each, and its words.
-const CLASSES: [(f64, &str); 7] = [
-    (0.0, "does not rock"),
-    (0.1, "$|θ| ≤ 0.1 α$"),
-    (0.25, "$≤ 0.25 α$"),
-    (0.5, "$≤ 0.5 α$"),
-    (1.0, "$≤ α$"),
-    (f64::INFINITY, "beyond $α$, and comes back"),
-    (f64::INFINITY, "overturns"),
+/// Words of the classes of blocks.
+const CLASSES: [&str; 7] = [
+    "does not rock",
+    "$|θ| ≤ 0.1 α$",
+    "$≤ 0.25 α$",
+    "$≤ 0.5 α$",
+    "$≤ α$",
+    "beyond $α$, and comes back",
+    "overturns",
 ];
-
-fn class(block: &Rocked) -> usize {
-    if block.overturned {
-        return CLASSES.len() - 1;
-    }
-    CLASSES.iter().position(|(most, _)| block.of_balance <= *most).unwrap_or(CLASSES.len() - 2)
-}
 
 /// The figure.
 pub(super) fn figure(spectrum: &Spectrum) -> Figure {
@@ -28,19 +22,18 @@ pub(super) fn figure(spectrum: &Spectrum) -> Figure {
     let caption = super::text::words(spectrum);
     let metres = |name: &str| if spectrum.si { format!("{name} (m)") } else { name.to_owned() };
     match &spectrum.points {
-        SpectrumPoints::Rocking { sizes, slendernesses, blocks } => {
-            let cells: Vec<usize> = blocks.iter().map(class).collect();
-            let classes = CLASSES.map(|(_, words)| words);
+        SpectrumPoints::Rocking { sizes, slendernesses, blocks, edges } => {
+            let mut occurs = [false; CLASSES.len()];
+            blocks.iter().for_each(|block| occurs[rocking_class(block)] = true);
             let size = metres("half diagonal $R$");
             spectrum_map(&SpectrumMap {
                 title: &format!("{title}: rocking spectrum"),
-                caption: &format!("{caption} α is the angle of balance."),
+                caption: &format!("{caption} α is the angle of balance.{}", located(edges.as_ref())),
                 across: axis(&size, sizes, true),
                 up: axis("height over width", slendernesses, false),
-                columns: sizes,
-                rows: slendernesses,
-                cells: &cells,
-                classes,
+                above: edges.as_ref().map_or(&[], |edges| &edges.above),
+                occurs,
+                classes: CLASSES,
             })
         }
         SpectrumPoints::Newmark { ratios, slides } => {
@@ -91,6 +84,20 @@ pub(super) fn figure(spectrum: &Spectrum) -> Figure {
             })
         }
     }
+}
+
+/// Sentences on the edges between classes.
+fn located(edges: Option<&RockingEdges>) -> String {
+    let Some(RockingEdges { overturning, others, motions, .. }) = edges else { return String::new() };
+    let percent = |distance: &RockingDistance| significant(100.0 * (distance.factor - 1.0), 2);
+    format!(
+        " {motions} more motions locate the edges: that of overturning to {} % of R and {} of height over width, others to {} % and {}. What \
+         is narrower than the grid of blocks may be missed.",
+        percent(overturning),
+        significant(overturning.step, 2),
+        percent(others),
+        significant(others.step, 2)
+    )
 }
 
 fn axis<'a>(name: &'a str, values: &[f64], logarithmic: bool) -> SpectrumAxis<'a> {

@@ -82,7 +82,7 @@ const BODY: &str = "max_theta,max_theta_of_balance,max_slide,overturned,impacts,
 
 fn entries(spectrum: &Spectrum) -> Vec<Entry> {
     match &spectrum.points {
-        SpectrumPoints::Rocking { sizes, slendernesses, blocks } => blocks
+        SpectrumPoints::Rocking { sizes, slendernesses, blocks, .. } => blocks
             .iter()
             .enumerate()
             .map(|(i, body)| Entry::Block {
@@ -223,7 +223,7 @@ fn table(spectrum: &Spectrum) -> Vec<Vec<String>> {
         (0..shown).map(|i| if shown < 2 { 0 } else { i * (count - 1) / (shown - 1) }).collect()
     };
     match &spectrum.points {
-        SpectrumPoints::Rocking { sizes, slendernesses, blocks } => {
+        SpectrumPoints::Rocking { sizes, slendernesses, blocks, .. } => {
             let head = ["height over width", "do not rock", "overturn", "the largest that does"];
             let mut rows = vec![head.map(str::to_owned).to_vec()];
             for j in chosen(slendernesses.len()) {
