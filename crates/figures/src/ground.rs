@@ -12,11 +12,11 @@ use standfast::ground::strength::{CrushMap, CrushPoint};
 use standfast::{Diagram, Modes, Verdict};
 
 use self::shape::{Shape, through};
-use crate::axes::{Axes, Names};
+use crate::axes::{COLUMN, FRAME, LEFT};
 use crate::below::Words;
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{self, SIZE, SMALL, Said, pair};
-use crate::chart::{LETTER, PLOT, TOP};
+use crate::chart::{LETTER, named_plane, plane as plane_at};
 use crate::margins;
 use crate::number::digits;
 use crate::outlines::{OutlinedLine, Outlines, polygons};
@@ -171,7 +171,7 @@ impl Draft {
         let window = plane.window_of(content);
         let view = View::from_origin(window.k, window.mu);
         let shape = plane.shape(&view);
-        let canvas = Canvas::new(Axes::beside_numbers(&view, PLOT, TOP));
+        let canvas = Canvas::new(plane_at(&view));
         let areas = shape.areas.iter().map(|(verdict, strips)| (*verdict, clip_strips(strips, &view)));
         let areas = areas.filter(|(_, pieces)| !pieces.is_empty()).collect();
         Draft { canvas, shape, window, areas, legend: Vec::new() }
@@ -192,7 +192,7 @@ impl Draft {
             }
             self.shape.lines.push(line);
         }
-        axes.arrows(&mut self.canvas.scene, &Names::NUMBERED);
+        axes.border(&mut self.canvas.scene, FRAME);
         let numbered = self.marks(content);
         self.finish(plane, content, &numbered)
     }
@@ -277,9 +277,8 @@ impl Draft {
 
     fn finish(mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>, numbered: &[usize]) -> Figure {
         let axes = self.canvas.board.axes;
-        let bottom = axes.round_numbers(&mut self.canvas.scene);
-        let width = axes.area.x1 + 46.0;
-        let edges = (16.0, width - 16.0);
+        let (bottom, _) = named_plane(&mut self.canvas.scene, &axes);
+        let edges = (LEFT, COLUMN - LEFT);
         let heading = margins::words(&format!("{} {}", plane.heading(), plane.given()), SIZE);
         let parts =
             self.shape.points.iter().map(|point| format!("{} {}", point.markup, pair(point.k, point.mu)));

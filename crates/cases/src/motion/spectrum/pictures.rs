@@ -2,7 +2,9 @@
 
 use crate::layout::significant;
 use standfast_answers::motion::{RockingDistance, RockingEdges, Spectrum, SpectrumPoints, rocking_class};
-use standfast_figures::{Figure, SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map};
+use standfast_figures::{
+    ChanceMark, Figure, SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map,
+};
 use standfast_motion::spectrum::Slid;
 
 /// Words of the classes of blocks.
@@ -19,7 +21,7 @@ const CLASSES: [&str; 7] = [
 /// The figure.
 pub(super) fn figure(spectrum: &Spectrum) -> Figure {
     let title = spectrum.title.as_deref().unwrap_or("A shaking");
-    let caption = super::text::words(spectrum);
+    let caption = super::text::words(spectrum, 4);
     let metres = |name: &str| if spectrum.si { format!("{name} (m)") } else { name.to_owned() };
     match &spectrum.points {
         SpectrumPoints::Rocking { sizes, slendernesses, blocks, edges } => {
@@ -54,11 +56,12 @@ pub(super) fn figure(spectrum: &Spectrum) -> Figure {
             let name = metres("slide");
             spectrum_lines(&SpectrumLines {
                 title: &format!("{title}: Newmark spectrum"),
-                caption: &caption,
+                caption: &format!("{caption}{}", one_sided(ratios, slides)),
                 across: axis("yield acceleration over peak", ratios, false),
-                up: SpectrumAxis { name: &name, from: least, to: most, logarithmic: true },
+                up: SpectrumAxis { name: &name, from: least, to: round_above(most), logarithmic: true },
                 lines: &lines,
                 shaded: (&[], ""),
+                marks: &[],
             })
         }
         SpectrumPoints::Overturning { scales, bodies, stretches } => {
@@ -68,22 +71,50 @@ pub(super) fn figure(spectrum: &Spectrum) -> Figure {
                 .map(|(scale, body)| (*scale, if body.overturned { f64::INFINITY } else { body.of_balance }))
                 .collect();
             let finite = line.iter().map(|point| point.1).filter(|value| value.is_finite());
-            let most = finite.fold(1.05, f64::max);
+            let most = 1.08 * finite.fold(0.1, f64::max);
             spectrum_lines(&SpectrumLines {
                 title: &format!("{title}: overturning"),
                 caption: &caption,
                 across: axis("factor on the shaking", scales, false),
                 up: SpectrumAxis {
-                    name: "largest $|θ|$ over that of balance",
+                    name: "largest $|θ|$ over the angle of balance",
                     from: 0.0,
                     to: most,
                     logarithmic: false,
                 },
                 lines: &[("where it stands", line)],
                 shaded: (stretches, "it overturns"),
+                marks: &[ChanceMark { at: 1.0, words: "this shaking" }],
             })
         }
     }
+}
+
+/// The next round number: 1, 2 or 5 times a power of ten.
+fn round_above(value: f64) -> f64 {
+    let decade = 10f64.powf(value.log10().floor());
+    [1.0, 2.0, 5.0]
+        .map(|step| step * decade)
+        .into_iter()
+        .find(|round| *round >= value)
+        .unwrap_or(10.0 * decade)
+}
+
+/// Sentence on where a block on level ground slides as far as one that can only slide to a side: there the lines lie on each other.
+fn one_sided(ratios: &[f64], slides: &[Slid]) -> String {
+    let same = |one: f64, other: f64| (one - other).abs() <= 0.01 * other;
+    for side in ["left", "right"] {
+        let of = |slid: &Slid| if side == "left" { slid.left } else { slid.right };
+        let differs = slides.iter().rposition(|slid| !same(of(slid), slid.both));
+        let from = differs.map_or(0, |last| last + 1);
+        if slides.get(from).is_some_and(|slid| slid.both > 0.0) {
+            let from = significant(ratios[from], 2);
+            return format!(
+                " From {from} on a block on level ground slides as far as one that can only slide to the {side}."
+            );
+        }
+    }
+    String::new()
 }
 
 /// Sentences on the edges between classes.

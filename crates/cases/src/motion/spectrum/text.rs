@@ -158,7 +158,7 @@ pub(super) fn text(spectrum: &Spectrum) -> String {
     if let Some(title) = &spectrum.title {
         let _ = writeln!(text, "{title}\n");
     }
-    text += &paragraph(&words(spectrum), 0);
+    text += &paragraph(&words(spectrum, 7), 0);
     let _ = write!(text, "\n{}", columns(&table(spectrum), 2, &[0, 1, 2, 3, 4]));
     for warning in &spectrum.warnings {
         let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
@@ -171,8 +171,8 @@ fn metres(spectrum: &Spectrum) -> &'static str {
     if spectrum.si { " m" } else { "" }
 }
 
-/// Sentences on the motions followed and on their outcome.
-pub(super) fn words(spectrum: &Spectrum) -> String {
+/// Sentences on the motions followed and on their outcome, with so many digits of the factors at which one turns into another.
+pub(super) fn words(spectrum: &Spectrum, digits: usize) -> String {
     let peak = format!("{} g", significant(spectrum.peak / spectrum.gravity, 3));
     match &spectrum.points {
         SpectrumPoints::Rocking { blocks, .. } => {
@@ -189,8 +189,9 @@ pub(super) fn words(spectrum: &Spectrum) -> String {
             ratios.len()
         ),
         SpectrumPoints::Overturning { scales, stretches, .. } => {
-            let stretch =
-                |[from, to]: &[f64; 2]| format!("from {} to {}", significant(*from, 7), significant(*to, 7));
+            let stretch = |[from, to]: &[f64; 2]| {
+                format!("from {} to {}", significant(*from, digits), significant(*to, digits))
+            };
             let found = match &stretches[..] {
                 [] => "it does not overturn at any of them".to_owned(),
                 all => {
