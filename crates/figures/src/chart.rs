@@ -26,7 +26,7 @@ pub(crate) const HEIGHT: f64 = 310.0;
 pub(crate) const ROOM: f64 = 46.0;
 pub(crate) const TOP: f64 = 46.0;
 /// The name of an axis stands above the letters at the ends of lines.
-pub(crate) const HIGHER: f64 = 18.0;
+const HIGHER: f64 = 18.0;
 pub(crate) const LETTER: f64 = 14.5;
 pub(crate) const DROP: Pen = Pen { colour: FAINT, width: 0.7, dashes: "3.2 2.6" };
 
@@ -62,7 +62,7 @@ impl Drawing<'_> {
     pub(crate) fn figure(&self) -> Figure {
         let mu_tabs = self.mu_marks();
         let axes = if self.numbered {
-            plane(&self.window)
+            plane(&self.window, TOP)
         } else {
             axes_at(margins::mu_width(mu_tabs.iter()).max(34.0) + 6.0, &self.window)
         };
@@ -146,17 +146,17 @@ impl Drawing<'_> {
     }
 }
 
-/// Place of a k–μ plane with numbers.
-pub(crate) fn plane(window: &View) -> Axes {
+/// Place of a k–μ plane with numbers, from `top` on.
+pub(crate) fn plane(window: &View, top: f64) -> Axes {
     let (across, up) = window.axes();
-    Axes::beside_numbers([across, up], (LEFT, COLUMN - ROOM), TOP, HEIGHT)
+    Axes::beside_numbers([across, up], (LEFT, COLUMN - ROOM), top, HEIGHT)
 }
 
-/// Numbers and names of a k–μ plane; gives the y below and the x right of what stands above.
-pub(crate) fn named_plane(scene: &mut Scene, axes: &Axes) -> (f64, f64) {
+/// Numbers and names of a k–μ plane, with what else stands above or without; gives the y below and the x right of what stands above.
+pub(crate) fn named_plane(scene: &mut Scene, axes: &Axes, is_labelled: bool) -> (f64, f64) {
     let [across, up] = ["Force over weight, $k$", "Friction, $μ$"].map(|words| Text::inline(words, NUMBER));
     axes.framed(scene, &axes.ticks());
-    axes.name_above(scene, &up, LEFT, HIGHER);
+    axes.name_above(scene, &up, LEFT, if is_labelled { HIGHER } else { 0.0 });
     (axes.name_below(scene, &across), LEFT + up.width)
 }
 
@@ -387,8 +387,11 @@ impl<'a> Draft<'a> {
         let axes = self.canvas.board.axes;
         self.legend.extend(caption::hatching(self.given.hatched));
         let scene = &mut self.canvas.scene;
-        let (bottom, above) =
-            if self.given.numbered { named_plane(scene, &axes) } else { (self.k_marks(), axes.area.x0) };
+        let (bottom, above) = if self.given.numbered {
+            named_plane(scene, &axes, !self.above.is_empty())
+        } else {
+            (self.k_marks(), axes.area.x0)
+        };
         let right = std::mem::take(&mut self.right);
         let right = margins::right_of(&mut self.canvas.scene, &axes, right).unwrap_or(axes.area.x1);
         margins::above(&mut self.canvas.scene, &axes, std::mem::take(&mut self.above), above);

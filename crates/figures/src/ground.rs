@@ -28,6 +28,8 @@ use crate::{DesignPoint, DiagramContent, Figure, map, outlines};
 
 const BOUNDARY: Pen = Pen::solid(INK, 1.5);
 const DASHED: Pen = Pen { colour: INK, width: 0.9, dashes: "5 3.4" };
+/// Above the plot: the name of the friction.
+const TOP: f64 = 30.0;
 /// The shortest line that carries its equation, in pixels.
 const SHORTEST: f64 = 20.0;
 const RIGID: Pen = Pen::solid(BEHIND, 1.1);
@@ -171,7 +173,7 @@ impl Draft {
         let window = plane.window_of(content);
         let view = View::from_origin(window.k, window.mu);
         let shape = plane.shape(&view);
-        let canvas = Canvas::new(plane_at(&view));
+        let canvas = Canvas::new(plane_at(&view, TOP));
         let areas = shape.areas.iter().map(|(verdict, strips)| (*verdict, clip_strips(strips, &view)));
         let areas = areas.filter(|(_, pieces)| !pieces.is_empty()).collect();
         Draft { canvas, shape, window, areas, legend: Vec::new() }
@@ -277,7 +279,7 @@ impl Draft {
 
     fn finish(mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>, numbered: &[usize]) -> Figure {
         let axes = self.canvas.board.axes;
-        let (bottom, _) = named_plane(&mut self.canvas.scene, &axes);
+        let (bottom, _) = named_plane(&mut self.canvas.scene, &axes, false);
         let edges = (LEFT, COLUMN - LEFT);
         let heading = margins::words(&format!("{} {}", plane.heading(), plane.given()), SIZE);
         let parts =

@@ -25,9 +25,8 @@ use crate::text::Text;
 use crate::{Figure, LoadPlane, caption};
 
 const HEIGHT: f64 = 310.0;
-/// Above the plot: the name of the friction, and numbers at the ends of stages.
-const TOP: f64 = 46.0;
-const HIGHER: f64 = 18.0;
+/// Above the plot: the name of the friction.
+const TOP: f64 = 30.0;
 /// Room right of the plot for the friction of the path.
 const ROOM: f64 = 72.0;
 const BOUNDARY: Pen = Pen::solid(INK, 1.3);
@@ -138,7 +137,7 @@ fn drawn(given: &Plan, across: Option<f64>, scene: Scene) -> Figure {
 
     let [name, up] = ["Share of the load, $λ$", "Friction, $μ$"].map(|words| Text::inline(words, NUMBER));
     axes.framed(&mut canvas.scene, &axes.ticks());
-    axes.name_above(&mut canvas.scene, &up, LEFT, HIGHER);
+    axes.name_above(&mut canvas.scene, &up, LEFT, 0.0);
     let below = axes.name_below(&mut canvas.scene, &name);
     let right = path.friction.map(|mu| {
         let text = Text::new(&format!("$μ = {}$", digits(mu)), NUMBER);

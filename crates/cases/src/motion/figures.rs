@@ -49,7 +49,8 @@ pub(super) fn all(followed: &FollowedMotion) -> Vec<AnswerFigure> {
         balance: [(block.b1 / block.d).atan(), -(block.b2 / block.d).atan()],
     };
     let (begin, end) = samples.moves();
-    let (from, to) = (significant(begin, 3), significant(end, 3));
+    let from = significant(begin, 3);
+    let to = format!("{}{}", significant(end, 3), if case.si { " s" } else { "" });
     let told = match (begin > 0.0, end < samples.end) {
         (false, false) => samples.caption.clone(),
         (true, false) => format!("{} Shown from t = {from} on: before, the body rests.", samples.caption),
