@@ -24,8 +24,8 @@ pub use criteria::{MotionCheck, MotionValue};
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
 pub use series::{SERIES, series, series_csv};
 pub use spectrum::{
-    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, SpectrumSteps,
-    in_order,
+    Progressed, ROCKING_LEVELS, RockingDistance, RockingEdges, Spectrum, SpectrumError, SpectrumKind,
+    SpectrumPoints, SpectrumRequest, SpectrumSteps, in_order, rocking_class,
 };
 pub use strength::{Strength, StrengthAsked};
 

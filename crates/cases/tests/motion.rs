@@ -2,7 +2,11 @@
 
 use std::path::Path;
 
-use standfast_cases::motion::{BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit};
+use standfast::Mode;
+use standfast_cases::motion::{
+    BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, Spectrum, SpectrumKind,
+    SpectrumRequest,
+};
 use standfast_cases::{Acting, CaseError, CaseFile, Document};
 use standfast_motion::End;
 
@@ -302,6 +306,71 @@ fn the_animation_follows_the_motion() {
     // Without steps there is nothing to draw.
     let followed = [FollowedMotion::of(case, &Follow::default()).unwrap()];
     assert!(followed.figures(&MotionView::default()).unwrap().is_empty());
+}
+
+/// A picture that moves begins shortly before the body leaves rest and ends shortly after it rests, and says so; its angles are still those
+/// of the motion. Captions have four digits.
+#[test]
+fn an_animation_leaves_out_the_rest_before_and_after() {
+    let text = include_str!("../../../examples/motion/block-base-pulse.toml");
+    let late = text.replace("period = 5, duration = 5", "period = 5, duration = 5, start = 81.2345678");
+    let case = motions(&late.replace("peak = 0.6", "peak = 0.36"), &no_file).unwrap().remove(0);
+    let whole = Follow { series: true, ..Follow::default() };
+    let answers = [FollowedMotion::of(case, &whole).unwrap()];
+    let figures = answers.figures(&MotionView::default()).unwrap();
+    let outcome = &answers[0].outcome;
+    let leaves = outcome.events.iter().find(|event| event.state != Mode::Rest).unwrap().t;
+    let rests = outcome.t_rest.unwrap();
+    assert!(leaves > 81.0 && rests > leaves, "{leaves} {rests}");
+    let svg = figures[2].figure.svg();
+    let duration: f64 = svg.split("dur=\"").nth(1).unwrap().split('s').next().unwrap().parse().unwrap();
+    let room = (0.08 * (rests - leaves)).min(1.0);
+    let begin = leaves - room;
+    let end = (rests + room).min(outcome.t_final);
+    assert!((duration - 1.5 - (end - begin)).abs() < 1e-3, "{duration} {begin} {end}");
+    let rotate = "<animateTransform attributeName=\"transform\" type=\"rotate\"";
+    // So small a motion is drawn larger, which the caption says.
+    let factor = if figures[2].figure.caption().contains("ten times as large") { 10.0 } else { 1.0 };
+    let mut turned = 0;
+    for (time, angle) in listed(svg, rotate, "keyTimes").iter().zip(&listed(svg, rotate, "values")) {
+        let t = (begin + time[0] * duration).min(end);
+        let theta = outcome.at(t).unwrap().theta.to_degrees();
+        assert!((angle[0] + factor * theta).abs() < 0.02, "{t}: {angle:?} {theta}");
+        turned += usize::from(angle[0] != 0.0);
+    }
+    assert!(turned > 50, "{turned}");
+    let caption = figures[2].figure.caption();
+    assert!(caption.contains(&format!(" Shown from t = {begin:.1}")), "{caption}");
+    for figure in &figures {
+        let caption = figure.figure.caption();
+        assert!(caption.contains(&format!("At t = {leaves:.2} the body leaves rest")), "{caption}");
+        let digits = |word: &&str| word.chars().filter(char::is_ascii_digit).count();
+        let word = caption.split_whitespace().max_by_key(digits).unwrap();
+        assert!(digits(&word) <= 4, "{word} in {caption}");
+    }
+}
+
+/// Under a rectangle of acceleration the base leaves the block behind to one side only: on level ground it slides as far as one that can
+/// slide to that side alone, whatever its yield acceleration. Under a shaking both ways this is true of the ratios above the lesser peak.
+#[test]
+fn lines_of_a_newmark_spectrum_that_lie_on_each_other_are_told() {
+    let caption = |shape: &str| {
+        let text = format!(
+            "[block]\nb1 = 1\nb2 = 1\nd = 0.5\nmu_s = 0.4\ngravity = 1\n[motion.base]\nhorizontal = {{ {shape} }}\n"
+        );
+        let case = motions(&text, &no_file).unwrap().remove(0);
+        let steps = "0.2,0.8,7".parse().unwrap();
+        let request = SpectrumRequest { ratio: Some(steps), ..SpectrumRequest::new(SpectrumKind::Newmark) };
+        let found = Spectrum::of(&case, &request, &|_| ()).unwrap();
+        found.figures(&()).unwrap().remove(0).figure.caption().to_owned()
+    };
+    let one = caption("shape = \"rect\", peak = 0.8, duration = 1.5");
+    let told = "From 0.2 on a block on level ground slides as far as one that can only slide to the ";
+    assert!(one.contains(told), "{one}");
+    // To the right, and then longer back with less: below 0.7 the block slides both ways, and farther back.
+    let both =
+        caption("shape = \"points\", peak = 1, times = [0, 1, 1, 4, 4], values = [1, 1, -0.7, -0.7, 0]");
+    assert!(both.contains("on a block on level ground") && !both.contains("From 0.2 on"), "{both}");
 }
 
 /// At the first instant a shaken body bears the peaks of the shaking, and a wave's load its own value; blanks keep the places of errors.

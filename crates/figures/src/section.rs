@@ -20,6 +20,7 @@ mod rows;
 use standfast::loads::Face;
 
 use crate::Figure;
+use crate::axes::{COLUMN, NUMBER, PAGE};
 use crate::scene::{Rect, Scene};
 use paint::Painter;
 
@@ -190,11 +191,14 @@ pub struct Section<'a> {
 /// ```
 pub fn section(given: &Section<'_>) -> Figure {
     // Items that reach across the page are drawn when it is known how large the page is.
-    let measured = Painter::new(given, (0.0, 0.0), None).paint();
-    let page = measured.extent.grown(MARGIN);
-    let size = ((page.x1 - page.x0).ceil(), (page.y1 - page.y0).ceil());
+    let (scale, measured) = fitted(given);
+    let natural = measured.extent.grown(MARGIN);
+    let wide = [COLUMN, PAGE].into_iter().find(|wide| natural.x1 - natural.x0 <= *wide);
+    let aside = wide.map_or(0.0, |wide| (wide - (natural.x1 - natural.x0)) / 2.0);
+    let page = Rect { x0: natural.x0 - aside, x1: natural.x1 + aside, ..natural };
+    let size = ((page.x1 - page.x0 - 1e-6).ceil(), (page.y1 - page.y0).ceil());
     let room = (measured.names.0 - page.x0, measured.names.1 - page.x0);
-    let drawn = Painter::new(given, (-page.x0, -page.y0), Some(room)).paint();
+    let drawn = Painter::new(given, scale, (-page.x0, -page.y0), Some(room)).paint();
     let title = match given.title {
         "" => "Section".to_owned(),
         title => format!("Section: {title}"),
@@ -203,11 +207,34 @@ pub fn section(given: &Section<'_>) -> Figure {
     Figure { svg, title, caption: legend(given).join(". "), labels, size }
 }
 
+/// How large the body is drawn, so that all has room in a column or a page, and the drawing measured.
+fn fitted(given: &Section<'_>) -> (f64, Painting) {
+    let drawn = |size: f64| Painter::new(given, size, (0.0, 0.0), None).paint();
+    let width = |painting: &Painting| painting.extent.x1 - painting.extent.x0 + 2.0 * MARGIN;
+    let whole = drawn(1.0);
+    let body = Painter::new(given, 1.0, (0.0, 0.0), None).width();
+    // A little smaller for a column; as small as it takes for a page. What stands beside the body keeps its width.
+    for (wide, least) in [(COLUMN, 0.8), (PAGE, 0.4)] {
+        let over = width(&whole) - wide;
+        if over <= 0.0 {
+            return (1.0, whole);
+        }
+        let size = (1.0 - over / body) * 0.98;
+        if size >= least {
+            let smaller = drawn(size);
+            if width(&smaller) <= wide {
+                return (size, smaller);
+            }
+        }
+    }
+    (1.0, whole)
+}
+
 /// White around the drawing.
 const MARGIN: f64 = 10.0;
 
 /// Type size of labels.
-const LABEL: f64 = 14.5;
+const LABEL: f64 = NUMBER;
 
 /// The letter of a load in the drawing.
 fn tag(index: usize) -> String {

@@ -83,6 +83,15 @@ pub(super) fn far(followed: &FollowedMotion) -> String {
 
 /// Outcome for the body, in a sentence.
 pub fn verdict(followed: &FollowedMotion) -> String {
+    outcome_words(followed, number)
+}
+
+/// Outcome for the body, in a sentence, with the digits that a caption has.
+pub(super) fn caption(followed: &FollowedMotion) -> String {
+    outcome_words(followed, |time| significant(time, 4))
+}
+
+fn outcome_words(followed: &FollowedMotion, number: impl Fn(f64) -> String) -> String {
     let (outcome, s) = (&followed.outcome, seconds(followed));
     let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t)) + s;
     let moves = outcome.events.iter().find(|event| event.state != Mode::Rest);
