@@ -12,7 +12,7 @@ use standfast::Mode;
 use standfast_cases::motion::{
     BlockCase, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, StrengthAsked,
 };
-use standfast_cases::{CaseFile, Document};
+use standfast_cases::{CaseFile, Document, Interface};
 
 use crate::errors::{StandfastError, of_case};
 use crate::watch::patiently;
@@ -36,7 +36,7 @@ type Series<'py> = ([Bound<'py, PyArray1<f64>>; 6], Bound<'py, PyArray1<u8>>);
 impl MotionAnswer {
     /// For reading.
     fn text(&self) -> String {
-        self.answers.text(&MotionView { all: self.all })
+        self.answers.text(&MotionView { all: self.all, interface: Interface::Python })
     }
 
     /// As one JSON document.

@@ -60,7 +60,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
         return Ok(PrintedAnswer { met, ..PrintedAnswer::plain(series_csv(worst, dt)) });
     }
     let figures = Figures::asked(args.output.as_deref(), no_figures);
-    let view = MotionView { all: args.all };
+    let view = MotionView { all: args.all, ..MotionView::default() };
     let mut printed = PrintedAnswer::of(
         &answers[..],
         &view,

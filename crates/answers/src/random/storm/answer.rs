@@ -142,7 +142,7 @@ impl Explained for SlidingError {
             SlidingError::Choice { .. } => {
                 "storms are answered for a case whose loads all act together".into()
             }
-            SlidingError::BiasOfMoment { .. } => "leave it out, or --rotations count".into(),
+            SlidingError::BiasOfMoment { .. } => "leave it out, or have rotations counted".into(),
             _ => return None,
         };
         Some(help)
