@@ -7,7 +7,7 @@ use standfast_cases::motion::{
     BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, Spectrum, SpectrumKind,
     SpectrumRequest,
 };
-use standfast_cases::{Acting, CaseError, CaseFile, Document};
+use standfast_cases::{Acting, CaseError, CaseFile, Document, Portion};
 use standfast_motion::End;
 
 fn no_file(file: &str) -> Result<String, String> {
@@ -171,7 +171,7 @@ fn wrong_cases() {
     }
     let lift = "[[load]]\nforce = 5e6\ndirection = \"up\"\ndistance = 7.5\npermanent = true\n";
     let cases = motions(&format!("{body}{lift}{base}"), &no_file).unwrap();
-    let error = FollowedMotion::of_all(cases, &Follow::default()).unwrap_err();
+    let error = FollowedMotion::of_all(cases, &Follow::default(), Portion::UNSEEN).unwrap_err();
     assert!(error.to_string().contains("floats"), "{error}");
 }
 
@@ -187,7 +187,7 @@ fn examples_are_followed() {
             std::fs::read_to_string(entry.path()).unwrap(),
         );
         let cases = CaseFile::read(&name, &text, &read).unwrap().motions().unwrap();
-        for followed in FollowedMotion::of_all(cases, &Follow::default()).unwrap() {
+        for followed in FollowedMotion::of_all(cases, &Follow::default(), Portion::UNSEEN).unwrap() {
             assert!(matches!(followed.outcome.end, End::AtRest | End::Overturned), "{name}");
         }
         count += 1;

@@ -6,7 +6,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use standfast_cases::key::TITLE_BLOCK;
 use standfast_cases::motion::FirstInstant;
 use standfast_cases::units::Extent;
-use standfast_cases::{AnswerFigure, Assessment, AssessmentView, Case, CaseFile, Document, Key};
+use standfast_cases::{AnswerFigure, Assessment, AssessmentView, Case, CaseFile, Document, Key, Portion};
 use standfast_figures::Figure;
 
 use crate::{
@@ -54,12 +54,13 @@ pub fn render(
     assessment: &Assessment,
     source: &Source<'_>,
     view: &AssessmentView,
+    portion: Portion<'_>,
 ) -> Result<String, SheetError> {
     let case = &assessment.case;
     let (section, figures): (Vec<_>, Vec<_>) =
         assessment.figures(view)?.into_iter().partition(|figure| figure.is_section());
     let sensitivities = sensitivity::table(source.case_file)?;
-    let probability = probability::section(source.case_file)?;
+    let probability = probability::section(source.case_file, portion)?;
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
     let calculation = calculation::steps(assessment, source.case_file.inputs(), view)?;
     let inputs = inputs::tables(case, source.case_file);

@@ -47,7 +47,7 @@ mod verdict;
 use sha2::{Digest, Sha256};
 use standfast::InputError;
 use standfast_cases::motion::{Factors, FirstInstant, Follow, StrengthAsked};
-use standfast_cases::{Assessment, AssessmentView, CaseError, CaseFile, Explained, Key};
+use standfast_cases::{Assessment, AssessmentView, CaseError, CaseFile, Explained, Key, Portion, Stopped};
 use thiserror::Error;
 
 pub use browser::{Paper, PaperError, PrintError};
@@ -81,6 +81,9 @@ pub enum SheetError {
     /// The case file is wrong.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// Whoever watches the work has stopped it.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// The case cannot be computed.
     #[error(transparent)]
     Mechanics(#[from] InputError),
@@ -122,20 +125,28 @@ impl Sheet {
     /// # Errors
     /// If the case makes no sense, or anything on the sheet cannot be drawn: there is no sheet with a gap.
     pub fn of(name: &str, text: &str, options: &SheetOptions) -> Result<Sheet, SheetError> {
-        Sheet::of_file(&CaseFile::parse(name, text)?, options)
+        Sheet::of_file(&CaseFile::parse(name, text)?, options, Portion::UNSEEN)
     }
 
-    /// The sheet of a case file; of one in time that of its first instant, with its motion.
+    /// The sheet of a case file, as a portion of work that somebody may watch; of one in time that of its first instant, with its motion.
     ///
     /// # Errors
-    /// As [`of`](Sheet::of), and if the motion cannot be followed.
-    pub fn of_file(case_file: &CaseFile, options: &SheetOptions) -> Result<Sheet, SheetError> {
+    /// As [`of`](Sheet::of), and if the motion cannot be followed, or the work is stopped.
+    pub fn of_file(
+        case_file: &CaseFile,
+        options: &SheetOptions,
+        portion: Portion<'_>,
+    ) -> Result<Sheet, SheetError> {
         let strength = StrengthAsked::IfShort(Factors::Rungs);
         let follow = Follow { series: true, divergence: true, strength };
-        let assessment = Assessment::following(case_file, Some(&follow))?;
+        let [of_answer, of_chances] =
+            portion.parts([1.0, if case_file.random().is_some() { 9.0 } else { 0.0 }]);
+        let assessment = Assessment::following(case_file, Some(&follow), of_answer)?;
         match case_file.first_instant()? {
-            Some(first) => Sheet::made(&assessment, &first.file, Some((case_file, &first)), options),
-            None => Sheet::made(&assessment, case_file, None, options),
+            Some(first) => {
+                Sheet::made(&assessment, &first.file, Some((case_file, &first)), options, of_chances)
+            }
+            None => Sheet::made(&assessment, case_file, None, options, of_chances),
         }
     }
 
@@ -144,6 +155,7 @@ impl Sheet {
         case_file: &CaseFile,
         in_time: Option<(&CaseFile, &FirstInstant)>,
         options: &SheetOptions,
+        portion: Portion<'_>,
     ) -> Result<Sheet, SheetError> {
         let name = case_file.name();
         let source = document::Source {
@@ -160,7 +172,9 @@ impl Sheet {
             title_block: &options.title_block,
         };
         let view = AssessmentView { up_to: options.up_to, ..AssessmentView::default() };
-        Ok(Sheet { html: document::render(assessment, &source, &view)?, date: options.date })
+        let html = document::render(assessment, &source, &view, portion)?;
+        portion.reached(1.0);
+        Ok(Sheet { html, date: options.date })
     }
 
     /// The sheet as an HTML document.

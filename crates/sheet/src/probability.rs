@@ -1,16 +1,16 @@
 //! Probability of each mode where some numbers are random: laws, method, probabilities, what matters, what is asked.
 
 use maud::{Markup, html};
-use standfast_cases::CaseFile;
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
     ChanceRequest, Chances, Estimate, Happening, Method, Probability, ProbabilityError, Rate,
 };
+use standfast_cases::{CaseFile, Portion};
 
 use crate::SheetError;
 
 /// The section of a case with `[random]`; `None` of any other.
-pub fn section(file: &CaseFile) -> Result<Option<Markup>, SheetError> {
+pub fn section(file: &CaseFile, portion: Portion<'_>) -> Result<Option<Markup>, SheetError> {
     let Some(random) = file.random() else { return Ok(None) };
     let laws = html! {
         p.note {
@@ -37,9 +37,10 @@ pub fn section(file: &CaseFile) -> Result<Option<Markup>, SheetError> {
                 (digits(measure.value())) " (" (measure.name()) ")." }
         }
     };
-    let answer = match Probability::of(file, ChanceRequest::default()) {
+    let answer = match Probability::under(file, ChanceRequest::default(), None, &[], portion) {
         Ok(answer) => answer,
         Err(ProbabilityError::Case(error)) => return Err(error.into()),
+        Err(ProbabilityError::Stopped(stopped)) => return Err(stopped.into()),
         // The laws stand there, and why nothing follows from them.
         Err(other) => {
             return Ok(Some(html! { (laws) p.warning { "No probability is found: " (other) "." } }));

@@ -1,9 +1,9 @@
 //! The sheet of a case in time: what the program answers stands there.
 
 use scraper::{Html, Selector};
-use standfast_cases::CaseFile;
 use standfast_cases::layout::{digits, significant};
 use standfast_cases::motion::{Follow, FollowedMotion};
+use standfast_cases::{CaseFile, Portion};
 use standfast_sheet::{Sheet, SheetOptions};
 
 const CAISSON: &str = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
@@ -24,8 +24,8 @@ fn number(text: &str) -> f64 {
 fn the_sheet_has_what_becomes_of_the_body() {
     let text = format!("{CAISSON}\n[criteria]\nslide = \"8 cm\"\noverturned = false\n");
     let file = CaseFile::parse("case.toml", &text).unwrap();
-    let html = Sheet::of_file(&file, &SheetOptions::default()).unwrap().html().to_owned();
-    assert_eq!(Sheet::of_file(&file, &SheetOptions::default()).unwrap().html(), html);
+    let html = Sheet::of_file(&file, &SheetOptions::default(), Portion::UNSEEN).unwrap().html().to_owned();
+    assert_eq!(Sheet::of_file(&file, &SheetOptions::default(), Portion::UNSEEN).unwrap().html(), html);
     let page = Html::parse_document(&html);
     let answers = FollowedMotion::of_file(&file, &Follow::default()).unwrap();
     let outcome = &answers[0].outcome;

@@ -12,6 +12,8 @@ from typing import Literal
 
 from . import _standfast
 from ._assess import case_text
+from ._progress import shown
+from ._types import Progress
 
 
 def sheet(
@@ -27,6 +29,7 @@ def sheet(
     revision: str | None = None,
     author: str | None = None,
     checker: str | None = None,
+    progress: Progress = None,
 ) -> str:
     """The calculation sheet of a case: what ``standfast sheet`` writes, one HTML file that loads nothing.
 
@@ -41,11 +44,12 @@ def sheet(
         up_to: how far the path of a rising load is followed, in multiples of the load, from 1 to a million.
         paper: the size of a PDF's pages.
         project, client, sheet, revision, author, checker: what goes into the title block before what the case says.
+        progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
 
     Returns:
         The HTML document. ``IPython.display.HTML`` shows it in a notebook.
 
-    Ctrl-C ends the call at once; what it had begun goes on in the background to its end, and nothing is written.
+    Ctrl-C ends the call at once, and nothing is written.
 
     Raises:
         ValueError: for a case that is not understood, and for a wrong date, paper or extension.
@@ -76,7 +80,9 @@ def sheet(
     if day is not None and not isinstance(day, str):
         raise TypeError(f"date is {date!r}; expected a text like '2026-11-21' or a date")
     given = [(key, text) for key, text in told.items() if text is not None]
-    html, pdf = _standfast.sheet(case_text(case), day, up_to, given, paper, extension == ".pdf")
+    file = case_text(case)
+    with shown(progress, None) as told_of:
+        html, pdf = _standfast.sheet(file, day, up_to, given, (paper, extension == ".pdf"), told_of)
     if target is not None:
         _write(target, html.encode() if pdf is None else pdf)
     return html
