@@ -18,8 +18,10 @@ pub(crate) fn title_block() -> Vec<&'static str> {
     TITLE_BLOCK.into_iter().map(|key| key.name()).collect()
 }
 
-/// The sheet as HTML, and if it is asked for as PDF on `paper`; `told` are keys of the title block with their texts.
+/// The sheet as HTML, and if it is asked for as PDF on `paper`, on one page if `short`; `told` are keys of the title block with their texts.
 #[pyfunction]
+#[pyo3(signature = (file, date, up_to, told, paper, is_pdf, short = false))]
+#[expect(clippy::too_many_arguments, reason = "as the function in Python passes them")]
 pub(crate) fn sheet(
     py: Python<'_>,
     file: (String, String),
@@ -28,6 +30,7 @@ pub(crate) fn sheet(
     told: Vec<(String, String)>,
     paper: &str,
     is_pdf: bool,
+    short: bool,
 ) -> PyResult<(String, Option<Py<PyBytes>>)> {
     let read = |date: &str| -> PyResult<Date> {
         date.parse().map_err(|error| PyValueError::new_err(format!("date is {date:?}; {error}")))
@@ -38,8 +41,8 @@ pub(crate) fn sheet(
         Ok((key.ok_or_else(unknown)?, text))
     };
     let title_block = told.into_iter().map(key).collect::<PyResult<_>>()?;
-    let options =
-        SheetOptions { title_block, date: date.map(read).transpose()?, up_to: checked_up_to(up_to)? };
+    let date = date.map(read).transpose()?;
+    let options = SheetOptions { title_block, date, up_to: checked_up_to(up_to)?, short };
     let paper: Paper =
         paper.parse().map_err(|error| PyValueError::new_err(format!("paper is {paper:?}; {error}")))?;
     let (html, pdf) = patiently(py, move || -> PyResult<_> {

@@ -23,6 +23,8 @@ const LEFT_FOR_LOAD: Pen = Pen { colour: INK, width: 1.1, dashes: "5 3.4" };
 const LIMIT: Pen = Pen::solid(BEHIND, 1.1);
 const FULL_LOAD: Pen = Pen { colour: MARK, width: 0.8, dashes: "2.5 2.2" };
 const PLOT: (f64, f64) = (300.0, 250.0);
+/// Width of each of two plots, with which the figure fits a page without being made smaller.
+const BESIDE: f64 = 198.0;
 const TOP: f64 = 54.0;
 /// Between the plots: the name of one axis and the numbers of the other.
 const GAP: f64 = 112.0;
@@ -119,8 +121,10 @@ impl Draft<'_> {
         let mut canvas: Option<Canvas> = None;
         let mut left = 78.0;
         let mut bottom = 0.0_f64;
-        for panel in self.panels() {
-            let area = Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 };
+        let panels = self.panels();
+        let across = if panels.len() > 1 { BESIDE } else { PLOT.0 };
+        for panel in panels {
+            let area = Rect { x0: left, y0: TOP, x1: left + across, y1: TOP + PLOT.1 };
             let axes = Axes::of(area, &View::from_origin(1e3 * panel.to, 1.13));
             let mut own = Canvas::new(axes);
             // One page for all.

@@ -18,6 +18,7 @@ def sheet(
     case: str | os.PathLike[str] | Mapping[str, object],
     path: str | os.PathLike[str] | None = None,
     *,
+    short: bool = False,
     date: str | datetime.date | None = None,
     up_to: float = 2.0,
     paper: Literal["a4", "letter"] = "a4",
@@ -37,6 +38,8 @@ def sheet(
         case: the path of a case file, or a dict with the same keys, as in :func:`assess`.
         path: where to write the sheet, whole or not at all, if it is to be written: ``.html``, or ``.pdf`` to have it printed by
             Chromium or Chrome; the variable ``STANDFAST_BROWSER`` names another.
+        short: whether to write one page only: the verdict, the section, the inputs that decide, each criterion in each combination,
+            signatures.
         date: the day the sheet bears, as ``"2026-11-21"`` or a date; without it the sheet says that it is undated.
         up_to: how far the path of a rising load is followed, in multiples of the load, from 1 to a million.
         paper: the size of a PDF's pages.
@@ -55,6 +58,8 @@ def sheet(
     >>> html = sheet("examples/goda-2000.toml", date="2026-11-21", author="N. N.")
     >>> html[:15], "2026-11-21" in html
     ('<!DOCTYPE html>', True)
+    >>> "Inputs that decide" in sheet("examples/goda-2000.toml", short=True)
+    True
     """
     arguments = locals()
     told = {key: arguments[key] for key in _standfast.title_block()}
@@ -76,7 +81,7 @@ def sheet(
     if day is not None and not isinstance(day, str):
         raise TypeError(f"date is {date!r}; expected a text like '2026-11-21' or a date")
     given = [(key, text) for key, text in told.items() if text is not None]
-    html, pdf = _standfast.sheet(case_text(case), day, up_to, given, paper, extension == ".pdf")
+    html, pdf = _standfast.sheet(case_text(case), day, up_to, given, paper, extension == ".pdf", bool(short))
     if target is not None:
         _write(target, html.encode() if pdf is None else pdf)
     return html

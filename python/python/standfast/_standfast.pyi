@@ -159,7 +159,13 @@ def boundary(
 ) -> tuple[str, str, str, str | None]: ...
 def title_block() -> list[str]: ...
 def sheet(
-    file: tuple[str, str], date: str | None, up_to: float, told: Sequence[tuple[str, str]], paper: str, is_pdf: bool
+    file: tuple[str, str],
+    date: str | None,
+    up_to: float,
+    told: Sequence[tuple[str, str]],
+    paper: str,
+    is_pdf: bool,
+    short: bool = False,
 ) -> tuple[str, bytes | None]: ...
 
 _RecordOf = tuple[NDArray[np.float64], NDArray[np.float64]] | None
