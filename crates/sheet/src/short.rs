@@ -19,6 +19,8 @@ const HEIGHT: usize = 985;
 /// Height of a line of text, and of a row of a table of one line.
 const LINE: usize = 15;
 const ROW: usize = 17;
+/// Height of a row of the title block.
+const HEAD: usize = 21;
 /// Letters in a line across the page, and in one of the cells of a criterion and of its situation.
 const LETTERS: usize = 112;
 const CRITERION_LETTERS: usize = 54;
@@ -346,7 +348,7 @@ impl Room {
         });
         let lines = |text: &str| text.chars().count().div_ceil(LETTERS - 12).max(1);
         let head =
-            3 * LINE + note.map_or(0, lines) * LINE + (source.head_rows() + 2 * source.files.len()) * ROW;
+            3 * LINE + note.map_or(0, lines) * LINE + (source.head_rows() + 2 * source.files.len()) * HEAD;
         let summary: usize = words.iter().map(|words| lines(words) * (LINE + 2) + 4).sum();
         // Headings of two tables, their heads, and signatures.
         let fixed = head + summary + 2 * (LINE + 9) + 2 * ROW + 72;

@@ -179,6 +179,21 @@ fn rows_without_room_are_counted() {
     }
 }
 
+/// What a record leaves the ground with has its units.
+#[test]
+fn a_drift_has_units() {
+    let (_, file) = examples().into_iter().find(|(name, _)| name == "server-rack-earthquake.toml").unwrap();
+    let page = sheet(&file, false).unwrap();
+    let told: Vec<&str> = page.split("ends with a velocity of ").skip(1).collect();
+    assert_eq!(told.len(), 2);
+    for told in told {
+        let told = told.split_once(" of the ground").unwrap().0;
+        let (velocity, displacement) = told.split_once(" m/s and a displacement of ").unwrap();
+        assert!(velocity.parse::<f64>().is_ok(), "{told}");
+        assert!(displacement.strip_suffix(" m").unwrap().parse::<f64>().is_ok(), "{told}");
+    }
+}
+
 /// A body and its section stand on a sheet; a block in numbers of its own, and a point of the plane, have none.
 #[test]
 fn what_has_no_body_has_no_short_sheet() {

@@ -191,8 +191,10 @@ fn three_combinations_take_ten_pages() {
     let pdf = folder.path().join("quay.pdf");
     ended(&sheet(&["examples/quay.toml", "-o", pdf.to_str().unwrap()]).output().unwrap());
     assert!(pages(&pdf) <= 10, "{}", pages(&pdf));
-    // No page has a line or two alone.
-    for page in text(&pdf).split('\u{c}').filter(|page| !page.trim().is_empty()) {
+    // No page has a line or two alone; letters of figures are outlines.
+    let text = text(&pdf);
+    let pages = text.split('\u{c}').filter(|page| !page.trim().is_empty() && !page.contains("Figure "));
+    for page in pages {
         let lines = page.lines().filter(|line| !line.trim().is_empty()).count();
         assert!(lines > 12, "{page}");
     }
