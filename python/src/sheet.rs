@@ -18,8 +18,8 @@ pub(crate) fn title_block() -> Vec<&'static str> {
     TITLE_BLOCK.into_iter().map(|key| key.name()).collect()
 }
 
-/// The sheet as HTML, and as PDF where `print`, the paper and whether it is asked for, says so; `told` are keys of the title block with
-/// their texts.
+/// The sheet as HTML, and as PDF where `print` says so: the paper, whether it is asked for, and whether the sheet is one page; `told` are keys
+/// of the title block with their texts.
 #[pyfunction]
 pub(crate) fn sheet(
     py: Python<'_>,
@@ -27,7 +27,7 @@ pub(crate) fn sheet(
     date: Option<&str>,
     up_to: &Bound<'_, PyAny>,
     told: Vec<(String, String)>,
-    print: (String, bool),
+    print: (String, bool, bool),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, Option<Py<PyBytes>>)> {
     let read = |date: &str| -> PyResult<Date> {
@@ -39,9 +39,9 @@ pub(crate) fn sheet(
         Ok((key.ok_or_else(unknown)?, text))
     };
     let title_block = told.into_iter().map(key).collect::<PyResult<_>>()?;
-    let options =
-        SheetOptions { title_block, date: date.map(read).transpose()?, up_to: checked_up_to(up_to)? };
-    let (paper, is_pdf) = print;
+    let (paper, is_pdf, short) = print;
+    let date = date.map(read).transpose()?;
+    let options = SheetOptions { title_block, date, up_to: checked_up_to(up_to)?, short };
     let paper: Paper =
         paper.parse().map_err(|error| PyValueError::new_err(format!("paper is {paper:?}; {error}")))?;
     let (html, pdf) = watched(py, progress.as_ref(), move |portion| -> PyResult<_> {

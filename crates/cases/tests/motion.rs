@@ -5,7 +5,7 @@ use std::path::Path;
 use standfast::Mode;
 use standfast_cases::motion::{
     BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, Spectrum, SpectrumKind,
-    SpectrumRequest,
+    SpectrumRequest, SpectrumSteps,
 };
 use standfast_cases::{Acting, CaseError, CaseFile, Document, Portion};
 use standfast_motion::End;
@@ -359,9 +359,9 @@ fn lines_of_a_newmark_spectrum_that_lie_on_each_other_are_told() {
             "[block]\nb1 = 1\nb2 = 1\nd = 0.5\nmu_s = 0.4\ngravity = 1\n[motion.base]\nhorizontal = {{ {shape} }}\n"
         );
         let case = motions(&text, &no_file).unwrap().remove(0);
-        let steps = "0.2,0.8,7".parse().unwrap();
+        let steps = "0.2,0.8,7".parse::<SpectrumSteps>().unwrap().into();
         let request = SpectrumRequest { ratio: Some(steps), ..SpectrumRequest::new(SpectrumKind::Newmark) };
-        let found = Spectrum::of(&case, &request, &|_| ()).unwrap();
+        let found = Spectrum::of(&case, &request, Portion::UNSEEN).unwrap();
         found.figures(&()).unwrap().remove(0).figure.caption().to_owned()
     };
     let one = caption("shape = \"rect\", peak = 0.8, duration = 1.5");

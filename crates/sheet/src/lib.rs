@@ -12,9 +12,10 @@
 //!
 //! | question | module |
 //! |---|---|
-//! | What stands on the sheet, in which order? | `document` |
+//! | What stands on the sheet, in which order? | `document`; on the one of a page `short` |
 //! | What stands behind it, and what is not covered? | `method`, `references`, `limits` |
 //! | What is computed, step by step? | `calculation` |
+//! | How do several combinations share their formulas? | `together` |
 //! | What becomes of the body in time? | `in_time` |
 //! | How does a formula become symbols and numbers? | `formula`, `mathml`, `steps`, `symbols` |
 //! | What keeps a sheet from being made with a gap? | `fault` |
@@ -40,8 +41,10 @@ mod method;
 mod probability;
 mod references;
 mod sensitivity;
+mod short;
 mod steps;
 mod symbols;
+mod together;
 mod verdict;
 
 use sha2::{Digest, Sha256};
@@ -65,12 +68,14 @@ pub struct SheetOptions {
     pub date: Option<Date>,
     /// Multiple of the full load to which a rising load is followed.
     pub up_to: f64,
+    /// True for one page: the verdict, the section, the inputs that decide, each criterion, signatures.
+    pub short: bool,
 }
 
 impl Default for SheetOptions {
-    /// Undated, loads followed up to twice their value.
+    /// Undated and in full, loads followed up to twice their value.
     fn default() -> SheetOptions {
-        SheetOptions { title_block: Vec::new(), date: None, up_to: 2.0 }
+        SheetOptions { title_block: Vec::new(), date: None, up_to: 2.0, short: false }
     }
 }
 
@@ -117,6 +122,7 @@ impl Explained for SheetError {
 pub struct Sheet {
     html: String,
     date: Option<Date>,
+    short: bool,
 }
 
 impl Sheet {
@@ -172,9 +178,12 @@ impl Sheet {
             title_block: &options.title_block,
         };
         let view = AssessmentView { up_to: options.up_to, ..AssessmentView::default() };
-        let html = document::render(assessment, &source, &view, portion)?;
+        let html = match options.short {
+            true => short::render(assessment, &source, &view, portion)?,
+            false => document::render(assessment, &source, &view, portion)?,
+        };
         portion.reached(1.0);
-        Ok(Sheet { html, date: options.date })
+        Ok(Sheet { html, date: options.date, short: options.short })
     }
 
     /// The sheet as an HTML document.
@@ -188,7 +197,7 @@ impl Sheet {
     /// # Errors
     /// If there is no such browser, or it does not print.
     pub fn pdf(&self, paper: Paper) -> Result<Vec<u8>, PrintError> {
-        browser::print(&self.html, paper, self.date)
+        browser::print(&self.html, paper, self.short, self.date)
     }
 }
 

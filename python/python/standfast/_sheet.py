@@ -20,6 +20,7 @@ def sheet(
     case: str | os.PathLike[str] | Mapping[str, object],
     path: str | os.PathLike[str] | None = None,
     *,
+    short: bool = False,
     date: str | datetime.date | None = None,
     up_to: float = 2.0,
     paper: Literal["a4", "letter"] = "a4",
@@ -40,6 +41,8 @@ def sheet(
         case: the path of a case file, or a dict with the same keys, as in :func:`assess`.
         path: where to write the sheet, whole or not at all, if it is to be written: ``.html``, or ``.pdf`` to have it printed by
             Chromium or Chrome; the variable ``STANDFAST_BROWSER`` names another.
+        short: whether to write one page only: the verdict, the section, the inputs that decide, each criterion in each combination,
+            signatures.
         date: the day the sheet bears, as ``"2026-11-21"`` or a date; without it the sheet says that it is undated.
         up_to: how far the path of a rising load is followed, in multiples of the load, from 1 to a million.
         paper: the size of a PDF's pages.
@@ -59,6 +62,8 @@ def sheet(
     >>> html = sheet("examples/goda-2000.toml", date="2026-11-21", author="N. N.")
     >>> html[:15], "2026-11-21" in html
     ('<!DOCTYPE html>', True)
+    >>> "Inputs that decide" in sheet("examples/goda-2000.toml", short=True)
+    True
     """
     arguments = locals()
     told = {key: arguments[key] for key in _standfast.title_block()}
@@ -82,7 +87,8 @@ def sheet(
     given = [(key, text) for key, text in told.items() if text is not None]
     file = case_text(case)
     with shown(progress, None) as told_of:
-        html, pdf = _standfast.sheet(file, day, up_to, given, (paper, extension == ".pdf"), told_of)
+        print_as = (paper, extension == ".pdf", bool(short))
+        html, pdf = _standfast.sheet(file, day, up_to, given, print_as, told_of)
     if target is not None:
         _write(target, html.encode() if pdf is None else pdf)
     return html

@@ -169,7 +169,7 @@ def sheet(
     date: str | None,
     up_to: float,
     told: Sequence[tuple[str, str]],
-    print: tuple[str, bool],
+    print: tuple[str, bool, bool],
     progress: _Progress,
 ) -> tuple[str, bytes | None]: ...
 
