@@ -168,13 +168,16 @@ def compare_situation(said: dict[str, Any], text: str, per: str) -> None:
     words = unwrapped(text)
     if said["mode"] == "RE":
         # Never said to rest without the least of its factors; an object that is shaken begins to rock where others overturn.
-        ground = (said["ground"] or {}).get("factor")
-        all_of = {"sliding": said["SF_sliding"], "overturning": said["SF_overturning_net"], "failure of the ground": ground}
+        # On a base that gives way the share of the load is the margin, and no factor is said.
+        ground = said["ground"] or {}
+        gives_way = any(ground.get(key) is not None for key in ("factor", "omega"))
+        all_of = {"sliding": said["SF_sliding"], "overturning": said["SF_overturning_net"]}
+        all_of["overturning by gross moments"] = said["SF_overturning_gross"]
         numbers = {against: math.inf if found in ("infinite", None) else found for against, found in all_of.items()}
         against = min(numbers, key=lambda name: numbers[name])
         least = numbers[against]
-        factor_words = f", with a safety factor of {factor(least)} against {against}" if least < math.inf else ""
-        rocking = factor_words.replace("against overturning", "against the onset of rocking")
+        factor_words = f", with a safety factor of {factor(least)} against {against}" if least < math.inf and not gives_way else ""
+        rocking = re.sub("against overturning$", "against the onset of rocking", factor_words)
         assert any(f"the body stays at rest (RE){said_so}." in words for said_so in (factor_words, rocking if said["earthquake"] else factor_words))
     else:
         assert said["mode_words"] is None or f"the body {said['mode_words']} ({said['mode']})." in words

@@ -155,7 +155,7 @@ def test_words_in_a_column_of_pandas_are_looked_for_by_mode_code_and_word() -> N
             assert mode in column.array and column.map({mode: "slides"}).tolist()[0] == "slides", (name, mode)
         assert column.isin(np.array(["SL"])).tolist() == column.isin(pd.Series(["SL"])).tolist() == slides, name
         for wrong in (lambda column=column: column.isin(["slides"]), lambda column=column: column == "slides"):
-            with pytest.raises(ValueError, match="'slides' is no mode; expected RE, SL"):
+            with pytest.raises(ValueError, match="'slides' is not a mode; expected RE, SL"):
                 wrong()
         with pytest.raises(TypeError, match="is a set of modes; expected a mode"):
             column.isin([Modes.SLIDE_LEFT])

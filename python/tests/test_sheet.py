@@ -48,9 +48,9 @@ def test_every_key_of_the_title_block_is_an_argument() -> None:
 def test_the_native_module_drops_nothing() -> None:
     case = ("the case", '[body]\nwidth = 1\nheight = 2\nmass = 4800\nfriction = 0.7\n')
     with pytest.raises(TypeError, match="a title block has no autor"):
-        _standfast.sheet(case, None, 2.0, [("autor", "N. N.")], ("a4", False), None)
+        _standfast.sheet(case, None, 2.0, [("autor", "N. N.")], ("a4", False, False), None)
     with pytest.raises(ValueError, match='paper is "a5"; expected a4 or letter'):
-        _standfast.sheet(case, None, 2.0, [], ("a5", True), None)
+        _standfast.sheet(case, None, 2.0, [], ("a5", True, False), None)
 
 
 def test_what_is_replaced_is_whole(tmp_path: Path) -> None:

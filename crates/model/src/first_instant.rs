@@ -10,6 +10,7 @@ use standfast_motion::record::Record;
 use crate::case::Case;
 use crate::case_file::CaseFile;
 use crate::criteria::MotionCriterion;
+use crate::digits::plain;
 use crate::error::{CaseError, Fault};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Table};
@@ -86,7 +87,7 @@ impl CaseFile {
         );
         if !peaks.is_empty() {
             for (key, peak) in peaks {
-                file = file.with_entry(key.into(), format!("\"{peak:?} m/s2\""));
+                file = file.with_entry(key.into(), format!("\"{} m/s2\"", plain(peak)));
             }
             note = format!("the peaks of the base's acceleration act at once, as an [earthquake]; {note}");
         }

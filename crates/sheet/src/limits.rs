@@ -29,7 +29,9 @@ pub fn words(case: &Case, moves: bool) -> Markup {
     let warnings = case.warnings();
     let setting = Setting::of(case);
     html! {
-        @if warnings.is_empty() {
+        @if warnings.is_empty() && moves {
+            p { "No warning of the loads as they are held; those of the motion stand with it in section 5." }
+        } @else if warnings.is_empty() {
             p { "No warning: nothing leaves the ranges that the program checks." }
         } @else {
             p { "Outside the range of the formulas, or unusual:" }

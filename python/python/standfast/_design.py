@@ -159,7 +159,7 @@ def design(
     >>> goda
     <Design least width for factor=1.2: 15.46 m>
     >>> goda.value, goda.unit, goda.binding
-    (15.46, 'm', "at 15.45 m, sliding: μ(W' − U)/P ≥ 1.2 fails")
+    (15.46, 'm', "at 15.45 m, the factor of the body against sliding is less than 1.2: μ(W' − U)/P ≥ 1.2 fails")
     >>> by_friction = design(
     ...     "examples/goda-2000.toml", vary="width", target="factor=1.2", and_="friction", and_lower=0.5, and_upper=0.7
     ... )

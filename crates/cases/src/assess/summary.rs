@@ -131,7 +131,7 @@ fn near(assessment: &Assessment) -> Option<String> {
     });
     let points = match verdict::is_object(assessed) && assessment.in_time.is_none() {
         true => {
-            " What it does after the onset `standfast simulate` tells, of a shaking in time under [motion.base]."
+            " `standfast simulate` tells what it does after the onset, under a shaking in time ([motion.base])."
         }
         false => "",
     };

@@ -113,14 +113,20 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
         draw(&mut scene, picture, panel, &axes, ticks);
         top += HEIGHT;
     }
+    // Ticks of the time stand on the last line: below words, or the strip alone, they need room.
     if panels.iter().all(|panel| panel.flat.is_some()) {
         top += STRIP;
+    } else if panels.last().is_some_and(|panel| panel.flat.is_some()) {
+        top += FLAT / 2.0;
     }
     let below = time_axis(&mut scene, picture, Rect { x0: left, y0: TOP, x1: right, y1: top });
     let edges = (LEFT, right);
     let quantities: Vec<String> = panels
         .iter()
-        .map(|panel| panel.flat.map_or_else(|| Text::inline(&panel.name, NUMBER).plain, str::to_owned))
+        .map(|panel| {
+            let words = panel.flat.map(|words| words.trim_end_matches('.').to_owned());
+            words.unwrap_or_else(|| Text::inline(&panel.name, NUMBER).plain)
+        })
         .collect();
     let description = format!("Over the time, from above: the states; {}.", quantities.join("; "));
     finished(scene, picture, "histories", edges, below + 12.0, RIGHT, &description)
