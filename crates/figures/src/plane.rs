@@ -22,7 +22,7 @@ use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol};
 use crate::plot::{Arc, Piece, View, clip_strips, level};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
-use crate::{Figure, LoadPlane, caption};
+use crate::{Figure, LoadPlane, Picture, caption};
 
 const PLOT: (f64, f64) = (430.0, 310.0);
 const TOP: f64 = 42.0;
@@ -92,7 +92,7 @@ struct Side {
 
 /// Draws it.
 pub(crate) fn figure(given: &LoadPlane) -> Figure {
-    drawn(&Plan::of(given), PLOT.0, Scene::default())
+    drawn(&Plan::of(given), PLOT.0, Scene::default()).figure
 }
 
 /// Lines of the plane of a base that gives way.
@@ -101,11 +101,11 @@ pub(crate) fn lines(given: &LoadPlane) -> Vec<(LoadEdge, Polyline)> {
 }
 
 /// Draws it for a screen, with a plot `across` units wide.
-pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Figure {
+pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Picture {
     drawn(&Plan::of(given), across, Scene::themed())
 }
 
-fn drawn(given: &Plan, across: f64, scene: Scene) -> Figure {
+fn drawn(given: &Plan, across: f64, scene: Scene) -> Picture {
     let window = window(given);
     let axes = Axes::beside_numbers(&window, (across, PLOT.1), TOP);
     let areas = areas(&given.regions, &window);
@@ -142,7 +142,8 @@ fn drawn(given: &Plan, across: f64, scene: Scene) -> Figure {
     let details = margins::words(&(path.caption() + behind), SMALL);
     let words = Words::new(verbatim(heading, SIZE), details);
     let description = description(&window, &areas, &words.caption);
-    words.figure(canvas.scene, edges, baseline + name.descent + 14.0, 16.0, &description)
+    let figure = words.figure(canvas.scene, edges, baseline + name.descent + 14.0, 16.0, &description);
+    Picture { figure, plot: axes.area, across: axes.across, up: axes.up }
 }
 
 /// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region

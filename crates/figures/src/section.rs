@@ -189,18 +189,102 @@ pub struct Section<'a> {
 /// assert_eq!(figure.title(), "Section: Block");
 /// ```
 pub fn section(given: &Section<'_>) -> Figure {
+    drawn(given, SectionLook { body: BODY, longest: LONGEST, on_screen: false }).figure
+}
+
+/// The body is about as large as this on paper.
+const BODY: (f64, f64) = (210.0, 210.0);
+
+/// The largest pressure is drawn as long as this, and the largest force at most.
+const LONGEST: f64 = 56.0;
+
+/// A section for a screen, about as large as `size`: in colours of the page and without the words below it, which are its caption.
+pub fn section_on_screen(given: &Section<'_>, size: (f64, f64)) -> SectionPicture {
+    const LEAST: f64 = 60.0;
+    let mut body = (size.0 / 2.0, size.1 / 2.0);
+    let longest = (0.1 * size.0).clamp(32.0, 72.0);
+    // What stands beside the body takes about the same room whatever its size.
+    for _ in 0..2 {
+        let look = SectionLook { body, longest, on_screen: true };
+        let Rect { x0, y0, x1, y1 } =
+            Painter::new(given, look, (0.0, 0.0), None).paint().extent.grown(MARGIN);
+        let fitted = |room: f64, taken: f64, body: f64| (room - (taken - body)).max(LEAST);
+        let scale = Painter::new(given, look, (0.0, 0.0), None);
+        let is = (scale.scale * (scale.bounds.x1 - scale.bounds.x0), scale.scale * scale.bounds.y1);
+        body = (fitted(size.0, x1 - x0, is.0), fitted(size.1, y1 - y0, is.1));
+    }
+    drawn(given, SectionLook { body, longest, on_screen: true })
+}
+
+/// Look of a section.
+#[derive(Debug, Clone, Copy)]
+struct SectionLook {
+    /// The largest width and height of the body on the page.
+    body: (f64, f64),
+    longest: f64,
+    on_screen: bool,
+}
+
+/// A number that a section shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SectionNumber {
+    /// A width, by its row and its place there.
+    Width(usize, usize),
+    /// A height, by its column and its place there.
+    Height(usize, usize),
+    /// A level, by its place.
+    Level(usize),
+    /// The size of a force, by its place.
+    Arrow(usize),
+}
+
+/// A force as it is drawn on a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SectionArrow {
+    /// The place of the force.
+    pub index: usize,
+    /// Where the arrow begins.
+    pub tail: (f64, f64),
+    /// Where it ends, on the face.
+    pub tip: (f64, f64),
+}
+
+/// A section and where things lie in it, in units of the drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SectionPicture {
+    /// The drawing.
+    pub figure: Figure,
+    /// The labels of numbers.
+    pub numbers: Vec<(SectionNumber, Rect)>,
+    /// The forces on faces.
+    pub arrows: Vec<SectionArrow>,
+    /// The body.
+    pub body: Rect,
+    /// Units for a metre.
+    pub scale: f64,
+}
+
+fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
     // Items that reach across the page are drawn when it is known how large the page is.
-    let measured = Painter::new(given, (0.0, 0.0), None).paint();
+    let measured = Painter::new(given, look, (0.0, 0.0), None).paint();
     let page = measured.extent.grown(MARGIN);
     let size = ((page.x1 - page.x0).ceil(), (page.y1 - page.y0).ceil());
     let room = (measured.names.0 - page.x0, measured.names.1 - page.x0);
-    let drawn = Painter::new(given, (-page.x0, -page.y0), Some(room)).paint();
+    let painter = Painter::new(given, look, (-page.x0, -page.y0), Some(room));
+    let scale = painter.scale;
+    let (low, high) = (
+        painter.place(painter.bounds.x0, painter.bounds.y0),
+        painter.place(painter.bounds.x1, painter.bounds.y1),
+    );
+    let body = Rect { x0: low.0, y0: high.1, x1: high.0, y1: low.1 };
+    let drawn = painter.paint();
     let title = match given.title {
         "" => "Section".to_owned(),
         title => format!("Section: {title}"),
     };
     let (svg, labels) = drawn.scene.finish(size.0, size.1, &title, &description(given));
-    Figure { svg, title, caption: legend(given).join(". "), labels, size }
+    let figure = Figure { svg, title, caption: legend(given).join(". "), labels, size };
+    SectionPicture { figure, numbers: drawn.numbers, arrows: drawn.arrows, body, scale }
 }
 
 /// White around the drawing.
@@ -235,4 +319,6 @@ struct Painting {
     scene: Scene,
     extent: Rect,
     names: (f64, f64),
+    numbers: Vec<(SectionNumber, Rect)>,
+    arrows: Vec<SectionArrow>,
 }
