@@ -189,7 +189,7 @@ pub struct Section<'a> {
 /// assert_eq!(figure.title(), "Section: Block");
 /// ```
 pub fn section(given: &Section<'_>) -> Figure {
-    drawn(given, SectionLook { body: BODY, longest: LONGEST, on_screen: false }).figure
+    drawn(given, SectionLook { body: BODY, longest: LONGEST, names: true, on_screen: false }).figure
 }
 
 /// The body is about as large as this on paper.
@@ -200,20 +200,31 @@ const LONGEST: f64 = 56.0;
 
 /// A section for a screen, about as large as `size`: in colours of the page and without the words below it, which are its caption.
 pub fn section_on_screen(given: &Section<'_>, size: (f64, f64)) -> SectionPicture {
+    /// From some width on there is room for the names of levels.
+    const NARROW: f64 = 450.0;
+    let longest = (0.1 * size.0).clamp(32.0, 72.0);
+    let roomy = SectionLook { body: size, longest, names: size.0 >= NARROW, on_screen: true };
+    let picture = fitted(given, roomy, size);
+    if picture.figure.size.0 <= 1.08 * size.0 {
+        return picture;
+    }
+    // Much that stands beside a body leaves it little room: then without names, and with short arrows.
+    fitted(given, SectionLook { longest: 32.0, names: false, ..roomy }, size)
+}
+
+/// A section whose body is as large as leaves room for what stands beside it.
+fn fitted(given: &Section<'_>, look: SectionLook, size: (f64, f64)) -> SectionPicture {
     const LEAST: f64 = 60.0;
     let mut body = (size.0 / 2.0, size.1 / 2.0);
-    let longest = (0.1 * size.0).clamp(32.0, 72.0);
     // What stands beside the body takes about the same room whatever its size.
     for _ in 0..2 {
-        let look = SectionLook { body, longest, on_screen: true };
-        let Rect { x0, y0, x1, y1 } =
-            Painter::new(given, look, (0.0, 0.0), None).paint().extent.grown(MARGIN);
-        let fitted = |room: f64, taken: f64, body: f64| (room - (taken - body)).max(LEAST);
-        let scale = Painter::new(given, look, (0.0, 0.0), None);
-        let is = (scale.scale * (scale.bounds.x1 - scale.bounds.x0), scale.scale * scale.bounds.y1);
-        body = (fitted(size.0, x1 - x0, is.0), fitted(size.1, y1 - y0, is.1));
+        let painter = Painter::new(given, SectionLook { body, ..look }, (0.0, 0.0), None);
+        let is = (painter.scale * (painter.bounds.x1 - painter.bounds.x0), painter.scale * painter.bounds.y1);
+        let Rect { x0, y0, x1, y1 } = painter.paint().extent.grown(MARGIN);
+        let room = |room: f64, taken: f64, body: f64| (room - (taken - body)).max(LEAST);
+        body = (room(size.0, x1 - x0, is.0), room(size.1, y1 - y0, is.1));
     }
-    drawn(given, SectionLook { body, longest, on_screen: true })
+    drawn(given, SectionLook { body, ..look })
 }
 
 /// Look of a section.
@@ -222,6 +233,8 @@ struct SectionLook {
     /// The largest width and height of the body on the page.
     body: (f64, f64),
     longest: f64,
+    /// True if there is room for the names of levels.
+    names: bool,
     on_screen: bool,
 }
 

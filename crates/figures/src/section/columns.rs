@@ -270,12 +270,14 @@ impl Painter<'_> {
                     .iter()
                     .any(|other| other.is_water && other.side == Side::Left && other.label == level.label)
         };
-        let shown = |level: &Level| !self.look.on_screen || (level.is_water && !twin(level));
-        let levels = self.levels(side).filter(|(_, level)| shown(level));
-        let levels: Vec<_> = levels.map(|(index, level)| (index, level.clone())).collect();
+        let look = self.look;
+        let levels = self.levels(side).filter(|(_, level)| level.is_water || !look.on_screen);
+        let levels: Vec<_> = levels
+            .map(|(index, level)| (index, level.clone(), look.names && !(look.on_screen && twin(level))))
+            .collect();
         let end = column.end + NEAR;
         let mut spots = Vec::new();
-        for (index, Level { elevation, label, is_water, .. }) in levels {
+        for (index, Level { elevation, label, is_water, .. }, is_named) in levels {
             let (_, y) = self.place(0.0, self.shown(elevation));
             let pen = if is_water { Pen::solid(PUSH, 1.0) } else { THIN };
             let face = self.place(self.face(elevation, column.out), 0.0).0;
@@ -285,6 +287,9 @@ impl Painter<'_> {
                 let mut sign = Path::through(&[(x, y), (x - 5.0, y - 8.0), (x + 5.0, y - 8.0)]);
                 sign.close();
                 self.drawn.scene.fill(&sign, PUSH);
+            }
+            if !is_named {
+                continue;
             }
             let (text, of) = (Text::verbatim(&label, LABEL), Some(SectionNumber::Level(index)));
             spots.push(Spot { at: (column.x(end), y), text, colour: INK, of });
