@@ -1,7 +1,6 @@
 //! The library's words and symbols as HTML, and tables as CSV.
 
 use standfast::Mode;
-use standfast::initiation::PointName;
 use standfast_figures::Map;
 
 /// A mode's symbol: true signs as subscripts, a true prime.
@@ -33,11 +32,6 @@ pub fn mathematics(text: &str) -> String {
         }
     }
     html
-}
-
-/// A point's letter.
-pub fn letter(name: PointName) -> String {
-    format!("<i>{}</i>", name.letter().replace('\'', "′"))
 }
 
 /// Curves, then named points: what, k, μ.
