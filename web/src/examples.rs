@@ -182,7 +182,7 @@ mod tests {
             ("quay", "All 4 criteria are met"),
             ("quay", "under each of the 3 combinations"),
             ("quay", "weight lowered"),
-            ("head-difference", "Under debris"),
+            ("head-difference", "Under «debris»"),
             ("monument", "0.6789"),
             ("server-rack", "SF_overturning_net is 1.452, ≥ 1.5 is asked (utilisation 1.033)"),
             ("server-rack-earthquake", "about 42 % of the angle of balance"),

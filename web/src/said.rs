@@ -249,7 +249,7 @@ fn factors(assessed: &Assessed) -> Vec<Ruler> {
     let all = [
         (ground, ResultName::GroundFactor),
         (Some(stability.sliding), ResultName::SfSliding),
-        (Some(stability.overturning()), ResultName::SfOverturning),
+        (Some(stability.overturning()), ResultName::SfOverturningNet),
     ];
     if assessed.outcome.full.is_lifted() || least_factor(assessed).is_none() {
         return Vec::new();

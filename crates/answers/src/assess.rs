@@ -16,7 +16,7 @@ use crate::case::{Acting, Case};
 use crate::criteria::Check;
 use crate::error::CaseError;
 use crate::motion::{Follow, FollowedMotion, MotionCheck, worst_checks as worst_motion_checks};
-use crate::random::{ProbabilityError, not_rest};
+use crate::random::{ProbabilityError, Random, not_rest};
 use crate::units::Extent;
 pub use any_check::AnyCheck;
 pub use components::Component;
@@ -31,6 +31,8 @@ pub struct Assessment {
     pub all: Vec<Assessed>,
     /// The part of the answer in time, of a case with histories: [`of_file`](Assessment::of_file) has it.
     pub in_time: Option<MotionAssessment>,
+    /// True if the probability that a criterion asks for is that of a year, and not of an event.
+    pub yearly: bool,
 }
 
 /// A case in time beside its first instant.
@@ -96,7 +98,7 @@ impl Assessment {
         let acting = case.acting().into_iter().enumerate();
         let all =
             acting.map(|(index, acting)| Assessed::of(&case, index, acting)).collect::<Result<_, _>>()?;
-        Ok(Assessment { case, all, in_time: None })
+        Ok(Assessment { case, all, in_time: None, yearly: false })
     }
 
     /// Answers the case of a file: as [`of`](Assessment::of), and the probability that a criterion asks for. A case in time is answered at
@@ -154,6 +156,7 @@ impl Assessment {
             assessed.not_rest = of;
             assessed.others.iter_mut().for_each(|other| other.not_rest = of);
         }
+        self.yearly = file.random().is_some_and(Random::is_yearly);
         Ok(self)
     }
 

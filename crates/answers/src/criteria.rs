@@ -41,7 +41,7 @@ pub(crate) fn met_word(met: bool) -> &'static str {
 /// The results that criteria on numbers ask for.
 const RESULTS: [(Key, ResultName); 10] = [
     (Key::LeastSliding, ResultName::SfSliding),
-    (Key::LeastOverturning, ResultName::SfOverturning),
+    (Key::LeastOverturningNet, ResultName::SfOverturningNet),
     (Key::LeastOverturningGross, ResultName::SfOverturningGross),
     (Key::GreatestBearing, ResultName::BearingMax),
     (Key::LeastContact, ResultName::ContactShare),
@@ -109,7 +109,7 @@ impl Check {
                 let text = match criterion.key {
                     _ if !value.is_finite() => digits(value),
                     Key::LeastSliding
-                    | Key::LeastOverturning
+                    | Key::LeastOverturningNet
                     | Key::LeastOverturningGross
                     | Key::LeastGround
                     | Key::LeastLoadFactor => number::beside(value, against, 4).to_string(),
@@ -148,6 +148,12 @@ impl Check {
     /// Urgency of the check: modes that are not allowed first, then by utilisation.
     pub fn urgency(&self) -> f64 {
         match (self.utilisation, self.met) {
+            // A base that is pressed throughout cannot be pressed more: a bound of 1 is not used up by it.
+            (Some(_), true)
+                if self.criterion.key == Key::LeastContact && self.value == ResultValue::Number(1.0) =>
+            {
+                0.0
+            }
             (Some(utilisation), _) => utilisation,
             (None, true) => 0.0,
             (None, false) => f64::INFINITY,

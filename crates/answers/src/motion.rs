@@ -24,8 +24,8 @@ pub use criteria::{MotionCheck, MotionValue};
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
 pub use series::{SERIES, series, series_csv};
 pub use spectrum::{
-    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, SpectrumSteps,
-    in_order,
+    Progressed, ROCKING_LEVELS, RockingDistance, RockingEdges, Spectrum, SpectrumError, SpectrumKind,
+    SpectrumPoints, SpectrumRequest, SpectrumSteps, in_order, rocking_class,
 };
 pub use strength::{Strength, StrengthAsked};
 
@@ -61,6 +61,9 @@ pub struct FollowedMotion {
     pub warnings: Vec<MotionWarning>,
 }
 
+/// Share of the base's width below which a slide is rounding.
+const ROUNDING: f64 = 1e-12;
+
 impl FollowedMotion {
     /// Follows the motion of a case to its end.
     ///
@@ -68,6 +71,12 @@ impl FollowedMotion {
     /// If the problem is refused.
     pub fn of(case: BlockCase, follow: &Follow) -> Result<FollowedMotion, MotionError> {
         let mut outcome = simulate(&case.problem, Keep { steps: follow.series || follow.divergence })?;
+        let block = &case.problem.block;
+        for slide in [&mut outcome.slide, &mut outcome.max_slide] {
+            if slide.abs() < ROUNDING * (block.b1 + block.b2) {
+                *slide = 0.0;
+            }
+        }
         let divergence = follow.divergence.then(|| Divergence::of(&case.problem, &outcome)).transpose()?;
         let strength = Strength::of(&case, &outcome, follow.strength)?;
         if !follow.series {

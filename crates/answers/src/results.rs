@@ -140,7 +140,7 @@ listed! {
         });
 
     SfSliding = number("SF_sliding", None, "safety factor against sliding, μ(W' − U)/P", |a| factor(&a.outcome.full, a.outcome.stability.sliding));
-    SfOverturning = number("SF_overturning_net", None, "safety factor against overturning, the lesser of both corners",
+    SfOverturningNet = number("SF_overturning_net", None, "net safety factor against overturning, water under the base taken off the weight; the lesser of both corners",
         |a| factor(&a.outcome.full, a.outcome.stability.overturning()));
     SfOverturningHeel = number("SF_overturning_heel", None, "the same about the heel, (W' t − M_U)/M_p",
         |a| factor(&a.outcome.full, a.outcome.stability.overturning_about_heel));

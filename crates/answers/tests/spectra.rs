@@ -1,8 +1,8 @@
 //! Spectra against single motions and closed forms.
 
 use standfast_answers::motion::{
-    Follow, FollowedMotion, Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints,
-    SpectrumRequest, SpectrumSteps,
+    Follow, FollowedMotion, Progressed, RockingDistance, Spectrum, SpectrumError, SpectrumKind,
+    SpectrumPoints, SpectrumRequest, SpectrumSteps,
 };
 use standfast_model::{BlockCase, CaseFile};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -64,6 +64,20 @@ fn kinds_are_called_by_their_words() {
     assert!("newmrk".parse::<SpectrumKind>().unwrap_err().ends_with("did you mean newmark?"));
 }
 
+/// A motion that is left at 1 s of a shaking that goes on has no verdict; Newmark's slides are those of the whole shaking.
+#[test]
+fn a_motion_that_is_cut_off_has_no_overturning_spectrum() {
+    let cut = block(1.0, 3.0, 0.9, BASE).replace("[motion.base]", "[motion]\nt_max = 0.1\n[motion.base]");
+    let cut = case(&cut);
+    let refused = spectrum(&cut, &SpectrumRequest::new(SpectrumKind::Overturning)).unwrap_err();
+    assert!(matches!(refused, SpectrumError::CutShort { t_max: 0.1, end } if end > 0.1), "{refused}");
+    let ratio = steps(0.2, 0.4, 2);
+    let request = SpectrumRequest { ratio, ..SpectrumRequest::new(SpectrumKind::Newmark) };
+    let [whole, part] =
+        [&case(&block(1.0, 3.0, 0.9, BASE)), &cut].map(|case| spectrum(case, &request).unwrap().points);
+    assert_eq!(format!("{whole:?}"), format!("{part:?}"));
+}
+
 /// Uniform blocks of half diagonal R and slenderness γ are those with b = R/√(1 + γ²) and d = γ b, followed one by one.
 #[test]
 fn a_rocking_spectrum_is_of_single_blocks() {
@@ -72,6 +86,7 @@ fn a_rocking_spectrum_is_of_single_blocks() {
     let request = SpectrumRequest {
         size: steps(1.0, 9.0, 3),
         slenderness: steps(2.0, 5.0, 4),
+        edges: false,
         ..SpectrumRequest::new(SpectrumKind::Rocking)
     };
     let told = |progressed| match progressed {
@@ -81,7 +96,7 @@ fn a_rocking_spectrum_is_of_single_blocks() {
     let found = Spectrum::of(&case, &request, &told).unwrap();
     assert_eq!(done.map(AtomicUsize::into_inner), [12, 12]);
     assert_eq!((found.peak, found.gravity, found.si), (0.6, 1.0, false));
-    let SpectrumPoints::Rocking { sizes, slendernesses, blocks } = &found.points else { panic!() };
+    let SpectrumPoints::Rocking { sizes, slendernesses, blocks, .. } = &found.points else { panic!() };
     assert_eq!((&sizes[..], &slendernesses[..]), (&[1.0, 3.0, 9.0][..], &[2.0, 3.0, 4.0, 5.0][..]));
     let mut turned = 0;
     for (place, rocked) in blocks.iter().enumerate() {
@@ -179,4 +194,76 @@ fn an_overturning_curve_is_of_scaled_shakings() {
             assert!(at_the_edge || !scaled(end - inwards * 1e-6), "{end}");
         }
     }
+}
+
+/// Blocks at random places, away from the edges by more than they are located to, do what their area says, followed one by one; and edges
+/// take no more motions than half the blocks of the grid. Where nothing jumps edges are where they are between the blocks, to a fifth.
+#[test]
+fn areas_of_a_rocking_spectrum_are_of_single_blocks() {
+    let case = case(&block(1.0, 3.0, 0.9, BASE));
+    let request = SpectrumRequest {
+        size: steps(1.0, 40.0, 41),
+        slenderness: steps(2.0, 8.0, 31),
+        ..SpectrumRequest::new(SpectrumKind::Rocking)
+    };
+    let found = spectrum(&case, &request).unwrap();
+    let SpectrumPoints::Rocking { blocks, edges: Some(edges), .. } = &found.points else { panic!() };
+    assert!(2 * edges.motions <= blocks.len(), "{} of {}", edges.motions, blocks.len());
+    let (near, cell) = (edges.overturning, RockingDistance { factor: 40f64.powf(1.0 / 40.0), step: 0.2 });
+    assert!(near.factor.ln() < 0.3 * cell.factor.ln() && near.step < 0.3 * cell.step, "{near:?}");
+    assert!(edges.others.factor < 1.001 * cell.factor && edges.others.step < 1.001 * cell.step);
+    let far = RockingDistance { factor: cell.factor.powf(0.2), step: 0.2 * cell.step };
+    // Distances in units of what edges are located to.
+    let apart = |(x, y): (f64, f64), from: (f64, f64), to: (f64, f64), unit: RockingDistance| {
+        let scaled = |(x, y): (f64, f64)| (x.ln() / unit.factor.ln(), y / unit.step);
+        let [p, a, b] = [(x, y), from, to].map(scaled);
+        let (along, length) = ((b.0 - a.0, b.1 - a.1), (b.0 - a.0).hypot(b.1 - a.1));
+        let share = ((p.0 - a.0) * along.0 + (p.1 - a.1) * along.1) / (length * length).max(1e-30);
+        let share = share.clamp(0.0, 1.0);
+        (p.0 - a.0 - share * along.0).hypot(p.1 - a.1 - share * along.1)
+    };
+    let mut seed = 7u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut classes = [0; 7];
+    for _ in 0..1500 {
+        let (size, slender) = (40f64.powf(random()), 2.0 + 6.0 * random());
+        let sides = |level: usize| {
+            edges.above[level].iter().flat_map(|each| each.iter().zip(each.iter().cycle().skip(1)))
+        };
+        let is_near = (0..6).any(|level| {
+            let unit = if level == 5 { near } else { far };
+            sides(level).any(|(a, b)| apart((size, slender), *a, *b, unit) <= 1.0)
+        });
+        if is_near {
+            continue;
+        }
+        // The area has the place if a ray from it crosses its outline an odd number of times.
+        let above = (0..6).filter(|level| {
+            let crosses = |(a, b): &(&(f64, f64), &(f64, f64))| {
+                (a.1 > slender) != (b.1 > slender)
+                    && size.ln() < a.0.ln() + (slender - a.1) / (b.1 - a.1) * (b.0.ln() - a.0.ln())
+            };
+            sides(*level).filter(crosses).count() % 2 == 1
+        });
+        let drawn = above.count();
+        let b = size / (1.0 + slender * slender).sqrt();
+        let one =
+            FollowedMotion::of(self::case(&block(b, slender * b, 0.9, BASE)), &Follow::default()).unwrap();
+        let share = one.of_balance();
+        let followed = match one.outcome.overturned() {
+            true => 6,
+            false => [0.0, 0.1, 0.25, 0.5, 1.0].iter().filter(|level| share > **level).count(),
+        };
+        assert_eq!(drawn, followed, "R = {size}, {slender}: {share}");
+        classes[drawn] += 1;
+    }
+    assert!(classes[1..5].iter().chain(&classes[6..]).all(|count| *count >= 20), "{classes:?}");
+    // No edges, if they are not asked for; and any number of threads finds the same.
+    let points =
+        |edges, threads| spectrum(&case, &SpectrumRequest { edges, threads, ..request }).unwrap().points;
+    assert!(matches!(points(false, 1), SpectrumPoints::Rocking { edges: None, .. }));
+    assert_eq!(points(true, 3), found.points);
 }

@@ -1,7 +1,10 @@
 //! Top of an answer: what is asked first, in three sentences.
 
 use serde::Serialize;
+use standfast_answers::assess::{AnyCheck, predicate};
+use standfast_answers::motion::MotionValue;
 use standfast_answers::results::ResultValue;
+use standfast_model::{Bound, Key, MotionCriterion};
 
 use crate::json::{CheckEntry, RequiredBound, optional_number_or_word};
 use crate::layout::paragraph;
@@ -86,12 +89,60 @@ pub(crate) fn sentence(words: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
+/// A name that somebody gave, in marks that no sentence runs into.
+pub(crate) fn quoted(name: &str) -> String {
+    format!("«{name}»")
+}
+
+/// Period that a probability is of.
+pub(crate) fn period(yearly: bool) -> &'static str {
+    if yearly { "in one year" } else { "in one event" }
+}
+
+/// A criterion with its value, and how much of it is used: "SF_sliding is 1.178, ≥ 1.2 is asked (utilisation 1.019)". `yearly` if its
+/// probability is that of a year.
+pub(crate) fn criterion_words(check: &AnyCheck<'_>, yearly: bool) -> String {
+    let [required, value, utilisation, _] = check.cells();
+    let name = check.name();
+    let used = if utilisation == "–" { String::new() } else { format!(" (utilisation {utilisation})") };
+    match check {
+        AnyCheck::Motion(found, _) if found.criterion == MotionCriterion::NotOverturned => {
+            match found.value {
+                MotionValue::Truth(false) => "the body does not overturn".to_owned(),
+                MotionValue::Truth(true) => "the body overturns".to_owned(),
+                _ => "whether the body overturns is not known: the motion is not followed to its end"
+                    .to_owned(),
+            }
+        }
+        AnyCheck::Motion(..) => format!("{name} is {value}, {required} is asked{used}"),
+        AnyCheck::Instant(found) => {
+            let criterion = &found.check.criterion;
+            match (criterion.bound, found.check.value) {
+                (Bound::NoneOf(_), _) => {
+                    format!("the body {}, and {required} is allowed", predicate(found.assessed.verdict()))
+                }
+                (_, ResultValue::Nothing) => format!("{name} has no value, {required} is asked"),
+                _ if criterion.key == Key::LeastLoadFactor
+                    && found.check.utilisation == Some(f64::INFINITY) =>
+                {
+                    format!("the body leaves rest at once, a {name} {required} is asked")
+                }
+                _ if criterion.is_chance() => {
+                    format!("{name} is {value} {}, {required} is asked{used}", period(yearly))
+                }
+                _ => format!("{name} is {value}, {required} is asked{used}"),
+            }
+        }
+    }
+}
+
 /// Whether criteria are met: each its name and whether it is met, the governing one first, with the reason of its being met or not.
 pub(crate) fn criteria(checks: &[(bool, String)]) -> Option<String> {
     let (first, _) = checks.split_first()?;
     let failed: Vec<&(bool, String)> = checks.iter().filter(|(met, _)| !met).collect();
     Some(match (checks.len(), failed.as_slice()) {
         (1, []) => format!("The criterion is met: {}.", first.1),
+        (2, []) => format!("Both criteria are met; the governing one: {}.", first.1),
         (count, []) => format!("All {count} criteria are met; the governing one: {}.", first.1),
         (_, [one]) => format!("Not met: {}.", one.1),
         (count, [one, ..]) => {

@@ -55,7 +55,7 @@ fn a_table_of_goda_s_pressures_is_goda_s_answer() {
         assert_eq!(one.outcome.full.mode(), two.outcome.full.mode());
         for result in [
             ResultName::SfSliding,
-            ResultName::SfOverturning,
+            ResultName::SfOverturningNet,
             ResultName::LoadFactor,
             ResultName::HeelPressure,
             ResultName::ToePressure,

@@ -452,6 +452,10 @@ fn overturning_is_that_of_the_motions_one_by_one() {
         assert_eq!((found.bodies, found.records.len(), found.points.len()), (BODIES as u64, 3, 3));
         let alone = ChanceRequest { effort: Effort { threads: 1, ..effort }, ..request };
         assert_eq!(Overturning::of(&in_time, &alone, &over).unwrap(), found);
+        // A motion that is left before its record ends tells nothing of what becomes of the body.
+        let cut = CaseFile::read("case.toml", &text.replace("t_max = 20", "t_max = 1.5"), &files).unwrap();
+        let refused = Overturning::of(&cut, &request, &over).unwrap_err().to_string();
+        assert!(refused.contains("`t_max` is 1.5 s, and one.csv goes on to 3 s"), "{refused}");
         let draws = Draws::of(&in_time, Some(&situation(&in_time)), BODIES as u64, 1).unwrap();
         for (point, peak) in found.points.iter().zip(peaks) {
             let mut became = [vec![], vec![], vec![]];
@@ -529,6 +533,28 @@ fn overturning_is_that_of_the_motions_one_by_one() {
     }
 }
 
+/// Random numbers are called by their words in pictures, and not by their keys; β stands in a sentence.
+#[test]
+fn figures_call_numbers_by_their_words() {
+    let text = include_str!("../../../examples/goda-2000-random.toml");
+    let effort = Effort { points: 1 << 14, ..Effort::default() };
+    let request = ChanceRequest { effort, ..ChanceRequest::default() };
+    let answer = Probability::of(&file(text), request).unwrap();
+    let figures = answer.figures(&()).unwrap();
+    let figure = |suffix: &str| &figures.iter().find(|figure| figure.suffix == suffix).unwrap().figure;
+    let labels: Vec<&str> = figure("-matters").labels().iter().map(|label| label.text.as_str()).collect();
+    for words in ["factor on the thrust of the wave", "Coulomb friction between body and base"] {
+        assert!(labels.contains(&words), "{words}: {labels:?}");
+    }
+    assert!(
+        labels
+            .iter()
+            .all(|label| !label.contains('.') || label.parse::<f64>().is_ok() || label.contains(' '))
+    );
+    let caption = figure("-modes").caption();
+    assert!(caption.contains("The reliability index β is ") && !caption.contains('Φ'), "{caption}");
+}
+
 /// Every figure there is of answers of many kinds: no label lies on another or leaves the page; draws have the modes behind them.
 #[test]
 fn figures_of_answers_are_tidy() {
@@ -564,6 +590,14 @@ fn figures_of_answers_are_tidy() {
         let suffixes: Vec<&str> = figures.iter().map(|figure| &*figure.suffix).collect();
         assert_eq!(suffixes, expected);
         for figure in &figures {
+            if figure.suffix == "-overturning" {
+                // One shaking: points, without a line through them or a band, and the reason.
+                let (_, band, _) = standfast_figures::colours().find(|colour| colour.0 == "band").unwrap();
+                let caption = figure.figure.caption();
+                assert!(caption.ends_with("It tells nothing of another one."), "{caption}");
+                assert!(!figure.figure.svg().contains(&format!("fill=\"{band}\"")), "{caption}");
+                assert!(!figure.figure.labels().iter().any(|label| label.text.contains("lognormal")));
+            }
             let (width, height) = figure.figure.size();
             let labels = figure.figure.labels();
             for (i, label) in labels.iter().enumerate() {

@@ -2,7 +2,11 @@
 
 use std::path::Path;
 
-use standfast_cases::motion::{BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit};
+use standfast::Mode;
+use standfast_cases::motion::{
+    BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, Spectrum, SpectrumKind,
+    SpectrumRequest,
+};
 use standfast_cases::{Acting, CaseError, CaseFile, Document};
 use standfast_motion::End;
 
@@ -217,7 +221,7 @@ fn a_record_that_is_given_moves_the_base() {
 fn a_record_that_is_given_moves_a_body_as_points_do() {
     let body = "[body]\nwidth = 4\nheight = 6\nmass = 50000\nfriction = 0.4\n[added_mass]\nmass = 9000\nelevation = 3\n";
     let values = [0.0, 5.0, -4.0, 6.0, 1.0, 0.0];
-    let points = "[motion.base]\nhorizontal = { shape = \"points\", times = [0, 0.5, 1, 1.5, 2, 2.5], values = [0, 5, -4, 6, 1, 0] }\n";
+    let points = "[motion.base]\nhorizontal = { shape = \"points\", peak = \"1 m/s2\", times = [0, 0.5, 1, 1.5, 2, 2.5], values = [0, 5, -4, 6, 1, 0] }\n";
     let [of_file] = &follow(&format!("{body}{points}"))[..] else { panic!() };
     let [given] = &shaken(body, &values, 0.5)[..] else { panic!() };
     assert!(given.outcome.slide != 0.0);
@@ -304,6 +308,71 @@ fn the_animation_follows_the_motion() {
     assert!(followed.figures(&MotionView::default()).unwrap().is_empty());
 }
 
+/// A picture that moves begins shortly before the body leaves rest and ends shortly after it rests, and says so; its angles are still those
+/// of the motion. Captions have four digits.
+#[test]
+fn an_animation_leaves_out_the_rest_before_and_after() {
+    let text = include_str!("../../../examples/motion/block-base-pulse.toml");
+    let late = text.replace("period = 5, duration = 5", "period = 5, duration = 5, start = 81.2345678");
+    let case = motions(&late.replace("peak = 0.6", "peak = 0.36"), &no_file).unwrap().remove(0);
+    let whole = Follow { series: true, ..Follow::default() };
+    let answers = [FollowedMotion::of(case, &whole).unwrap()];
+    let figures = answers.figures(&MotionView::default()).unwrap();
+    let outcome = &answers[0].outcome;
+    let leaves = outcome.events.iter().find(|event| event.state != Mode::Rest).unwrap().t;
+    let rests = outcome.t_rest.unwrap();
+    assert!(leaves > 81.0 && rests > leaves, "{leaves} {rests}");
+    let svg = figures[2].figure.svg();
+    let duration: f64 = svg.split("dur=\"").nth(1).unwrap().split('s').next().unwrap().parse().unwrap();
+    let room = (0.08 * (rests - leaves)).min(1.0);
+    let begin = leaves - room;
+    let end = (rests + room).min(outcome.t_final);
+    assert!((duration - 1.5 - (end - begin)).abs() < 1e-3, "{duration} {begin} {end}");
+    let rotate = "<animateTransform attributeName=\"transform\" type=\"rotate\"";
+    // So small a motion is drawn larger, which the caption says.
+    let factor = if figures[2].figure.caption().contains("ten times as large") { 10.0 } else { 1.0 };
+    let mut turned = 0;
+    for (time, angle) in listed(svg, rotate, "keyTimes").iter().zip(&listed(svg, rotate, "values")) {
+        let t = (begin + time[0] * duration).min(end);
+        let theta = outcome.at(t).unwrap().theta.to_degrees();
+        assert!((angle[0] + factor * theta).abs() < 0.02, "{t}: {angle:?} {theta}");
+        turned += usize::from(angle[0] != 0.0);
+    }
+    assert!(turned > 50, "{turned}");
+    let caption = figures[2].figure.caption();
+    assert!(caption.contains(&format!(" Shown from t = {begin:.1}")), "{caption}");
+    for figure in &figures {
+        let caption = figure.figure.caption();
+        assert!(caption.contains(&format!("At t = {leaves:.2} the body leaves rest")), "{caption}");
+        let digits = |word: &&str| word.chars().filter(char::is_ascii_digit).count();
+        let word = caption.split_whitespace().max_by_key(digits).unwrap();
+        assert!(digits(&word) <= 4, "{word} in {caption}");
+    }
+}
+
+/// Under a rectangle of acceleration the base leaves the block behind to one side only: on level ground it slides as far as one that can
+/// slide to that side alone, whatever its yield acceleration. Under a shaking both ways this is true of the ratios above the lesser peak.
+#[test]
+fn lines_of_a_newmark_spectrum_that_lie_on_each_other_are_told() {
+    let caption = |shape: &str| {
+        let text = format!(
+            "[block]\nb1 = 1\nb2 = 1\nd = 0.5\nmu_s = 0.4\ngravity = 1\n[motion.base]\nhorizontal = {{ {shape} }}\n"
+        );
+        let case = motions(&text, &no_file).unwrap().remove(0);
+        let steps = "0.2,0.8,7".parse().unwrap();
+        let request = SpectrumRequest { ratio: Some(steps), ..SpectrumRequest::new(SpectrumKind::Newmark) };
+        let found = Spectrum::of(&case, &request, &|_| ()).unwrap();
+        found.figures(&()).unwrap().remove(0).figure.caption().to_owned()
+    };
+    let one = caption("shape = \"rect\", peak = 0.8, duration = 1.5");
+    let told = "From 0.2 on a block on level ground slides as far as one that can only slide to the ";
+    assert!(one.contains(told), "{one}");
+    // To the right, and then longer back with less: below 0.7 the block slides both ways, and farther back.
+    let both =
+        caption("shape = \"points\", peak = 1, times = [0, 1, 1, 4, 4], values = [1, 1, -0.7, -0.7, 0]");
+    assert!(both.contains("on a block on level ground") && !both.contains("From 0.2 on"), "{both}");
+}
+
 /// At the first instant a shaken body bears the peaks of the shaking, and a wave's load its own value; blanks keep the places of errors.
 #[test]
 fn at_the_first_instant_the_peaks_act() {
@@ -388,6 +457,44 @@ fn slips_are_named_in_both_kinds_of_case() {
     // 0.1 s over √(0.2 m/9.81 m/s²).
     assert!(words[1].contains("0.100 apart, 0.70 of"), "{words:?}");
     assert!(words[2].contains("0.9995"), "{words:?}");
+}
+
+/// What is warned of a case at rest is warned of its motion: a centre of mass above the body, a mass in the wrong unit.
+#[test]
+fn warnings_of_the_case_are_those_of_its_motion() {
+    let shaken =
+        "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"3 m/s2\", duration = \"0.4 s\" }\n";
+    let body =
+        "[body]\nwidth = \"0.6 m\"\nlength = \"0.6 m\"\nheight = \"2 m\"\nmass = \"1.9 t\"\nfriction = 0.5\n";
+    let names = |text: &str| -> Vec<&'static str> {
+        let cases = motions(&format!("{text}{shaken}"), &no_file).unwrap();
+        cases[0].warnings.iter().map(|warning| warning.name).collect()
+    };
+    assert_eq!(names(body), [""; 0]);
+    assert_eq!(names(&format!("{body}centroid_height = \"17 m\"\n")), ["centroid-outside-body"]);
+    assert_eq!(
+        names(&body.replace("1.9 t", "1.9 kg").replace("= 0.5", "= 50")),
+        ["mean-density", "high-friction"]
+    );
+}
+
+/// Values of an acceleration are shares of a peak with its unit; an [earthquake], which is held, is pointed to a base that moves; ground that
+/// may fail is not followed, and the answer begins with that.
+#[test]
+fn what_a_motion_is_of_is_said() {
+    let body = "[body]\nwidth = 3\nlength = 1\nheight = 4\nmass = 28000\nfriction = 0.5\n";
+    let refused = |text: &str| standfast_cases::report(&motions(text, &no_file).unwrap_err());
+    let points =
+        "[motion.base]\nhorizontal = { shape = \"points\", times = [0, 0.1, 0.2], values = [0, 0.4, 0] }\n";
+    let told = refused(&format!("{body}{points}"));
+    assert!(told.contains("`peak`"), "{told}");
+    let with_peak = points.replace("times", "peak = \"2 g\", times");
+    assert!(follow(&format!("{body}{with_peak}"))[0].outcome.max_slide > 0.0);
+    let told = refused(&format!("{body}[earthquake]\nhorizontal = \"0.3 g\"\n"));
+    assert!(told.contains("has no course in time") && told.contains("[motion.base]"), "{told}");
+    let sand = "[ground]\nfriction_angle_deg = 35\nunit_weight = 10e3\n";
+    let words = follow(&format!("{body}{with_peak}{sand}")).summary().unwrap().answer;
+    assert!(words.starts_with("On a rigid base, as [ground] is not followed in time: "), "{words}");
 }
 
 /// Two loads that are equal but for their histories, one in each combination: each has its own, whichever stands first. The slide of a

@@ -142,7 +142,7 @@ fn a_drum_by_hand() {
     };
     // 100 kN · 1 m against F · 2.5 m.
     let assessment = assess(&drum(20.0));
-    assert!((number(&assessment, ResultName::SfOverturning) - 2.0).abs() < 1e-12);
+    assert!((number(&assessment, ResultName::SfOverturningNet) - 2.0).abs() < 1e-12);
     assert!((number(&assessment, ResultName::SfSliding) - 2.5).abs() < 1e-12);
     assert!((number(&assessment, ResultName::LoadFactor) - 2.0).abs() < 1e-12);
     // At r/4 the far edge is unloaded: p = 2 W/A, and all is in contact.

@@ -27,11 +27,14 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String> {
         read.refuse(csv)?;
     }
     let Some(case) = cases.into_iter().next() else { return Err(SpectrumError::NoShaking.into()) };
+    let is_table = args.csv.as_ref().is_some_and(|csv| csv.as_os_str() == "-");
     let request = SpectrumRequest {
         size: args.size,
         slenderness: args.slenderness,
         ratio: args.ratio,
         scale: args.scale,
+        // A table alone has no figure.
+        edges: !is_table,
         threads: threads(args.threads),
         ..SpectrumRequest::new(args.kind)
     };
@@ -40,7 +43,7 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String> {
     let found = Spectrum::of(&case, &request, &|progressed| progress.tell(progressed));
     progress.clear();
     let spectrum = found?;
-    if args.csv.as_ref().is_some_and(|csv| csv.as_os_str() == "-") {
+    if is_table {
         return Ok(spectrum_csv(&spectrum));
     }
     let figures = Figures::asked(args.output.as_deref(), false);

@@ -1,7 +1,7 @@
 //! Axes of a plot: the values along its edges, where they lie on the page, and what is drawn at them.
 //!
-//! Every figure with values along its edges is drawn through [`Axes`]. What differs from one to another is how many numbers it has, and a
-//! [`Look`].
+//! Every figure with values along its edges is drawn through [`Axes`]: a frame, round numbers with smaller ticks between them, the name of
+//! the quantity across below, that of the one upwards above. Figures are as wide as a [`COLUMN`] or as a [`PAGE`].
 
 use crate::margins::{self, Tab};
 use crate::motion::SpectrumAxis;
@@ -14,6 +14,17 @@ use crate::text::Text;
 
 /// The type size of an axis's numbers.
 pub(crate) const NUMBER: f64 = 12.5;
+/// Width of a figure that stands in a column of a journal.
+pub(crate) const COLUMN: f64 = 480.0;
+/// Width of a figure that takes a page.
+pub(crate) const PAGE: f64 = 720.0;
+/// Left edge of names, keys and words, and the least white at the right.
+pub(crate) const LEFT: f64 = 16.0;
+pub(crate) const FRAME: Pen = Pen::solid(INK, 0.9);
+const TICK: Pen = Pen::solid(INK, 0.9);
+/// Distance of names from a plot: below it, and above it.
+const NAME_BELOW: f64 = 36.0;
+const NAME_ABOVE: f64 = 12.0;
 const SMALL_TICK: Pen = Pen::solid(INK, 0.6);
 const GRID: Pen = Pen::solid(BEHIND, 0.35);
 /// From this many decades on they are written as powers of ten.
@@ -65,16 +76,11 @@ impl Axis {
         self.to - self.from
     }
 
-    /// Numbers, round and at equal steps; at most `most` steps.
-    pub(crate) fn numbers(&self, most: f64) -> Vec<Tick> {
-        let scale = Scale::new(self.from, self.to, most);
-        scale.numbers().into_iter().map(|value| (value, Some(scale.text(value)))).collect()
-    }
-
     /// Numbers, round and at equal steps, as many as an axis of this length on the page has room for.
     pub(crate) fn scale(&self, length: f64, upright: bool) -> Scale {
         // A number of five figures takes 30 units across; with less room the axis would read as a line of text.
-        Scale::new(self.from, self.to, room(length, if upright { 38.0 } else { 52.0 }, 12.0))
+        let each = if upright { (length / 5.0).clamp(20.0, 38.0) } else { 52.0 };
+        Scale::new(self.from, self.to, room(length, each, 12.0))
     }
 
     /// The decades that the axis meets, and the steps of each that lie on it: decade, step and value.
@@ -93,11 +99,14 @@ impl Axis {
         self.to.log10().ceil() as i32
     }
 
-    /// Numbers, at most about `most`; of many decades, smaller ticks where one is left out.
-    pub(crate) fn ticks(&self, most: f64) -> Vec<Tick> {
+    /// Round numbers, as many as an axis of this length on the page has room for, and smaller ticks between them.
+    pub(crate) fn ticks(&self, length: f64, upright: bool) -> Vec<Tick> {
         if !self.logarithmic || self.to < 4.0 * self.from {
-            return self.numbers(most);
+            let scale = self.scale(length, upright);
+            let numbers = scale.numbers().into_iter().map(|value| (value, Some(scale.text(value))));
+            return numbers.chain(scale.between().into_iter().map(|value| (value, None))).collect();
         }
+        let most = room(length, if upright { 38.0 } else { 58.0 }, 9.0);
         let decades = (self.to / self.from).log10();
         let steps: &[f64] = if 3.0 * decades < most { &[1.0, 2.0, 5.0] } else { &[1.0] };
         // From the upper end down: a probability of 1 is written.
@@ -111,7 +120,15 @@ impl Axis {
             };
             (value, written.then(|| Text::new(&format!("${}$", markup()), NUMBER)))
         });
-        ticks.collect()
+        let ticks: Vec<Tick> = ticks.collect();
+        let is_known = |value: f64| ticks.iter().any(|(known, _)| (known / value - 1.0).abs() < 1e-9);
+        let between: &[f64] = if decades < 6.5 { &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0] } else { &[] };
+        let between: Vec<Tick> = self
+            .decades(between)
+            .filter(|(.., value)| !is_known(*value))
+            .map(|(.., value)| (value, None))
+            .collect();
+        ticks.into_iter().chain(between).collect()
     }
 }
 
@@ -130,19 +147,6 @@ pub(crate) fn widest(ticks: &[Tick], least: f64) -> f64 {
 /// The ticks that carry a number.
 fn written(ticks: &[Tick]) -> impl Iterator<Item = f64> + '_ {
     ticks.iter().filter(|(_, text)| text.is_some()).map(|(value, _)| *value)
-}
-
-/// Look of ticks and numbers.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Look {
-    /// The width of a tick's line.
-    pub tick: f64,
-    /// Drop from the axis to the line that numbers stand on.
-    pub drop: f64,
-}
-
-impl Look {
-    pub(crate) const PLAIN: Look = Look { tick: 0.9, drop: 17.0 };
 }
 
 /// Names at the arrowheads and at the origin, in markup; nothing where empty.
@@ -177,13 +181,15 @@ impl Axes {
         Axes { area, across, up }
     }
 
-    /// A part of the plane in a plot of this size with its upper edge at `top`, and left of it room for numbers.
-    pub(crate) fn beside_numbers(view: &View, (width, height): (f64, f64), top: f64) -> Axes {
-        let (across, up) = view.axes();
-        let scale = up.scale(height, true);
-        let numbers = scale.numbers().into_iter().map(|value| scale.text(value).width);
-        let left = (numbers.fold(0.0, f64::max) + 17.0).max(34.0) + 6.0;
-        Axes { area: Rect { x0: left, y0: top, x1: left + width, y1: top + height }, across, up }
+    /// A plot of two quantities of this height between numbers right of `left` and its right edge.
+    pub(crate) fn beside_numbers(
+        [across, up]: [Axis; 2],
+        (left, right): (f64, f64),
+        top: f64,
+        height: f64,
+    ) -> Axes {
+        let x0 = left + 9.0 + widest(&up.ticks(height, true), 20.0);
+        Axes { area: Rect { x0, y0: top, x1: right, y1: top + height }, across, up }
     }
 
     /// A quantity across a rectangle, and rows or nothing upwards.
@@ -247,24 +253,30 @@ impl Axes {
         }
     }
 
+    /// Ticks across and upwards, as many as there is room for.
+    pub(crate) fn ticks(&self) -> [Vec<Tick>; 2] {
+        let Rect { x0, y0, x1, y1 } = self.area;
+        [self.across.ticks(x1 - x0, false), self.up.ticks(y1 - y0, true)]
+    }
+
     /// Ticks and numbers below.
-    pub(crate) fn below(&self, scene: &mut Scene, ticks: &[Tick], look: Look) {
+    pub(crate) fn below(&self, scene: &mut Scene, ticks: &[Tick]) {
         let bottom = self.area.y1;
         for (value, number) in ticks {
             let x = self.x(*value);
-            scene.line((x, bottom), (x, bottom + length(number)), Pen::solid(INK, look.tick));
+            scene.line((x, bottom), (x, bottom + length(number)), TICK);
             if let Some(number) = number {
-                scene.text(number, x - number.width / 2.0, bottom + look.drop, INK);
+                scene.text(number, x - number.width / 2.0, bottom + 17.0, INK);
             }
         }
     }
 
     /// Ticks and numbers at the left.
-    pub(crate) fn beside(&self, scene: &mut Scene, ticks: &[Tick], look: Look) {
+    pub(crate) fn beside(&self, scene: &mut Scene, ticks: &[Tick]) {
         let left = self.area.x0;
         for (value, number) in ticks {
             let y = self.y(*value);
-            scene.line((left - length(number), y), (left, y), Pen::solid(INK, look.tick));
+            scene.line((left - length(number), y), (left, y), TICK);
             if let Some(number) = number {
                 scene.text(number, left - 7.0 - number.width, y + 4.0, INK);
             }
@@ -272,16 +284,22 @@ impl Axes {
     }
 
     /// A border with ticks and numbers of both axes.
-    pub(crate) fn framed(&self, scene: &mut Scene, [across, up]: &[Vec<Tick>; 2], look: Look) {
-        self.border(scene, Pen::solid(INK, 0.9));
-        self.below(scene, across, look);
-        self.beside(scene, up, look);
+    pub(crate) fn framed(&self, scene: &mut Scene, [across, up]: &[Vec<Tick>; 2]) {
+        self.border(scene, FRAME);
+        self.below(scene, across);
+        self.beside(scene, up);
     }
 
-    /// The name of the quantity across, in the middle, so far below.
-    pub(crate) fn name_below(&self, scene: &mut Scene, name: &Text, down: f64) {
+    /// The name of the quantity across, in the middle below; gives the y below it.
+    pub(crate) fn name_below(&self, scene: &mut Scene, name: &Text) -> f64 {
         let Rect { x0, x1, y1, .. } = self.area;
-        scene.text(name, (x0 + x1 - name.width) / 2.0, y1 + down, INK);
+        scene.text(name, ((x0 + x1 - name.width) / 2.0).max(LEFT), y1 + NAME_BELOW, INK);
+        y1 + NAME_BELOW + name.descent
+    }
+
+    /// The name of the quantity upwards, from `left` on, so much farther above than names are.
+    pub(crate) fn name_above(&self, scene: &mut Scene, name: &Text, left: f64, higher: f64) {
+        scene.text(name, left, self.area.y0 - NAME_ABOVE - higher, INK);
     }
 
     /// Lines with arrowheads, their names, and the origin.
@@ -334,27 +352,38 @@ pub(crate) struct Plot {
     pub axes: Axes,
     pub ticks: [Vec<Tick>; 2],
     names: [Text; 2],
+    left: f64,
+}
+
+/// Name of a quantity as it stands at an axis: with a capital.
+pub(crate) fn named(words: &str) -> String {
+    let mut letters = words.chars();
+    match letters.next() {
+        Some(first) if first.is_lowercase() && letters.clone().next().is_some_and(char::is_alphabetic) => {
+            first.to_uppercase().chain(letters).collect()
+        }
+        _ => words.to_owned(),
+    }
 }
 
 impl Plot {
-    /// Quantities across and upwards, with the numbers of the latter between `left` and the plot.
+    /// Quantities across and upwards, with the numbers of the latter between `left` and the plot, which ends at `right`.
     pub(crate) fn new(
         quantities: [&SpectrumAxis<'_>; 2],
-        ticks: [Vec<Tick>; 2],
-        (left, top): (f64, f64),
-        (width, height): (f64, f64),
+        (left, right): (f64, f64),
+        top: f64,
+        height: f64,
     ) -> Plot {
-        let [across, up] = quantities.map(SpectrumAxis::axis);
-        let x0 = left + widest(&ticks[1], 20.0);
-        let axes = Axes { area: Rect { x0, y0: top, x1: x0 + width, y1: top + height }, across, up };
-        Plot { axes, ticks, names: quantities.map(|axis| Text::inline(axis.name, NUMBER)) }
+        let axes = Axes::beside_numbers(quantities.map(SpectrumAxis::axis), (left, right), top, height);
+        let names = quantities.map(|axis| Text::inline(&named(axis.name), NUMBER));
+        Plot { axes, ticks: axes.ticks(), names, left }
     }
 
-    /// Draws the frame with its numbers, the name of the quantity across so far below, and that of the one upwards at a place.
-    pub(crate) fn draw(&self, scene: &mut Scene, look: Look, down: f64, (x, y): (f64, f64)) {
-        self.axes.framed(scene, &self.ticks, look);
-        scene.text(&self.names[1], x, y, INK);
-        self.axes.name_below(scene, &self.names[0], down);
+    /// Draws the frame with its numbers and names, the upper one so much higher; gives the y below.
+    pub(crate) fn draw(&self, scene: &mut Scene, higher: f64) -> f64 {
+        self.axes.framed(scene, &self.ticks);
+        self.axes.name_above(scene, &self.names[1], self.left, higher);
+        self.axes.name_below(scene, &self.names[0])
     }
 
     /// Its names as plain characters.
@@ -396,17 +425,17 @@ pub fn axis_numbers(from: f64, to: f64, length: f64, upright: bool) -> AxisNumbe
 mod tests {
     use super::*;
 
-    fn texts(from: f64, to: f64, logarithmic: bool, most: f64) -> Vec<String> {
-        let ticks = Axis { from, to, logarithmic }.ticks(most);
+    fn texts(from: f64, to: f64, logarithmic: bool, length: f64) -> Vec<String> {
+        let ticks = Axis { from, to, logarithmic }.ticks(length, true);
         ticks.into_iter().filter_map(|(_, text)| text).map(|text| text.plain).collect()
     }
 
     /// Equal steps have round numbers; equal factors have powers of ten, the upper end among them.
     #[test]
     fn axes_have_round_numbers() {
-        assert_eq!(texts(0.0, 1.0, false, 5.0), ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-        assert_eq!(texts(0.01, 1.0, true, 8.0), ["0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "1"]);
-        let far = texts(1e-12, 1.0, true, 7.0);
+        assert_eq!(texts(0.0, 1.0, false, 200.0), ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(texts(0.01, 1.0, true, 310.0), ["0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "1"]);
+        let far = texts(1e-12, 1.0, true, 270.0);
         assert_eq!(far.len(), 7, "{far:?}");
         assert_eq!((far[0].as_str(), far[6].as_str()), ("10^−12", "1"));
     }

@@ -213,11 +213,11 @@ impl Canvas {
     }
 
     /// Names a region: inside it, or beside it with a leader; not at all if it is too small to be seen. `patch` is the
-    /// colour laid behind a name on hatching.
-    pub(crate) fn name(&mut self, pieces: &[Piece], name: &str, largest: f64, patch: Option<&str>) {
-        let Some((heart, width)) = self.board.heart(pieces) else { return };
+    /// colour laid behind a name on hatching. True if it is named.
+    pub(crate) fn name(&mut self, pieces: &[Piece], name: &str, largest: f64, patch: Option<&str>) -> bool {
+        let Some((heart, width)) = self.board.heart(pieces) else { return false };
         if width < 1.0 {
-            return;
+            return false;
         }
         let sizes = [largest, 0.85 * largest];
         let fitting = sizes.into_iter().find_map(|size| {
@@ -232,7 +232,7 @@ impl Canvas {
                 let Some((rect, leader)) =
                     self.board.near(heart, 0.0, (text.width, text.height()), 13, Lines::Cross)
                 else {
-                    return;
+                    return false;
                 };
                 self.leader(&leader);
                 self.scene.dot(heart, 1.3, INK, None);
@@ -242,6 +242,6 @@ impl Canvas {
         if let Some(colour) = patch {
             self.patch(&rect, 2.5, colour);
         }
-        self.place(&text, Some(rect), INK);
+        self.place(&text, Some(rect), INK)
     }
 }

@@ -15,6 +15,8 @@ use crate::{DesignPoint, is_drawable};
 /// Type sizes of the caption and of the details below it.
 pub(crate) const SIZE: f64 = 13.0;
 pub(crate) const SMALL: f64 = 11.7;
+/// The least type size of a label: 6 pt where a page-wide figure is printed 170 mm wide, or 128 mm high.
+pub(crate) const LEAST: f64 = 10.5;
 /// Largest number of design points listed.
 const LISTED: usize = 12;
 
@@ -123,11 +125,15 @@ pub(crate) fn hatching(parts: &[Unresolved]) -> Option<String> {
 
 /// A word that fits a line.
 pub(crate) fn shortened(word: &str) -> String {
-    const LONGEST: usize = 32;
-    if word.chars().count() <= LONGEST {
-        word.into()
+    cut(word, 32)
+}
+
+/// Words of so many letters at most.
+pub(crate) fn cut(words: &str, longest: usize) -> String {
+    if words.chars().count() <= longest {
+        words.into()
     } else {
-        word.chars().take(LONGEST - 1).chain(['…']).collect()
+        words.chars().take(longest - 1).chain(['…']).collect()
     }
 }
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 use standfast::initiation::{Chart, ChartCase};
 
 use crate::Figure;
-use crate::axes::{Axis, Look, NUMBER};
+use crate::axes::{Axis, NUMBER};
 use crate::number;
 use crate::palette::{FAINT, INK, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -116,7 +116,7 @@ fn axes(scene: &mut Scene, picture: &Picture) {
     }
     let number = |k_prime: f64| Text::new(&format!("${}$", number::digits(k_prime)), NUMBER);
     let ticks = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|k_prime| (k_prime, Some(number(k_prime))));
-    axes.beside(scene, &ticks, Look::PLAIN);
+    axes.beside(scene, &ticks);
     let name = Text::new("$γ$", 14.0);
     scene.text(&name, (axes.x(3.0) + axes.x(10.0)) / 2.0, y1 + 17.0, INK);
     let name = Text::new("$k′$", 14.0);

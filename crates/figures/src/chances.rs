@@ -10,13 +10,13 @@ mod tornado;
 
 pub use cloud::{ChanceCloud, CloudPanel, chance_cloud};
 pub use lines::{ChanceLine, ChanceLines, ChanceMark, LineLook, chance_lines};
+pub(crate) use lines::{MARKS, marks};
 pub use rows::{ChanceGroup, ChanceRow, ChanceRows, chance_rows};
 pub use tornado::{Importance, Tornado, chance_tornado};
 
 use crate::Figure;
-use crate::axes::{Axis, Look, Plot, Tick, room};
+use crate::axes::LEFT;
 use crate::below::Words;
-use crate::motion::SpectrumAxis;
 use crate::scene::Scene;
 
 /// A number with its interval.
@@ -30,23 +30,7 @@ pub struct Chance {
     pub high: f64,
 }
 
-/// Left and right edge of what stands above, beside and below plots.
-const LEFT: f64 = 16.0;
-const LOOK: Look = Look { tick: 0.8, drop: 18.0 };
-
-/// Ticks below a plot, as many as an axis of this length has room for.
-fn across_ticks(axis: &Axis, length: f64) -> Vec<Tick> {
-    axis.ticks(room(length, 58.0, 9.0))
-}
-
-/// A plot of two quantities, with as many numbers as have room.
-fn plot(quantities: [&SpectrumAxis<'_>; 2], (left, top): (f64, f64), size: (f64, f64)) -> Plot {
-    let up = quantities[1].axis().ticks(room(size.1, 38.0, 8.0));
-    let ticks = [across_ticks(&quantities[0].axis(), size.0), up];
-    Plot::new(quantities, ticks, (left + 9.0, top), size)
-}
-
-/// Title and caption below, and the figure. `description` is what a reader is told who does not see it.
+/// Title and caption below, and the figure, which ends at `right`. `description` is what a reader is told who does not see it.
 fn finished(
     scene: Scene,
     (title, caption): (&str, &str),
@@ -54,5 +38,5 @@ fn finished(
     description: &str,
 ) -> Figure {
     let description = format!("{description} {caption}");
-    Words::verbatim(title, caption).figure(scene, (LEFT, right), top, 14.0, &description)
+    Words::verbatim(title, caption).figure(scene, (LEFT, right - LEFT), top, LEFT, &description)
 }

@@ -7,7 +7,7 @@ use standfast::initiation::NamedPoint;
 use standfast::region::Strip;
 use standfast::{Mode, Verdict};
 
-use crate::axes::{Axes, Names};
+use crate::axes::{Axes, COLUMN, FRAME, LEFT, NUMBER, Names};
 use crate::below::Words;
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::SIZE;
@@ -15,13 +15,18 @@ use crate::drawing::Drawing;
 use crate::margins::{self, Tab};
 use crate::palette::{FAINT, INK, PAPER, symbol, tint};
 use crate::plot::{Arc, Fall, Piece, View, clip, clip_strips, hatch, level};
-use crate::scene::{Pen, Rect};
+use crate::scene::{Pen, Rect, Scene};
 use crate::sheet::{Line, Mark, Naming, Part, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
 use crate::{Figure, caption, inset};
 
 pub(crate) const PLOT: (f64, f64) = (400.0, 310.0);
-pub(crate) const TOP: f64 = 42.0;
+/// Height of a plane with numbers, and the room for letters and formulas at the right of it.
+pub(crate) const HEIGHT: f64 = 310.0;
+pub(crate) const ROOM: f64 = 46.0;
+pub(crate) const TOP: f64 = 46.0;
+/// The name of an axis stands above the letters at the ends of lines.
+const HIGHER: f64 = 18.0;
 pub(crate) const LETTER: f64 = 14.5;
 pub(crate) const DROP: Pen = Pen { colour: FAINT, width: 0.7, dashes: "3.2 2.6" };
 
@@ -57,7 +62,7 @@ impl Drawing<'_> {
     pub(crate) fn figure(&self) -> Figure {
         let mu_tabs = self.mu_marks();
         let axes = if self.numbered {
-            Axes::beside_numbers(&self.window, PLOT, TOP)
+            plane(&self.window, TOP)
         } else {
             axes_at(margins::mu_width(mu_tabs.iter()).max(34.0) + 6.0, &self.window)
         };
@@ -66,8 +71,10 @@ impl Drawing<'_> {
         draft.drop_lines();
         draft.traces();
         let scene = &mut draft.canvas.scene;
-        axes.arrows(scene, if self.numbered { &Names::NUMBERED } else { &Names::PLANE });
-        if !self.numbered {
+        if self.numbered {
+            axes.border(scene, FRAME);
+        } else {
+            axes.arrows(scene, &Names::PLANE);
             margins::beside_mu_axis(scene, &axes, mu_tabs);
         }
         draft.marks();
@@ -137,6 +144,20 @@ impl Drawing<'_> {
         let curve = trace.line.curve(chart);
         curve.map_or(Vec::new(), |curve| clip(curve, trace.from.k(chart), trace.to.k(chart), &self.window))
     }
+}
+
+/// Place of a k–μ plane with numbers, from `top` on.
+pub(crate) fn plane(window: &View, top: f64) -> Axes {
+    let (across, up) = window.axes();
+    Axes::beside_numbers([across, up], (LEFT, COLUMN - ROOM), top, HEIGHT)
+}
+
+/// Numbers and names of a k–μ plane, with what else stands above or without; gives the y below and the x right of what stands above.
+pub(crate) fn named_plane(scene: &mut Scene, axes: &Axes, is_labelled: bool) -> (f64, f64) {
+    let [across, up] = ["Force over weight, $k$", "Friction, $μ$"].map(|words| Text::inline(words, NUMBER));
+    axes.framed(scene, &axes.ticks());
+    axes.name_above(scene, &up, LEFT, if is_labelled { HIGHER } else { 0.0 });
+    (axes.name_below(scene, &across), LEFT + up.width)
 }
 
 /// A plot with its left edge at `left`.
@@ -365,13 +386,17 @@ impl<'a> Draft<'a> {
     fn finish(mut self) -> Figure {
         let axes = self.canvas.board.axes;
         self.legend.extend(caption::hatching(self.given.hatched));
-        let bottom =
-            if self.given.numbered { axes.round_numbers(&mut self.canvas.scene) } else { self.k_marks() };
+        let scene = &mut self.canvas.scene;
+        let (bottom, above) = if self.given.numbered {
+            named_plane(scene, &axes, !self.above.is_empty())
+        } else {
+            (self.k_marks(), axes.area.x0)
+        };
         let right = std::mem::take(&mut self.right);
         let right = margins::right_of(&mut self.canvas.scene, &axes, right).unwrap_or(axes.area.x1);
-        margins::above(&mut self.canvas.scene, &axes, std::mem::take(&mut self.above));
+        margins::above(&mut self.canvas.scene, &axes, std::mem::take(&mut self.above), above);
 
-        let width = (right + 12.0).max(axes.area.x1 + 46.0);
+        let width = (right + 12.0).max(axes.area.x1 + ROOM);
         let mut words = vec![Text::verbatim(self.given.heading, SIZE)];
         words.extend(margins::words(self.given.caption, SIZE));
         let details = caption::details(self.given, &self.legend, &self.numbered);

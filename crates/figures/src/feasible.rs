@@ -6,23 +6,19 @@
 use standfast::region::{Curve, Strip};
 
 use crate::Figure;
-use crate::axes::{Axes, Names, widest};
+use crate::axes::{Axes, COLUMN, FRAME, LEFT, NUMBER, named};
 use crate::below::Words;
 use crate::canvas::Canvas;
 use crate::ground::shape::through;
-use crate::margins::{self, Tab};
 use crate::palette::{FEASIBLE, INK, MARK};
 use crate::plot::{Piece, View, clip, clip_strips, outline};
-use crate::scene::{Pen, Rect};
+use crate::scene::Pen;
 use crate::text::Text;
 
-const PLOT: (f64, f64) = (430.0, 320.0);
-const TOP: f64 = 46.0;
+const HEIGHT: f64 = 300.0;
+const TOP: f64 = 30.0;
 const LABEL: f64 = 13.0;
 const BOUNDARY: Pen = Pen::solid(INK, 1.5);
-const NAMES: Names = Names { right: "", up: "", origin: "" };
-/// At most so many numbers along an axis.
-const NUMBERS: f64 = 8.0;
 
 /// The values of two quantities for which a target is met.
 #[derive(Debug, Clone, PartialEq)]
@@ -127,10 +123,7 @@ impl Step {
 pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
     let window = window(set)?;
     let (across, up) = window.axes();
-    let ticks = [across, up].map(|axis| axis.numbers(NUMBERS));
-    let left = widest(&ticks[1], 0.0) + 30.0;
-    let area = Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 };
-    let axes = Axes { area, across, up };
+    let axes = Axes::beside_numbers([across, up], (LEFT, COLUMN - 26.0), TOP, HEIGHT);
     let mut canvas = Canvas::new(axes);
 
     let pieces = clip_strips(&set.strips(), &window);
@@ -139,15 +132,7 @@ pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
     let runs = set.runs();
     let steps = set.steps(&window);
     boundary(&mut canvas, &runs, &steps);
-    axes.arrows(&mut canvas.scene, &NAMES);
-    let [across, up] = ticks.map(|ticks| ticks.into_iter().filter_map(|(value, text)| Some((value, text?))));
-    // Down to the origin.
-    for (value, text) in up {
-        let y = axes.y(value);
-        margins::beside(&mut canvas.scene, &axes, &Tab { at: y, text }, y);
-    }
-    let under = across.map(|(value, text)| Tab { at: axes.x(value), text });
-    let (below, _) = margins::under_k_axis(&mut canvas.scene, &axes, under.collect(), Vec::new());
+    axes.border(&mut canvas.scene, FRAME);
     present(&mut canvas, set);
     let upright = steps.iter().filter_map(|step| {
         Some(Run {
@@ -158,19 +143,17 @@ pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
     let runs: Vec<_> = runs.into_iter().chain(upright).collect();
     runs.iter().for_each(|run| name(&mut canvas, run));
     name_set(&mut canvas, &pieces);
-    Some(framed(canvas, set, &runs, below))
+    Some(framed(canvas, set, &runs))
 }
 
 /// Writes the names of the axes, the title and the caption around the plot.
-fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], below: f64) -> Figure {
-    let area = canvas.board.axes.area;
-    let name = axis_name(&set.up);
-    canvas.scene.text(&name, (area.x0 - 14.0).max(12.0), area.y0 - 27.0, INK);
+fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run]) -> Figure {
+    let axes = canvas.board.axes;
+    axes.framed(&mut canvas.scene, &axes.ticks());
+    axes.name_above(&mut canvas.scene, &axis_name(&set.up), LEFT, 0.0);
     let name = axis_name(&set.across);
-    let baseline = below + 8.0 + name.ascent;
-    canvas.scene.text(&name, ((area.x0 + area.x1 - name.width) / 2.0).max(12.0), baseline, INK);
-    let width = (area.x1 + 34.0).max(area.x0 + name.width + 14.0);
-    let edges = (16.0, width - 16.0);
+    let below = axes.name_below(&mut canvas.scene, &name);
+    let edges = (LEFT, (COLUMN - LEFT).max(LEFT + name.width));
     let mut binds: Vec<_> = runs.iter().map(|run| run.by).collect();
     binds.sort_unstable();
     binds.dedup();
@@ -183,13 +166,14 @@ fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], below: f64) -
         axis_name(&set.across).plain
     );
     let words = Words { gap: 5.0, ..Words::verbatim(set.title, &caption) };
-    words.figure(canvas.scene, edges, baseline + name.descent + 14.0, 16.0, &description)
+    words.figure(canvas.scene, edges, below + 14.0, 16.0, &description)
 }
 
 /// Words, symbol and unit of an axis.
 fn axis_name(axis: &SetAxis<'_>) -> Text {
     let unit = if axis.unit.is_empty() { String::new() } else { format!(" ({})", axis.unit) };
-    Text::new(&format!("{}, ${}${unit}", axis.words.replace('$', ""), axis.symbol.replace('\'', "′")), LABEL)
+    let words = named(&axis.words.replace('$', ""));
+    Text::new(&format!("{words}, ${}${unit}", axis.symbol.replace('\'', "′")), NUMBER)
 }
 
 /// The part of the plane that is shown: all columns, and upwards all ends that are more than ends of the search, and the present

@@ -12,11 +12,11 @@ use standfast::ground::strength::{CrushMap, CrushPoint};
 use standfast::{Diagram, Modes, Verdict};
 
 use self::shape::{Shape, through};
-use crate::axes::{Axes, Names};
+use crate::axes::{COLUMN, FRAME, LEFT};
 use crate::below::Words;
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{self, SIZE, SMALL, Said, pair};
-use crate::chart::{LETTER, PLOT, TOP};
+use crate::chart::{LETTER, named_plane, plane as plane_at};
 use crate::margins;
 use crate::number::digits;
 use crate::outlines::{OutlinedLine, Outlines, polygons};
@@ -28,6 +28,8 @@ use crate::{DesignPoint, DiagramContent, Figure, map, outlines};
 
 const BOUNDARY: Pen = Pen::solid(INK, 1.5);
 const DASHED: Pen = Pen { colour: INK, width: 0.9, dashes: "5 3.4" };
+/// Above the plot: the name of the friction.
+const TOP: f64 = 30.0;
 /// The shortest line that carries its equation, in pixels.
 const SHORTEST: f64 = 20.0;
 const RIGID: Pen = Pen::solid(BEHIND, 1.1);
@@ -171,7 +173,7 @@ impl Draft {
         let window = plane.window_of(content);
         let view = View::from_origin(window.k, window.mu);
         let shape = plane.shape(&view);
-        let canvas = Canvas::new(Axes::beside_numbers(&view, PLOT, TOP));
+        let canvas = Canvas::new(plane_at(&view, TOP));
         let areas = shape.areas.iter().map(|(verdict, strips)| (*verdict, clip_strips(strips, &view)));
         let areas = areas.filter(|(_, pieces)| !pieces.is_empty()).collect();
         Draft { canvas, shape, window, areas, legend: Vec::new() }
@@ -192,7 +194,7 @@ impl Draft {
             }
             self.shape.lines.push(line);
         }
-        axes.arrows(&mut self.canvas.scene, &Names::NUMBERED);
+        axes.border(&mut self.canvas.scene, FRAME);
         let numbered = self.marks(content);
         self.finish(plane, content, &numbered)
     }
@@ -277,9 +279,8 @@ impl Draft {
 
     fn finish(mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>, numbered: &[usize]) -> Figure {
         let axes = self.canvas.board.axes;
-        let bottom = axes.round_numbers(&mut self.canvas.scene);
-        let width = axes.area.x1 + 46.0;
-        let edges = (16.0, width - 16.0);
+        let (bottom, _) = named_plane(&mut self.canvas.scene, &axes, false);
+        let edges = (LEFT, COLUMN - LEFT);
         let heading = margins::words(&format!("{} {}", plane.heading(), plane.given()), SIZE);
         let parts =
             self.shape.points.iter().map(|point| format!("{} {}", point.markup, pair(point.k, point.mu)));

@@ -125,11 +125,11 @@ pub(crate) fn right_of(scene: &mut Scene, axes: &Axes, tabs: Vec<Tab>) -> Option
     Some(right)
 }
 
-/// Labels above the plot, at the ends of lines; `None` if they do not fit.
-pub(crate) fn above(scene: &mut Scene, axes: &Axes, tabs: Vec<Tab>) -> Option<()> {
-    let Rect { x0, x1, y0, .. } = axes.area;
+/// Labels above the plot and right of `from`, at the ends of lines; `None` if they do not fit.
+pub(crate) fn above(scene: &mut Scene, axes: &Axes, tabs: Vec<Tab>, from: f64) -> Option<()> {
+    let Rect { x1, y0, .. } = axes.area;
     let tabs = sorted(tabs);
-    let at = places(&tabs, |text| text.width, x0 + 8.0, x1, 8.0)?;
+    let at = places(&tabs, |text| text.width, from + 8.0, x1, 8.0)?;
     for (tab, x) in tabs.iter().zip(at) {
         let moved = (tab.at - x).abs() > NEAR;
         let bottom = y0 - if moved { 11.0 } else { 5.0 };

@@ -11,9 +11,9 @@ mod spectra;
 use standfast::{Mode, Verdict};
 
 use crate::Figure;
-use crate::axes::{Axes, Axis, Look, NUMBER};
+use crate::axes::{Axes, Axis, NUMBER};
 use crate::below::{Words, modes_key};
-use crate::caption::SMALL;
+use crate::caption::{LEAST, SMALL};
 use crate::palette::{INK, symbol, tint};
 use crate::scene::{Path, Rect, Scene};
 use crate::text::Text;
@@ -32,7 +32,9 @@ pub struct MotionPicture<'a> {
     pub caption: &'a str,
     /// The body.
     pub outline: MotionOutline,
-    /// The last moment that is shown; above zero.
+    /// The first moment that is shown.
+    pub begin: f64,
+    /// The last moment that is shown; after the first.
     pub end: f64,
     /// The unit of times: `s`, or nothing.
     pub time_unit: &'a str,
@@ -116,35 +118,39 @@ fn extent<'a>(outline: &MotionOutline, poses: impl Iterator<Item = &'a MotionPos
     all
 }
 
-/// Poses as they are drawn: ten times farther from where the body stood, if else its moves would not be seen, which the caption then
+/// Poses as they are drawn: ten, a hundred or a thousand times farther from where the body stood, if else its moves would not be seen, which the caption then
 /// says.
 fn enlarged(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> (Vec<MotionPose>, String) {
-    const FACTOR: f64 = 10.0;
     const UNSEEN: f64 = 0.03;
+    const FACTORS: [(f64, &str); 3] = [(10.0, "ten"), (100.0, "a hundred"), (1000.0, "a thousand")];
     let MotionOutline { b1, b2, d, height } = picture.outline;
     let moved = |pose: &MotionPose| pose.slide.abs().max(pose.theta.abs() * height);
     let most = poses.iter().map(moved).fold(0.0, f64::max) / (b1 + b2);
     let flies = poses.iter().any(|pose| pose.mode == Mode::Flight);
-    if flies || !(UNSEEN * 1e-3..=UNSEEN).contains(&most) {
+    let enough = FACTORS.into_iter().find(|(factor, _)| factor * most > UNSEEN);
+    let Some((times, words)) = enough.filter(|_| !flies && most <= UNSEEN) else {
         return (poses.to_vec(), picture.caption.to_owned());
-    }
+    };
     let farther = |pose: &MotionPose| {
-        let (slide, theta) = (FACTOR * pose.slide, FACTOR * pose.theta);
+        let (slide, theta) = (times * pose.slide, times * pose.theta);
         // About O it turns counter-clockwise, about O′ clockwise.
         let corner = if theta >= 0.0 { -b1 } else { b2 };
         let (sin, cos) = theta.sin_cos();
         let x = corner + slide - corner * cos - d * sin;
         MotionPose { x, y: d * cos - corner * sin, theta, ..*pose }
     };
-    (poses.iter().map(farther).collect(), format!("{} Moves are drawn ten times as large.", picture.caption))
+    (
+        poses.iter().map(farther).collect(),
+        format!("{} Moves are drawn {words} times as large.", picture.caption),
+    )
 }
 
-/// State that takes most of each of `count` equal parts of the time, as stretches (first part, part after last, state).
-fn bands(states: &[(f64, Mode)], end: f64, count: usize) -> Vec<(usize, usize, Mode)> {
+/// State that takes most of each of `count` equal parts of a time, as stretches (first part, part after last, state).
+fn bands(states: &[(f64, Mode)], (begin, end): (f64, f64), count: usize) -> Vec<(usize, usize, Mode)> {
     let mut found: Vec<(usize, usize, Mode)> = Vec::new();
     let mut first = 0;
     for part in 0..count {
-        let [from, to] = [part, part + 1].map(|i| end * i as f64 / count as f64);
+        let [from, to] = [part, part + 1].map(|i| begin + (end - begin) * i as f64 / count as f64);
         while states.get(first + 1).is_some_and(|next| next.0 <= from) {
             first += 1;
         }
@@ -176,11 +182,11 @@ fn bands(states: &[(f64, Mode)], end: f64, count: usize) -> Vec<(usize, usize, M
 fn band(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) {
     let count = (2.0 * (area.x1 - area.x0)) as usize;
     let x = |part: usize| area.x0 + (area.x1 - area.x0) * part as f64 / count as f64;
-    for (from, to, mode) in bands(picture.states, picture.end, count) {
+    for (from, to, mode) in bands(picture.states, (picture.begin, picture.end), count) {
         let stretch = Rect { x0: x(from), x1: x(to), ..area };
         scene.area(&stretch.corners(), Verdict::Begins(mode));
         let room = stretch.x1 - stretch.x0 - 3.0;
-        let texts = [SMALL, 9.0].map(|size| Text::new(symbol(mode), size));
+        let texts = [SMALL, LEAST].map(|size| Text::new(symbol(mode), size));
         if let Some(text) = texts.iter().find(|text| text.width <= room) {
             let behind =
                 Rect::around(stretch.centre().0, stretch.centre().1, text.width + 2.0, text.height() + 1.0);
@@ -199,10 +205,10 @@ fn polygon(places: &[(f64, f64)]) -> Path {
 
 /// The time below: numbers and its name; returns the y below.
 fn time_axis(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) -> f64 {
-    let axes = Axes::over(area, Axis::linear(0.0, picture.end));
-    axes.below(scene, &axes.across.numbers(8.0), Look::PLAIN);
-    axes.name_below(scene, &Text::new(&with_unit("time $t$", picture.time_unit), NUMBER), 34.0);
-    area.y1 + 40.0
+    let axes = Axes::over(area, Axis::linear(picture.begin, picture.end));
+    let [ticks, _] = axes.ticks();
+    axes.below(scene, &ticks);
+    axes.name_below(scene, &Text::new(&with_unit("Time, $t$", picture.time_unit), NUMBER)) + 4.0
 }
 
 /// The figure of a `kind`: from `top` on the key of the states that occur, title and caption, and so much of the page `beyond` the
@@ -258,8 +264,13 @@ mod tests {
     #[test]
     fn a_part_of_the_time_has_the_state_that_takes_most_of_it() {
         let states = [(0.0, Mode::Rest), (2.2, Mode::SlideLeft), (2.3, Mode::RockO), (3.0, Mode::Rest)];
-        assert_eq!(bands(&states, 10.0, 10), [(0, 2, Mode::Rest), (2, 3, Mode::RockO), (3, 10, Mode::Rest)]);
-        assert_eq!(bands(&[], 1.0, 4), []);
+        assert_eq!(
+            bands(&states, (0.0, 10.0), 10),
+            [(0, 2, Mode::Rest), (2, 3, Mode::RockO), (3, 10, Mode::Rest)]
+        );
+        assert_eq!(bands(&[], (0.0, 1.0), 4), []);
+        // From 2.1 on in halves: of the first one rocking takes most.
+        assert_eq!(bands(&states, (2.1, 4.1), 4), [(0, 2, Mode::RockO), (2, 4, Mode::Rest)]);
     }
 
     /// Enlarged about its corner, the body keeps that corner on the base, ten times as far from where it stood.
@@ -270,6 +281,7 @@ mod tests {
             title: "",
             caption: "It moves.",
             outline,
+            begin: 0.0,
             end: 1.0,
             time_unit: "s",
             length_unit: "m",
@@ -289,6 +301,13 @@ mod tests {
             assert!((corner.0 - from - 0.1).abs() < 1e-12 && corner.1.abs() < 1e-12, "{corner:?}");
             assert_eq!(drawn[0].theta, 10.0 * theta);
         }
+        // What is a hundred times as small is drawn a hundred times as large.
+        let small = MotionPose { theta: 0.0, slide: 1e-3, ..outline.standing() };
+        let (drawn, caption) = enlarged(&picture, &[small]);
+        assert!(
+            (drawn[0].x - 0.1).abs() < 1e-12 && caption.ends_with("a hundred times as large."),
+            "{caption}"
+        );
         let far = MotionPose { slide: 1.0, ..outline.standing() };
         assert_eq!(enlarged(&picture, &[far]), (vec![far], "It moves.".to_owned()));
     }

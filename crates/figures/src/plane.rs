@@ -10,7 +10,7 @@ use standfast::ground::load_plane::LoadEdge;
 use standfast::region::{Curve, Region, Strip};
 use standfast::{Stage, Verdict};
 
-use crate::axes::{Axes, NUMBER, Names};
+use crate::axes::{Axes, COLUMN, FRAME, LEFT, NUMBER};
 use crate::below::{Words, verbatim};
 use crate::canvas::Canvas;
 use crate::caption::{SIZE, SMALL, also};
@@ -24,10 +24,12 @@ use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{Figure, LoadPlane, Picture, caption};
 
-const PLOT: (f64, f64) = (430.0, 310.0);
-const TOP: f64 = 42.0;
+const HEIGHT: f64 = 310.0;
+/// Above the plot: the name of the friction.
+const TOP: f64 = 30.0;
+/// Room right of the plot for the friction of the path.
+const ROOM: f64 = 72.0;
 const BOUNDARY: Pen = Pen::solid(INK, 1.3);
-const NAMES: Names = Names { right: "", ..Names::NUMBERED };
 /// What counts as one load factor, as a share of the window: far below a pixel.
 const SAME: f64 = 1e-6;
 
@@ -92,7 +94,7 @@ struct Side {
 
 /// Draws it.
 pub(crate) fn figure(given: &LoadPlane) -> Figure {
-    drawn(&Plan::of(given), PLOT.0, Scene::default()).figure
+    drawn(&Plan::of(given), None, Scene::default()).figure
 }
 
 /// Lines of the plane of a base that gives way.
@@ -102,12 +104,16 @@ pub(crate) fn lines(given: &LoadPlane) -> Vec<(LoadEdge, Polyline)> {
 
 /// Draws it for a screen, with a plot `across` units wide.
 pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Picture {
-    drawn(&Plan::of(given), across, Scene::themed())
+    drawn(&Plan::of(given), Some(across), Scene::themed())
 }
 
-fn drawn(given: &Plan, across: f64, scene: Scene) -> Picture {
+fn drawn(given: &Plan, across: Option<f64>, scene: Scene) -> Picture {
     let window = window(given);
-    let axes = Axes::beside_numbers(&window, (across, PLOT.1), TOP);
+    let (k, mu) = window.axes();
+    let mut axes = Axes::beside_numbers([k, mu], (LEFT, COLUMN - ROOM), TOP, HEIGHT);
+    if let Some(across) = across {
+        axes.area.x1 = axes.area.x0 + across;
+    }
     let areas = areas(&given.regions, &window);
     let mut canvas = Canvas::new(axes);
     canvas.scene = scene;
@@ -118,31 +124,35 @@ fn drawn(given: &Plan, across: f64, scene: Scene) -> Picture {
     let behind = self::areas(&given.rigid, &window);
     boundaries(&mut canvas, &given.rigid, &behind, RIGID);
     boundaries(&mut canvas, &given.regions, &areas, BOUNDARY);
-    axes.arrows(&mut canvas.scene, &NAMES);
-    let below = axes.round_numbers(&mut canvas.scene);
+    axes.border(&mut canvas.scene, FRAME);
     let path = LoadPath::of(given, window.k_max);
     path.draw(&mut canvas);
+    let mut named = Vec::new();
     for area in &areas {
-        canvas.name(&area.pieces, verdict_symbol(area.verdict), 15.5, None);
+        if canvas.name(&area.pieces, verdict_symbol(area.verdict), 15.5, None) {
+            named.push(area.verdict);
+        }
     }
+    path.names(&mut canvas, &named);
 
-    let name = Text::new("load factor $λ$", 13.5);
-    let baseline = below + 8.0 + name.ascent;
-    axes.name_below(&mut canvas.scene, &name, baseline - axes.area.y1);
+    let [name, up] = ["Share of the load, $λ$", "Friction, $μ$"].map(|words| Text::inline(words, NUMBER));
+    axes.framed(&mut canvas.scene, &axes.ticks());
+    axes.name_above(&mut canvas.scene, &up, LEFT, 0.0);
+    let below = axes.name_below(&mut canvas.scene, &name);
     let right = path.friction.map(|mu| {
         let text = Text::new(&format!("$μ = {}$", digits(mu)), NUMBER);
         Tab { at: axes.y(mu), text }
     });
     let right = margins::right_of(&mut canvas.scene, &axes, right.into_iter().collect());
 
-    let width = (right.unwrap_or(axes.area.x1) + 12.0).max(axes.area.x1 + 46.0);
+    let width = (right.unwrap_or(axes.area.x1) + 12.0).max(axes.area.x1 + ROOM);
     let edges = (16.0, width - 16.0);
     let heading = if given.title.trim().is_empty() { "Load factor and friction" } else { given.title };
     let behind = if given.rigid.is_empty() { "" } else { " Grey: on rigid ground." };
     let details = margins::words(&(path.caption() + behind), SMALL);
     let words = Words::new(verbatim(heading, SIZE), details);
     let description = description(&window, &areas, &words.caption);
-    let figure = words.figure(canvas.scene, edges, baseline + name.descent + 14.0, 16.0, &description);
+    let figure = words.figure(canvas.scene, edges, below + 14.0, 16.0, &description);
     Picture { figure, plot: axes.area, across: axes.across, up: axes.up }
 }
 
@@ -226,7 +236,7 @@ fn edges(areas: &[Area], window: &View) -> Vec<Arc> {
 /// The vertical stretches with different modes on their sides.
 fn sides(regions: &[Shaded], areas: &[Area], window: &View) -> Vec<Side> {
     // Half a pixel.
-    const SHORT: f64 = 0.5 / PLOT.1;
+    const SHORT: f64 = 0.5 / HEIGHT;
     let near = SAME * window.k_max;
     let mut places: Vec<f64> = regions.iter().flat_map(|region| &region.strips).map(|s| s.from).collect();
     places.retain(|at| near < *at && *at < window.k_max - near);
@@ -317,7 +327,6 @@ impl LoadPath {
             canvas.diamond(axes.at(1.0, mu));
         }
         self.numbers(canvas, y);
-        self.names(canvas, y);
     }
 
     /// Load factors at the ticks: those of changes of mode first.
@@ -348,11 +357,12 @@ impl LoadPath {
         }
     }
 
-    /// Symbols of modes along their stages, where there is room.
-    fn names(&self, canvas: &mut Canvas, y: f64) {
+    /// Symbols of modes along their stages, where there is room and no region is `named` by them.
+    fn names(&self, canvas: &mut Canvas, named: &[Verdict]) {
         let axes = canvas.board.axes;
+        let Some(y) = self.friction.map(|mu| axes.y(mu)) else { return };
         for stage in &self.stages {
-            let Some(verdict) = stage.verdict else { continue };
+            let Some(verdict) = stage.verdict.filter(|verdict| !named.contains(verdict)) else { continue };
             let text = Text::new(verdict_symbol(verdict), NUMBER);
             let (from, to) = (axes.x(stage.from), axes.x(stage.to.min(axes.across.to)));
             let shares = [0.5, 0.4, 0.6, 0.3, 0.7].into_iter();

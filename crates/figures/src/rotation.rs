@@ -6,15 +6,14 @@
 use standfast::InputError;
 use standfast::ground::elastic::{ContactState, ElasticBase, LargestMoment};
 
-use crate::axes::{Axes, Names};
+use crate::axes::{Axes, Axis, COLUMN, FRAME, LEFT, NUMBER, PAGE};
 use crate::below::{Words, verbatim};
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{SIZE, SMALL};
 use crate::margins;
 use crate::number::digits;
-use crate::palette::{BEHIND, FAINT, INK, MARK};
-use crate::plot::View;
-use crate::scene::{Pen, Rect};
+use crate::palette::{BEHIND, INK, MARK};
+use crate::scene::Pen;
 use crate::text::Text;
 use crate::{DesignPoint, Figure};
 
@@ -22,11 +21,11 @@ const CURVE: Pen = Pen::solid(INK, 1.7);
 const LEFT_FOR_LOAD: Pen = Pen { colour: INK, width: 1.1, dashes: "5 3.4" };
 const LIMIT: Pen = Pen::solid(BEHIND, 1.1);
 const FULL_LOAD: Pen = Pen { colour: MARK, width: 0.8, dashes: "2.5 2.2" };
-const PLOT: (f64, f64) = (300.0, 250.0);
-const TOP: f64 = 54.0;
-/// Between the plots: the name of one axis and the numbers of the other.
-const GAP: f64 = 112.0;
-const NAMES: Names = Names { right: "$θ$, mrad", up: "$M/(PB)$", origin: "$0$" };
+const HEIGHT: f64 = 260.0;
+const TOP: f64 = 50.0;
+/// Room right of a plot for names at the ends of lines.
+const ROOM: f64 = 26.0;
+const NAMES: [&str; 2] = ["Rotation, $θ$ (mrad)", "Moment over weight and half-width, $M/(PB)$"];
 /// The beginning has a plot of its own if it takes less than this share of the whole.
 const HIDDEN: f64 = 0.22;
 
@@ -117,23 +116,24 @@ impl Draft<'_> {
 
     fn figure(&self) -> Result<Figure, InputError> {
         let mut canvas: Option<Canvas> = None;
-        let mut left = 78.0;
         let mut bottom = 0.0_f64;
-        for panel in self.panels() {
-            let area = Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 };
-            let axes = Axes::of(area, &View::from_origin(1e3 * panel.to, 1.13));
+        let panels = self.panels();
+        let width = if panels.len() > 1 { PAGE } else { COLUMN };
+        let each = width / panels.len() as f64;
+        for (i, panel) in panels.iter().enumerate() {
+            let left = each * i as f64;
+            let (across, up) = (Axis::linear(0.0, 1e3 * panel.to), Axis::linear(0.0, 1.13));
+            let axes = Axes::beside_numbers([across, up], (left + LEFT, left + each - ROOM), TOP, HEIGHT);
             let mut own = Canvas::new(axes);
             // One page for all.
             if let Some(before) = canvas.take() {
                 own.scene = before.scene;
             }
-            bottom = bottom.max(self.panel(&mut own, &panel)?);
+            bottom = bottom.max(self.panel(&mut own, panel, left + LEFT)?);
             canvas = Some(own);
-            left = area.x1 + GAP;
         }
         let canvas = canvas.expect("there is a plot");
-        let width = left - GAP + 84.0;
-        let edges = (16.0, width - 16.0);
+        let edges = (LEFT, width - LEFT);
         let title = match self.given.title {
             "" => "Moment and rotation of the elastic base".to_owned(),
             title => format!("Moment and rotation of the elastic base: {title}"),
@@ -150,7 +150,7 @@ impl Draft<'_> {
     }
 
     /// One plot; gives the y below it.
-    fn panel(&self, canvas: &mut Canvas, panel: &Panel) -> Result<f64, InputError> {
+    fn panel(&self, canvas: &mut Canvas, panel: &Panel, left: f64) -> Result<f64, InputError> {
         let axes = canvas.board.axes;
         let base = &self.given.base;
         for limit in self.limits() {
@@ -162,17 +162,19 @@ impl Draft<'_> {
         canvas.line(&points, CURVE);
         let lean = base.p() * self.given.height / 1e3 / (base.p() * base.half_width());
         if self.stands() {
-            let left: Vec<_> = points.iter().map(|(turn, m)| (*turn, m - lean * turn)).collect();
+            let rest = points.iter().map(|(turn, m)| (*turn, m - lean * turn));
             // Below zero it stands no more.
-            let left: Vec<_> = left.into_iter().take_while(|(_, m)| *m >= 0.0).collect();
-            canvas.line(&left, LEFT_FOR_LOAD);
+            let rest: Vec<_> = rest.take_while(|(_, m)| *m >= 0.0).collect();
+            canvas.line(&rest, LEFT_FOR_LOAD);
         }
-        axes.arrows(&mut canvas.scene, &NAMES);
-        let heading = Text::new(panel.heading, SMALL);
-        let middle = (axes.area.x0 + axes.area.x1 - heading.width) / 2.0;
-        canvas.scene.text(&heading, middle, axes.area.y0 - 12.0, FAINT);
+        axes.border(&mut canvas.scene, FRAME);
+        let heading = Text::new(panel.heading, SIZE);
+        canvas.scene.text(&heading, left, axes.area.y0 - 31.0, INK);
         self.marks(canvas, panel)?;
-        Ok(axes.round_numbers(&mut canvas.scene))
+        axes.framed(&mut canvas.scene, &axes.ticks());
+        let [across, up] = NAMES.map(|words| Text::inline(words, NUMBER));
+        axes.name_above(&mut canvas.scene, &up, left, 0.0);
+        Ok(axes.name_below(&mut canvas.scene, &across))
     }
 
     /// Moments that a base bears that does not give, and one of its strength alone, as multiples of P B.

@@ -63,6 +63,8 @@ pub struct Label {
     pub text: String,
     /// The box of its ink.
     pub rect: Rect,
+    /// Type size of its largest letters, in SVG units.
+    pub size: f64,
 }
 
 /// Stroke of a line.
@@ -258,7 +260,13 @@ impl Scene {
         self.labels.push(Label {
             text: text.plain.clone(),
             rect: Rect { x0: x, y0: y - text.ascent, x1: x + text.width, y1: y + text.descent },
+            size: text.runs.iter().map(|run| run.size).fold(0.0, f64::max),
         });
+        self.letters(text, x, y, colour);
+    }
+
+    /// Text that is no label: one of several that are seen in turn at one place.
+    pub(crate) fn letters(&mut self, text: &Text, x: f64, y: f64, colour: &str) {
         for run in &text.runs {
             // The group is in units of the font, y up, so that the outlines stay as they are in it.
             self.body.push_str("<g transform=\"translate(");

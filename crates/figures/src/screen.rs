@@ -228,7 +228,7 @@ impl Map<'_> {
         let mut right = std::mem::take(&mut draft.right);
         right.retain(|tab| tab.text.width < RIGHT - 17.0);
         margins::right_of(scene, &axes, right);
-        margins::above(scene, &axes, std::mem::take(&mut draft.above));
+        margins::above(scene, &axes, std::mem::take(&mut draft.above), area.x0);
 
         let title = caption::title(&drawing);
         let description = caption::description(&drawing, &named_points(&drawing));

@@ -20,6 +20,7 @@ mod rows;
 use standfast::loads::Face;
 
 use crate::Figure;
+use crate::axes::{COLUMN, NUMBER, PAGE};
 use crate::scene::{Rect, Scene};
 use paint::Painter;
 
@@ -189,11 +190,11 @@ pub struct Section<'a> {
 /// assert_eq!(figure.title(), "Section: Block");
 /// ```
 pub fn section(given: &Section<'_>) -> Figure {
-    drawn(given, SectionLook { body: BODY, longest: LONGEST, names: true, on_screen: false }).figure
+    drawn(given, SectionLook::on_paper(paper_size(given))).figure
 }
 
 /// The body is about as large as this on paper.
-const BODY: (f64, f64) = (210.0, 210.0);
+const BODY: (f64, f64) = (230.0, 230.0);
 
 /// The largest pressure is drawn as long as this, and the largest force at most.
 const LONGEST: f64 = 56.0;
@@ -238,6 +239,13 @@ struct SectionLook {
     on_screen: bool,
 }
 
+impl SectionLook {
+    /// A body `size` times as large as bodies are, at most.
+    fn on_paper(size: f64) -> SectionLook {
+        SectionLook { body: (size * BODY.0, size * BODY.1), longest: LONGEST, names: true, on_screen: false }
+    }
+}
+
 /// A number that a section shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SectionNumber {
@@ -279,9 +287,13 @@ pub struct SectionPicture {
 
 fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
     // Items that reach across the page are drawn when it is known how large the page is.
+    let wide = |painting: &Painting| painting.extent.x1 - painting.extent.x0 + 2.0 * MARGIN;
     let measured = Painter::new(given, look, (0.0, 0.0), None).paint();
-    let page = measured.extent.grown(MARGIN);
-    let size = ((page.x1 - page.x0).ceil(), (page.y1 - page.y0).ceil());
+    let natural = measured.extent.grown(MARGIN);
+    let column = [COLUMN, PAGE].into_iter().find(|column| !look.on_screen && wide(&measured) <= *column);
+    let aside = column.map_or(0.0, |column| (column - wide(&measured)) / 2.0);
+    let page = Rect { x0: natural.x0 - aside, x1: natural.x1 + aside, ..natural };
+    let size = ((page.x1 - page.x0 - 1e-6).ceil(), (page.y1 - page.y0).ceil());
     let room = (measured.names.0 - page.x0, measured.names.1 - page.x0);
     let painter = Painter::new(given, look, (-page.x0, -page.y0), Some(room));
     let scale = painter.scale;
@@ -300,11 +312,31 @@ fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
     SectionPicture { figure, numbers: drawn.numbers, arrows: drawn.arrows, body, scale }
 }
 
+/// How large the body is drawn on paper, so that all has room in a column or a page.
+fn paper_size(given: &Section<'_>) -> f64 {
+    let painter = |size: f64| Painter::new(given, SectionLook::on_paper(size), (0.0, 0.0), None);
+    let width = |painting: &Painting| painting.extent.x1 - painting.extent.x0 + 2.0 * MARGIN;
+    let whole = width(&painter(1.0).paint());
+    let body = painter(1.0).width();
+    // A little smaller for a column; as small as it takes for a page. What stands beside the body keeps its width.
+    for (wide, least) in [(COLUMN, 0.8), (PAGE, 0.4)] {
+        let over = whole - wide;
+        if over <= 0.0 {
+            return 1.0;
+        }
+        let size = (1.0 - over / body) * 0.98;
+        if size >= least && width(&painter(size).paint()) <= wide {
+            return size;
+        }
+    }
+    1.0
+}
+
 /// White around the drawing.
 const MARGIN: f64 = 10.0;
 
 /// Type size of labels.
-const LABEL: f64 = 14.5;
+const LABEL: f64 = NUMBER;
 
 /// The letter of a load in the drawing.
 fn tag(index: usize) -> String {

@@ -55,23 +55,31 @@ pub(crate) fn over_pieces(scene: &mut Scene, axes: &Axes, pieces: &[Piece], verd
 
 /// Draws the texture of a verdict over a polygon.
 pub(crate) fn over_polygon(scene: &mut Scene, corners: &[(f64, f64)], verdict: Verdict) {
-    palette::verdict_texture(verdict).draw(scene, |fall, spacing| across(corners, spacing, fall));
+    palette::verdict_texture(verdict).draw(scene, |fall, spacing| across(&[corners], spacing, fall));
 }
 
-/// Lines across a polygon on the page, which lie where they lie for every polygon.
-fn across(corners: &[(f64, f64)], spacing: f64, fall: Fall) -> Vec<Segment> {
+/// Draws stripes over an area within outlines, less its holes.
+pub(crate) fn stripes(scene: &mut Scene, outlines: &[&[(f64, f64)]]) {
+    Texture::Stripes.draw(scene, |fall, spacing| across(outlines, spacing, fall));
+}
+
+/// Lines across an area on the page, which lie where they lie for every area.
+fn across(outlines: &[&[(f64, f64)]], spacing: f64, fall: Fall) -> Vec<Segment> {
     // How far below the line through the page's corner a point lies.
     let below = |(x, y): (f64, f64)| y - fall.slope() * x;
-    let ends = corners.iter().map(|corner| below(*corner));
+    let ends = outlines.iter().copied().flatten().map(|corner| below(*corner));
     let (least, most) =
         ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), at| (least.min(at), most.max(at)));
     let mut segments = Vec::new();
     let first = (least / spacing).ceil();
     for step in 0..((most - least) / spacing + 1.0) as usize {
         let level = (first + step as f64) * spacing;
-        let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+        let around = |corners: &'_ [(f64, f64)]| -> Vec<_> {
+            corners.iter().copied().zip(corners.iter().copied().cycle().skip(1)).collect()
+        };
+        let edges = outlines.iter().flat_map(|corners| around(corners));
         let crossed = edges.filter_map(|(one, other)| {
-            let (from, to) = (below(*one) - level, below(*other) - level);
+            let (from, to) = (below(one) - level, below(other) - level);
             let share = from / (from - to);
             let mean = |a: f64, b: f64| a + share * (b - a);
             ((from > 0.0) != (to > 0.0)).then(|| (mean(one.0, other.0), mean(one.1, other.1)))
@@ -91,7 +99,7 @@ mod tests {
     #[test]
     fn lines_end_on_the_edges_of_a_polygon() {
         let square = [(1.0, 2.0), (13.0, 2.0), (13.0, 14.0), (1.0, 14.0)];
-        let segments = across(&square, 6.0, Fall::Falling);
+        let segments = across(&[&square], 6.0, Fall::Falling);
         // y − x runs from −11 to 13, with −6, 0, 6 and 12 among it.
         assert_eq!(segments.len(), 4, "{segments:?}");
         for (from, to) in segments {
@@ -101,6 +109,9 @@ mod tests {
                 assert!(is_on_edge && ((y - x) / 6.0).fract().abs() < 1e-12, "({x}, {y})");
             }
         }
-        assert_eq!(across(&square, 6.0, Fall::Level).len(), 2);
+        assert_eq!(across(&[&square], 6.0, Fall::Level).len(), 2);
+        // A hole parts a line in two.
+        let hole = [(5.0, 5.0), (9.0, 5.0), (9.0, 11.0), (5.0, 11.0)];
+        assert_eq!(across(&[&square, &hole], 6.0, Fall::Level).len(), 3);
     }
 }

@@ -186,7 +186,7 @@ fn a_window_that_is_asked_for_is_shown_and_points_outside_are_pointed_at() {
         [point(1.4, 0.3, "right"), point(0.5, 2.0, "up"), point(3.0, 4.0, "both"), point(0.4, 0.5, "in")];
     let figure = windowed(&points, &[]);
     let last = |across| numbers(&figure, across).iter().fold(0.0_f64, |most, (number, _)| most.max(*number));
-    assert_eq!((last(true), last(false)), (1.0, 0.7));
+    assert_eq!((last(true), last(false)), (1.0, 0.8));
     for words in ["right (1.4, 0.3), outside the window: SRO₋.", "in (0.4, 0.5): RO."] {
         assert!(figure.caption().contains(words), "{words:?} is not in {:?}", figure.caption());
     }

@@ -184,11 +184,13 @@ fn number(text: &str) -> f64 {
     text.parse().expect("a number")
 }
 
-/// Origin of the axes: the k axis is the longest level line of their weight.
+/// Origin of the axes: the lower left corner of the frame, whose path goes from the upper left one clockwise.
 fn origin(figure: &Figure) -> (f64, f64) {
-    let axis = figure.svg().lines().find(|line| line.contains("stroke-width=\"1.1\"")).expect("an axis");
-    let start = axis.split_once("d=\"M").expect("a path").1.split_once('L').expect("a line").0;
-    let (x, y) = start.split_once(' ').expect("two numbers");
+    let is_frame = |line: &&str| line.contains("Z\" fill=\"none\"") && line.contains("stroke-width=\"0.9\"");
+    let frame = figure.svg().lines().find(is_frame).expect("a frame");
+    let corners = frame.split_once("d=\"M").expect("a path").1.split_once('Z').expect("its end").0;
+    let (x, y) =
+        corners.split('L').next_back().and_then(|corner| corner.split_once(' ')).expect("two numbers");
     (number(x), number(y))
 }
 

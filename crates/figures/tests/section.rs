@@ -178,11 +178,14 @@ fn lengths_are_to_one_scale() {
 
 /// The ends of the lines of this look, from left and right.
 fn lines(figure: &Figure, look: &str) -> Vec<[(f64, f64); 2]> {
-    let number = |text: &str| text.parse::<f64>().expect("a number");
+    // What is no straight line from place to place has no two numbers.
     let read = |line: &str| {
         let data = line.split_once("d=\"M").expect("a path").1.split_once('"').expect("its end").0;
         let (from, to) = data.split_once('L')?;
-        let place = |text: &str| text.split_once(' ').map(|(x, y)| (number(x), number(y)));
+        let place = |text: &str| {
+            let (x, y) = text.split_once(' ')?;
+            Some((x.parse().ok()?, y.parse().ok()?))
+        };
         Some([place(from)?, place(to)?])
     };
     figure.svg().lines().filter(|line| line.contains(look)).filter_map(read).collect()
@@ -248,6 +251,85 @@ fn parts_are_named_where_there_is_room() {
     let texts: Vec<_> = figure.labels().iter().map(|label| label.text.as_str()).collect();
     assert!(texts.contains(&"wall") && !texts.contains(&"sand"), "{texts:?}");
     assert_tidy(&figure, "parts");
+}
+
+/// A part too small for its name has it beside the body, joined by a line.
+#[test]
+fn a_small_part_is_named_beside_the_body() {
+    let mut wall = block(10.0, 4.0);
+    wall.label = "wall".to_owned();
+    let step = Outline {
+        vertices: vec![(4.6, 4.0), (5.0, 4.0), (5.0, 4.4), (4.6, 4.4)],
+        material: Material::Solid,
+        label: "step of the wall".to_owned(),
+    };
+    let widths = vec![vec![Measure { ends: (-5.0, 5.0), label: "10 m".to_owned() }]];
+    let figure = section(&Section { widths, ..bare(&[wall, step], 10.0) });
+    let label = figure.labels().iter().find(|label| label.text == "step of the wall").expect("its name");
+    // Above the wall, or right of it: its right edge is where the width ends.
+    let [_, right] = lines(&figure, "stroke-width=\"0.8\"")[0];
+    let width = right.0 - lines(&figure, "stroke-width=\"0.8\"")[0][0].0;
+    // The middle of the step is 0.2 m of the 10 from the right.
+    let heart = right.0 - 0.02 * width;
+    let leaders = lines(&figure, "stroke-width=\"0.7\"");
+    assert!(leaders.iter().any(|[_, to]| (to.0 - heart).abs() < 0.02), "{leaders:?} {heart}");
+    assert!(
+        label.rect.x0 > right.0
+            || label.rect.y1 < figure.labels().iter().find(|label| label.text == "wall").unwrap().rect.y0,
+        "{label:?}"
+    );
+    assert_tidy(&figure, "a small part");
+}
+
+/// Water stands at both sides up to its levels; a wave falls from its crest at the wall to the water at the right.
+#[test]
+fn water_stands_on_both_sides_and_the_wave_falls_to_it() {
+    let parts = [block(10.0, 8.0)];
+    let level =
+        |side: Side, elevation: f64| Level { side, elevation, label: "water".to_owned(), is_water: true };
+    let heights = vec![vec![Measure { ends: (0.0, 8.0), label: "8 m".to_owned() }]];
+    let given = Section {
+        levels: vec![level(Side::Left, 3.0), level(Side::Right, 5.0)],
+        wave_crest: Some(9.0),
+        heights,
+        ..bare(&parts, 10.0)
+    };
+    let figure = section(&given);
+    let (_, water, _) = standfast_figures::colours().find(|colour| colour.0 == "water").expect("a colour");
+    let filled: Vec<Vec<(f64, f64)>> = figure
+        .svg()
+        .lines()
+        .filter(|line| line.starts_with("<path") && line.contains(&format!("fill=\"{water}\"")))
+        .map(|line| {
+            let data = line.split_once("d=\"M").expect("a path").1.split_once('Z').expect("its end").0;
+            let place =
+                |text: &str| text.split_once(' ').map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()));
+            data.split('L').filter_map(place).collect()
+        })
+        .collect();
+    let [left, right, wave] = &filled[..] else { panic!("{filled:?}") };
+    // The height of the body, written out along a line.
+    let upright = lines(&figure, "stroke-width=\"0.8\"");
+    let [from, to] = upright.iter().find(|[from, to]| from.0 == to.0).expect("a height");
+    let (base, metre) = (from.1.max(to.1), (from.1 - to.1).abs() / 8.0);
+    let top = |area: &[(f64, f64)]| area.iter().map(|place| place.1).fold(f64::INFINITY, f64::min);
+    for (area, height) in [(left, 3.0), (right, 5.0), (wave, 9.0)] {
+        assert!((base - top(area) - height * metre).abs() < 0.03, "{area:?} {height}");
+    }
+    let ends = |area: &[(f64, f64)]| {
+        let xs = area.iter().map(|place| place.0);
+        (xs.clone().fold(f64::INFINITY, f64::min), xs.fold(f64::NEG_INFINITY, f64::max))
+    };
+    // One ends at the left wall, the others begin at the right one, ten metres on.
+    assert!((ends(right).0 - ends(left).1 - 10.0 * metre).abs() < 0.03);
+    assert_eq!(ends(wave), ends(right));
+    // The surface falls all the way, to the still water at its end.
+    let surface = &wave[..wave.len() - 1];
+    assert!(surface.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[0].1 <= pair[1].1), "{surface:?}");
+    assert!((surface[surface.len() - 1].1 - top(right)).abs() < 0.02);
+    // Without a crest there is no wave; what is no water is not filled.
+    let calm = section(&Section { wave_crest: None, ..given.clone() });
+    assert_eq!(calm.svg().matches(&format!("fill=\"{water}\"/>")).count(), 2);
 }
 
 /// Items beyond the page are not silently drawn elsewhere, and do not make the page grow.

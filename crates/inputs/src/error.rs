@@ -470,6 +470,9 @@ pub enum Problem {
     /// An earthquake at the first instant beside a base that moves.
     #[error("an [earthquake] beside [motion.base] counts the same shaking twice")]
     ShakenTwice,
+    /// An earthquake at the first instant, of a body that is followed in time.
+    #[error("an [earthquake] is a peak that is held: it has no course in time")]
+    HeldShaking,
     /// A ratio beside another law of impacts.
     #[error("`ratio` goes with law = \"ratio\" only")]
     RatioOfOtherLaw,

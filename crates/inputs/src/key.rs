@@ -771,7 +771,7 @@ listed! {
         "{ weight = 0.9, wave = 1.3, crane = 1.5 }");
 
     LeastSliding = key(Criteria, "SF_sliding", Plain(Positive), "", "at least: safety factor against sliding", "1.2");
-    LeastOverturning = key(Criteria, "SF_overturning_net", Plain(Positive), "",
+    LeastOverturningNet = key(Criteria, "SF_overturning_net", Plain(Positive), "",
         "at least: safety factor against overturning, net: water under the base taken off the weight; the lesser of both corners", "1.2");
     LeastOverturningGross = key(Criteria, "SF_overturning_gross", Plain(Positive), "",
         "at least: safety factor against overturning by gross moments, water under the base turning the body; the lesser of both corners", "1.5");

@@ -82,6 +82,13 @@ impl RandomEntry {
     }
 }
 
+impl Random {
+    /// True if a number is drawn anew each year, so that probabilities are those of a year.
+    pub fn is_yearly(&self) -> bool {
+        self.named.iter().any(|entry| entry.every == Rate::Year)
+    }
+}
+
 /// Rate at which a number is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rate {

@@ -46,7 +46,7 @@ pub enum MotionCriterion {
 /// Criteria on a number that has to be at least the bound; all others have to be at most that.
 const AT_LEAST: [Key; 6] = [
     Key::LeastSliding,
-    Key::LeastOverturning,
+    Key::LeastOverturningNet,
     Key::LeastOverturningGross,
     Key::LeastContact,
     Key::LeastGround,

@@ -8,7 +8,7 @@ use standfast_motion::{LoadInTime, MotionError, MotionProblem, is_own_weight};
 use crate::case::{Acting, Case, CaseMotion, Foundation, HistoryOf, Reader, said_by};
 use crate::case_file::CaseFile;
 use crate::criteria::MotionCriterion;
-use crate::error::{CaseError, Fault, Problem};
+use crate::error::{CaseError, Fault, Place, Problem};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Table};
 use crate::load_words::load_words;
@@ -106,6 +106,9 @@ fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting)
         problem.check().map(|()| problem)
     });
     let problem = problem.map_err(|error| match error {
+        MotionError::NoHistory { load } if said_by(load) == Place::Table(Table::Earthquake, 0) => {
+            Fault::new(Problem::HeldShaking, Table::Earthquake)
+        }
         MotionError::NoHistory { load } => Fault::new(Problem::Motion(error), said_by(load)),
         error => given.motion_refused(error),
     })?;
@@ -123,6 +126,9 @@ fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting)
             && acts_at_all(load.wrench(body, gravity, Pose::UPRIGHT))
     });
     let mut warnings = motion.warnings.clone();
+    let of_case = case.warnings().into_iter();
+    warnings
+        .extend(of_case.map(|warning| MotionWarning { name: warning.name(), words: warning.to_string() }));
     if case.ground.is_some() {
         let words =
             "the motion is that on a rigid base: what [ground] bears, and how it gives way, is left out"

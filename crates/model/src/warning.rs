@@ -105,8 +105,8 @@ pub enum Warning {
     },
     /// Pressures too small to be what is meant.
     SmallPressure {
-        /// Place of the table.
-        index: usize,
+        /// The key that gives it.
+        id: Id,
         /// The largest, Pa.
         pressure: f64,
     },
@@ -152,6 +152,17 @@ pub enum Warning {
         table: Table,
         /// Its place among those of that name.
         index: usize,
+    },
+    /// A variable load holds the body, and the case nowhere leaves it out.
+    FavourableLoad {
+        /// The table that gives it.
+        table: Table,
+        /// Its place among such tables.
+        index: usize,
+        /// The least safety factor of the case.
+        with: f64,
+        /// The least one without the load.
+        without: f64,
     },
     /// A vertical force acts beside the body.
     LoadBesideBody {
@@ -264,6 +275,7 @@ impl Warning {
             Warning::PressureAgainstWater { .. } => "pressure-against-water",
             Warning::UpliftAwayFromPush { .. } => "uplift-away-from-push",
             Warning::LoadInNoCombination { .. } => "load-in-no-combination",
+            Warning::FavourableLoad { .. } => "favourable-load",
             Warning::LoadBesideBody { .. } => "load-beside-body",
             Warning::SmallBearing { .. } => "small-bearing",
             Warning::UnusualGround { .. } => "unusual-ground",
@@ -379,10 +391,9 @@ impl fmt::Display for Warning {
                 "unit_weight = {} kN/m³ of ground under water, where it is {SUBMERGED} kN/m³ at most: that of the water is to be taken off",
                 beyond(unit_weight / 1e3, SUBMERGED)
             ),
-            Warning::SmallPressure { index, pressure } => write!(
+            Warning::SmallPressure { id, pressure } => write!(
                 f,
-                "[[pressure]] {} reaches {} Pa; a number without unit is in Pa, not in kPa",
-                index + 1,
+                "{id} reaches {} Pa only; a number without unit is in Pa, not in kPa",
                 digits(*pressure)
             ),
             Warning::SmallForce { index, force, share } => write!(
@@ -426,6 +437,16 @@ impl fmt::Display for Warning {
                     f,
                     "{}{number} acts in no combination, and so nowhere: a combination names it among its factors",
                     table.header()
+                )
+            }
+            Warning::FavourableLoad { table, index, with, without } => {
+                let [with, without] = apart(&[*with, *without]).try_into().unwrap_or_default();
+                write!(
+                    f,
+                    "{} {} holds the body, and need not be there: without it the least safety factor is {without}, not {with}. A \
+                     combination that leaves it out tells",
+                    table.header(),
+                    index + 1
                 )
             }
             Warning::LoadBesideBody { id, distance, beside } => write!(

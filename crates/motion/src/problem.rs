@@ -110,6 +110,13 @@ impl MotionProblem {
         self.mu_impact.unwrap_or(self.block.mu_k)
     }
 
+    /// The time up to which the motion is followed and the end of what moves the body, where that is later; what acts without end has none.
+    pub fn cut_short(&self) -> Option<(f64, f64)> {
+        let ends = self.histories().map(History::end).filter(|end| end.is_finite());
+        let end = ends.fold(0.0, f64::max);
+        self.t_max.filter(|t_max| *t_max < end).map(|t_max| (t_max, end))
+    }
+
     /// The histories of the base and of the loads.
     pub fn histories(&self) -> impl Iterator<Item = &History> {
         let base = [&self.base.horizontal, &self.base.vertical].into_iter().flatten();

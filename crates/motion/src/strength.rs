@@ -87,6 +87,11 @@ impl Tried {
     pub fn is_beyond(&self, distance: f64) -> bool {
         !self.ended || self.overturned || self.slide > distance
     }
+
+    /// True if the body does not keep within an angle: it turns farther, overturns, or is not followed so far.
+    pub fn is_turned_beyond(&self, angle: f64) -> bool {
+        !self.ended || self.overturned || self.max_theta > angle
+    }
 }
 
 /// Nearest factor found, to one side, at which a verdict is another.

@@ -37,7 +37,7 @@ use crate::departure::Departure;
 use crate::error::InputError;
 use crate::exact::Real;
 use crate::initiation::Point;
-use crate::loads::{Action, AddedMass, HorizontalForce, Load, LoadKind, LoadSource, Pose, Reduced};
+use crate::loads::{Action, AddedMass, HorizontalForce, Load, LoadId, LoadKind, LoadSource, Pose, Reduced};
 use crate::mode::{Mode, Modes, Slip};
 use crate::motion::Motion;
 use crate::quantity::{Expected, Quantity};
@@ -192,6 +192,12 @@ impl<T: Scalar> Situation<T> {
         self.written = None;
         self.loads.extend(loads);
         self
+    }
+
+    /// Situation without the loads of a number.
+    pub fn without(&self, id: LoadId) -> Situation<T> {
+        let loads = self.loads.iter().filter(|load| load.id != id).cloned().collect();
+        Situation { loads, written: None, ..self.clone() }
     }
 
     /// The body.

@@ -75,6 +75,17 @@ impl OuterState {
         }
     }
 
+    /// Failure as [`words`](OuterState::words) has it, of a mode without the inequalities that end rest.
+    pub fn brief(&self) -> Option<String> {
+        match self {
+            OuterState::Fails(at, binding) => {
+                let of_mode = binding.words.split_once(": ").filter(|(head, _)| head.contains("the body"));
+                Some(format!("at {at}, {}", of_mode.map_or(binding.words.as_str(), |(head, _)| head)))
+            }
+            _ => self.words(),
+        }
+    }
+
     /// Failure, in a word; nothing at an end of the range.
     pub fn by(&self) -> Option<&'static str> {
         match self {

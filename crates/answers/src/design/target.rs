@@ -230,7 +230,9 @@ impl Target {
     pub fn words(self) -> String {
         match self {
             Target::Rest => "the body rests under the full load".to_owned(),
-            Target::Factor(factor) => format!("both safety factors are {} at least", digits(factor)),
+            Target::Factor(factor) => {
+                format!("the factors against sliding and net overturning are {} at least", digits(factor))
+            }
             Target::NoRock => "the body turns about no corner, at once or while the load rises".to_owned(),
             Target::NoSlide => "the body slips at no corner, at once or while the load rises".to_owned(),
             Target::Criterion(criterion) if criterion.is_chance() => format!(
@@ -411,9 +413,19 @@ fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
         let words = "nothing presses the body on its base: P > 0 fails".to_owned();
         Binding { by: "uplift", words }
     } else if sliding(assessed) < factor {
-        Binding { by: "sliding", words: format!("sliding: μ(W' − U)/P ≥ {at_least} fails") }
+        Binding {
+            by: "sliding",
+            words: format!(
+                "the factor of the body against sliding is less than {at_least}: μ(W' − U)/P ≥ {at_least} fails"
+            ),
+        }
     } else if overturning(assessed) < factor {
-        Binding { by: "overturning", words: format!("overturning: (W' t − M_U)/M_p ≥ {at_least} fails") }
+        Binding {
+            by: "overturning",
+            words: format!(
+                "the factor of the body against net overturning is less than {at_least}: (W' t − M_U)/M_p ≥ {at_least} fails"
+            ),
+        }
     } else {
         let verdict = assessed.verdict();
         let words = format!("under the full load the body {}", moves(assessed, verdict));
@@ -429,7 +441,7 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
     let verdict = assessed.departure().verdict().or(assessed.verdict());
     let by = match check.criterion.key {
         Key::LeastSliding => "sliding",
-        Key::LeastOverturning | Key::LeastOverturningGross => "overturning",
+        Key::LeastOverturningNet | Key::LeastOverturningGross => "overturning",
         Key::GreatestBearing => "bearing",
         Key::LeastContact => "contact",
         Key::GreatestEccentricity => "eccentricity",

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use standfast_model::{CaseFile, motions};
-use standfast_motion::MotionOutcome;
+use standfast_motion::{End, MotionOutcome};
 use thiserror::Error;
 
 use super::{Follow, FollowedMotion};
@@ -272,7 +272,8 @@ impl MotionRows {
             outcome.max_slide.to_string(),
             outcome.max_theta.to_string(),
             followed.of_balance().to_string(),
-            outcome.overturned().to_string(),
+            // What becomes of a body that still moves when the time is up nobody knows.
+            if outcome.end == End::Time { String::new() } else { outcome.overturned().to_string() },
             outcome.past_balance.to_string(),
             outcome.impacts.to_string(),
             outcome.t_rest.map_or_else(String::new, |t| t.to_string()),

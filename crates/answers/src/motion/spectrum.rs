@@ -1,6 +1,8 @@
 //! Spectra of a case: many motions under the shaking of its `[motion.base]`, over size and slenderness, over the yield ratio, or over the
 //! strength of the shaking.
 
+mod areas;
+
 use std::str::FromStr;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -125,14 +127,17 @@ pub struct SpectrumRequest {
     pub ratio: Option<SpectrumSteps>,
     /// The factors on the shaking of an overturning curve; 0.05 to 5 if left out.
     pub scale: Option<SpectrumSteps>,
+    /// True if the edges between classes of a rocking spectrum are located, for its figure; it takes at most half as many motions again.
+    pub edges: bool,
     /// Number of threads that work; the answer does not depend on it.
     pub threads: usize,
 }
 
 impl SpectrumRequest {
-    /// A spectrum with everything else left out, on one thread.
+    /// A spectrum with everything else left out, with its edges, on one thread.
     pub fn new(kind: SpectrumKind) -> SpectrumRequest {
-        SpectrumRequest { kind, size: None, slenderness: None, ratio: None, scale: None, threads: 1 }
+        let (size, slenderness, ratio, scale) = (None, None, None, None);
+        SpectrumRequest { kind, size, slenderness, ratio, scale, edges: true, threads: 1 }
     }
 }
 
@@ -163,6 +168,16 @@ pub enum SpectrumError {
     /// The motion begins other than at rest.
     #[error("a rocking spectrum is of blocks that stand at first, and the case has [motion.initial]")]
     Initial,
+    /// Motions that would be left before the shaking ends.
+    #[error(
+        "`t_max` is {}, and the shaking goes on to {}: whether the body overturns later is not known", exact(*.t_max), exact(*.end)
+    )]
+    CutShort {
+        /// The time up to which motions are followed.
+        t_max: f64,
+        /// The time at which the shaking ends.
+        end: f64,
+    },
     /// Too many motions.
     #[error("{count} motions are asked for; expected {MOST} at most")]
     Many {
@@ -200,6 +215,43 @@ pub struct Spectrum {
     pub warnings: Vec<MotionWarning>,
 }
 
+/// The largest |θ| over the angle of balance that parts a class of blocks from the next: does not rock, four of rotations up to that
+/// angle, beyond it and back, overturns.
+pub const ROCKING_LEVELS: [f64; 6] = [0.0, 0.1, 0.25, 0.5, 1.0, f64::MAX];
+
+/// The largest |θ| over the angle of balance; of a block that overturned it has no bound.
+fn rotation(block: &Rocked) -> f64 {
+    if block.overturned { f64::INFINITY } else { block.of_balance }
+}
+
+/// Class of a block: the number of [`ROCKING_LEVELS`] that it exceeds.
+pub fn rocking_class(block: &Rocked) -> usize {
+    ROCKING_LEVELS.iter().filter(|level| rotation(block) > **level).count()
+}
+
+/// A distance in the plane of half diagonal and height over width, along one or the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RockingDistance {
+    /// Factor on the half diagonal.
+    pub factor: f64,
+    /// Step of height over width.
+    pub step: f64,
+}
+
+/// Areas of the plane of half diagonal and height over width in which blocks exceed a level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RockingEdges {
+    /// Outlines of the area above each of [`ROCKING_LEVELS`], as (half diagonal, height over width); an outline in another is that of a
+    /// hole.
+    pub above: Vec<Vec<Vec<(f64, f64)>>>,
+    /// Distance to which the edge of overturning is located.
+    pub overturning: RockingDistance,
+    /// Distance to which the other edges are.
+    pub others: RockingDistance,
+    /// Number of motions that it took, beside those of the blocks.
+    pub motions: usize,
+}
+
 /// The points of a spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SpectrumPoints {
@@ -211,6 +263,8 @@ pub enum SpectrumPoints {
         slendernesses: Vec<f64>,
         /// The blocks, size by size.
         blocks: Vec<Rocked>,
+        /// Areas of their classes, if asked for.
+        edges: Option<RockingEdges>,
     },
     /// Over the yield ratio.
     Newmark {
@@ -295,9 +349,48 @@ fn rocking(
     };
     let pairs: Vec<[f64; 2]> =
         sizes.iter().flat_map(|size| slendernesses.iter().map(move |slender| [*size, *slender])).collect();
-    let blocks = each(&pairs, request.threads, progress, |[size, slender]| spectrum.at(*size, *slender))
-        .map_err(|([size, _], error)| SpectrumError::Motion { name: "size", value: *size, error })?;
-    Ok(SpectrumPoints::Rocking { sizes, slendernesses, blocks })
+    let follow = |pairs: &[[f64; 2]]| {
+        each(pairs, request.threads, progress, |[size, slender]| spectrum.at(*size, *slender))
+            .map_err(|([size, _], error)| SpectrumError::Motion { name: "size", value: *size, error })
+    };
+    let blocks = follow(&pairs)?;
+    let edges = request.edges.then(|| edges(&sizes, &slendernesses, &blocks, follow)).transpose()?;
+    Ok(SpectrumPoints::Rocking { sizes, slendernesses, blocks, edges })
+}
+
+/// Areas of the classes between and beside the blocks of a grid.
+fn edges(
+    sizes: &[f64],
+    slendernesses: &[f64],
+    blocks: &[Rocked],
+    mut follow: impl FnMut(&[[f64; 2]]) -> Result<Vec<Rocked>, SpectrumError>,
+) -> Result<RockingEdges, SpectrumError> {
+    // The grid's lines are at equal factors and at equal steps.
+    let share = |values: &[f64], cells: f64| cells / (values.len() - 1) as f64;
+    let (first, last) = (sizes[0], sizes[sizes.len() - 1]);
+    let (low, high) = (slendernesses[0], slendernesses[slendernesses.len() - 1]);
+    let size = |cells: f64| first * (last / first).powf(share(sizes, cells));
+    let slender = |cells: f64| low + (high - low) * share(slendernesses, cells);
+    let values: Vec<f64> = blocks.iter().map(rotation).collect();
+    let mut motions = 0;
+    let ask = |places: &[areas::Place]| {
+        motions += places.len();
+        let place = |(x, y): &areas::Place| areas::cells((f64::from(*x), f64::from(*y)));
+        let pairs: Vec<[f64; 2]> = places.iter().map(place).map(|(x, y)| [size(x), slender(y)]).collect();
+        Ok(follow(&pairs)?.iter().map(rotation).collect())
+    };
+    let grid = (sizes.len(), slendernesses.len());
+    let found = areas::areas(grid, &values, &ROCKING_LEVELS, blocks.len() / 2, ask)?;
+    let place = |place: &(f64, f64)| {
+        let (x, y) = areas::cells(*place);
+        (size(x), slender(y))
+    };
+    let outlines =
+        |loops: &Vec<areas::Loop>| loops.iter().map(|each| each.iter().map(place).collect()).collect();
+    let [overturning, others] = found
+        .located
+        .map(|cells| RockingDistance { factor: size(cells) / first, step: slender(cells) - low });
+    Ok(RockingEdges { above: found.above.iter().map(outlines).collect(), overturning, others, motions })
 }
 
 fn overturning(
@@ -306,6 +399,9 @@ fn overturning(
     progress: &(dyn Fn(Progressed) + Sync),
 ) -> Result<SpectrumPoints, SpectrumError> {
     let scales = steps(request.scale, SpectrumSteps { from: 0.05, to: 5.0, count: 199 }).even();
+    if let Some((t_max, end)) = case.problem.cut_short() {
+        return Err(SpectrumError::CutShort { t_max, end });
+    }
     let curve = OverturningCurve::new(&case.problem);
     let at = |name, value: f64| move |error| SpectrumError::Motion { name, value, error };
     let bodies = each(&scales, request.threads, progress, |scale| curve.at(*scale))

@@ -29,6 +29,8 @@ pub struct Strength {
     pub overturning: VerdictStrength,
     /// Whether it slides too far, where a criterion says how far that is: the bound, and the verdict.
     pub slide: Option<(f64, VerdictStrength)>,
+    /// Whether it turns too far, where a criterion says how far that is: the bound, and the verdict.
+    pub max_theta: Option<(f64, VerdictStrength)>,
     /// The motions that were tried, their factors rising.
     pub tried: Vec<Tried>,
 }
@@ -60,17 +62,18 @@ impl Strength {
         let problem = &case.problem;
         let strengths = Strengths::of(problem, outcome, factors)?;
         let overturning = strengths.verdict(|tried| tried.overturned)?;
-        let bound = case.criteria.iter().find_map(|criterion| match criterion {
-            MotionCriterion::Slide(bound) => Some(*bound),
-            _ => None,
-        });
-        let slide = bound
-            .map(|bound| strengths.verdict(|tried| tried.is_beyond(bound)).map(|verdict| (bound, verdict)));
-        Ok(Some(Strength {
-            onset: onset(problem)?,
-            overturning,
-            slide: slide.transpose()?,
-            tried: strengths.tried,
-        }))
+        let [mut slide, mut max_theta] = [None, None];
+        for criterion in &case.criteria {
+            match *criterion {
+                MotionCriterion::Slide(bound) => {
+                    slide = Some((bound, strengths.verdict(|tried| tried.is_beyond(bound))?));
+                }
+                MotionCriterion::MaxTheta(bound) => {
+                    max_theta = Some((bound, strengths.verdict(|tried| tried.is_turned_beyond(bound))?));
+                }
+                MotionCriterion::NotOverturned => {}
+            }
+        }
+        Ok(Some(Strength { onset: onset(problem)?, overturning, slide, max_theta, tried: strengths.tried }))
     }
 }

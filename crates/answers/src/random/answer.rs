@@ -215,6 +215,8 @@ impl Happening {
 pub struct RandomNumber {
     /// Its name, as in the file.
     pub name: String,
+    /// Its meaning in a few words.
+    pub words: String,
     /// Share of its law that was cut because no body has such values.
     pub cut: f64,
     /// The dimension of its values, where they have one.
@@ -228,6 +230,7 @@ impl RandomNumber {
         let dimension = input.variable().and_then(Variable::dimension);
         RandomNumber {
             name: input.name.clone(),
+            words: input.words(),
             cut: input.cut,
             dimension,
             yearly: input.every == Rate::Year,

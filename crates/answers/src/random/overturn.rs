@@ -109,6 +109,13 @@ impl Overturning {
             [] => of_file(file, own, over)?,
             given => of_given(file, given)?,
         };
+        for (record, base) in records.iter().zip(&bases) {
+            if let Some((t_max, end)) = (MotionProblem { base: base.clone(), ..motion.clone() }).cut_short() {
+                return Err(over.wrong(format!(
+                    "`t_max` is {t_max} s, and {record} goes on to {end} s: whether a body overturns later is not known"
+                )));
+            }
+        }
         let gravity = motion.gravity;
         let peaks = over.values(|text| peak(text, gravity))?;
         if let Some(still) = bases.iter().position(|base| peak_of(base) == 0.0) {

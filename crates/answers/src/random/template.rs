@@ -126,7 +126,9 @@ fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
                 ),
             ));
         }
-        let height = if inputs.get(Key::DeepWaterHeight).is_some() { "deep_water_height" } else { "H13" };
+        // Of the heights that are given that which makes the force.
+        let height = [Key::DeepWaterHeight, Key::Hmax].into_iter().find(|key| inputs.get(*key).is_some());
+        let height = height.map_or("H13", Key::name);
         lines.push(line(
             &format!("wave.{height}"),
             "{ gumbel = { cov = 0.2 } }",

@@ -1,13 +1,12 @@
 //! The ground for reading.
 
 use standfast::ground::elastic::ContactState;
-use standfast::ground::impact::EventFound;
+use standfast::ground::impact::{EventFound, ImpactEvent};
 use standfast_answers::assess::ground::{BaseResponse, Elastic};
 
 use super::Assessed;
 use crate::case::{Case, Limit};
-use crate::layout::{self, columns, digits, paragraph, row};
-use crate::results::event;
+use crate::layout::{self, columns, digits, paragraph, percent, row};
 use crate::units::Dimension;
 
 /// That no partial factor is applied to what the ground bears.
@@ -203,12 +202,30 @@ fn of_springs(elastic: &Elastic) -> Vec<Vec<String>> {
         }
     };
     for (i, found) in impact.events.iter().enumerate() {
-        let name = match event(found.event) {
-            "slip" => "the base slips",
-            "lift" => "an edge lifts",
-            _ => "an edge yields",
-        };
-        rows.push(row![if i == 0 { "events" } else { "" }, name, words(found)]);
+        rows.push(row![if i == 0 { "events" } else { "" }, event_words(found.event), words(found)]);
     }
     rows
+}
+
+fn event_words(event: ImpactEvent) -> &'static str {
+    match event {
+        ImpactEvent::Slip => "the base slips",
+        ImpactEvent::Lift => "an edge lifts",
+        ImpactEvent::Yield => "an edge yields",
+    }
+}
+
+/// Sentence on what first ends the rest of a body on springs under loads in time; `None` where none is given.
+pub(super) fn in_time(assessed: &Assessed) -> Option<String> {
+    let impact = assessed.ground.as_ref()?.elastic.as_ref()?.impact.as_ref()?;
+    let least = impact.events.iter().min_by(|one, two| one.load_factor.total_cmp(&two.load_factor))?;
+    let words = event_words(least.event);
+    let at = percent(least.load_factor);
+    Some(match least.time {
+        Some(time) => {
+            format!("In time {words} after {} s, and does from {at} of these loads on.", digits(time))
+        }
+        None if least.load_factor.is_finite() => format!("In time {words} at {at} of these loads."),
+        None => "In time no multiple of these loads moves it.".to_owned(),
+    })
 }

@@ -426,7 +426,7 @@ impl OtherEarthquake {
             load_factor: ResultName::LoadFactor.of(other),
             departure_mode: ResultName::DepartureMode.of(other),
             sliding: ResultName::SfSliding.of(other),
-            overturning: ResultName::SfOverturning.of(other),
+            overturning: ResultName::SfOverturningNet.of(other),
         }
     }
 }

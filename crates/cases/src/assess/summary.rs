@@ -1,11 +1,14 @@
 //! Top of the answer to a case.
 
-use standfast::{Departure, Mode, Verdict};
+use standfast::{Boundary, Departure, Mode, Verdict};
 
-use super::{AnyCheck, Assessed, Assessment, predicate, verdict};
+use super::{AnyCheck, Assessed, Assessment, ground, predicate, verdict};
 use crate::json::CheckEntry;
 use crate::layout::{self, percent};
-use crate::summary::{GoverningCriterion, Summary, criteria, once, sentence};
+use crate::summary::{GoverningCriterion, Summary, criteria, criterion_words, once, quoted, sentence};
+
+/// A body at rest.
+const REST: Option<Verdict> = Some(Verdict::Begins(Mode::Rest));
 
 pub(super) fn summary(assessment: &Assessment) -> Summary {
     let checks = assessment.all_checks();
@@ -28,13 +31,19 @@ fn place(assessment: &Assessment, assessed: &Assessed) -> Option<String> {
     assessment.name(assessed).filter(|_| assessment.all.len() > 1)
 }
 
-/// A criterion with its value: "SF_sliding is 1.178, ≥ 1.2 is asked (utilisation 1.019), in storm".
+/// A criterion with its value, and under which loads: "SF_sliding is 1.178, ≥ 1.2 is asked (utilisation 1.019), under «storm»".
 fn check_words(assessment: &Assessment, check: &AnyCheck<'_>) -> String {
-    let [required, value, utilisation, _] = check.cells();
     let place = place(assessment, check.assessed(assessment));
-    let place = place.map_or(String::new(), |name| format!(", in {name}"));
-    let used = if utilisation == "–" { String::new() } else { format!(" (utilisation {utilisation})") };
-    format!("{} is {value}, {required} is asked{used}{place}", check.name())
+    let place = place.map_or(String::new(), |name| format!(", under {}", quoted(&name)));
+    criterion_words(check, assessment.yearly) + &place
+}
+
+/// What the permanent loads alone do to a body that rests under the full load; `None` where it rests under them, too.
+fn permanent(assessed: &Assessed) -> Option<Verdict> {
+    match assessed.departure() {
+        Departure::AtOnce { permanent: true, verdict } if assessed.mode() == Some(Mode::Rest) => verdict,
+        _ => None,
+    }
 }
 
 /// What the body does under the full load; of several situations where it moves, and in how many it rests.
@@ -43,19 +52,33 @@ fn happens(assessment: &Assessment) -> String {
     let word = if assessment.case.combinations.is_empty() { "loads" } else { "combinations" };
     let count = assessment.all.len();
     let moving: Vec<&Assessed> = assessment.worst_first().into_iter().filter(|one| !rests(one)).collect();
+    let springs = assessment.all.iter().any(|assessed| ground::in_time(assessed).is_some());
     let place = match assessment.in_time {
-        Some(_) => "At the first instant the",
+        None if springs => "Under loads raised slowly the",
+        Some(_) => "With all loads held at their peaks the",
         None => "The",
     };
+    let each = match (count, assessment.case.combinations.is_empty()) {
+        (1, _) => String::new(),
+        (_, true) => format!(" under each of the {count} loads, which act one at a time"),
+        (_, false) => format!(" under each of the {count} combinations"),
+    };
+    let exact = |assessed: &&Assessed| assessed.outcome.full.boundary == Some(Boundary::Exact);
+    let held = assessment.all.iter().find(|assessed| permanent(assessed).is_some());
     match moving.as_slice() {
-        [] if count == 1 => format!("{place} body {}.", predicate(Some(Verdict::Begins(Mode::Rest)))),
-        [] => format!(
-            "{place} body {} under each of the {count} {word}.",
-            predicate(Some(Verdict::Begins(Mode::Rest)))
-        ),
+        [] if held.is_some() => {
+            format!("{place} body {}{each}, but only while the variable loads act.", predicate(REST))
+        }
+        [] if assessment.all.iter().any(|assessed| exact(&assessed)) => {
+            format!(
+                "{place} body {}{each}, exactly on the boundary: the least more load moves it.",
+                predicate(REST)
+            )
+        }
+        [] => format!("{place} body {}{each}.", predicate(REST)),
         [one] if count == 1 => format!("{place} body {}.", predicate(one.verdict())),
         [one, rest @ ..] => {
-            let name = assessment.name(one).unwrap_or_default();
+            let name = quoted(&assessment.name(one).unwrap_or_default());
             let more = match (rest.len(), count - moving.len()) {
                 (0, 1) => "; under the other one it stays at rest".to_owned(),
                 (0, others) => format!("; under the other {others} it stays at rest"),
@@ -72,15 +95,15 @@ fn happens(assessment: &Assessment) -> String {
 /// How near another answer is: where the rising loads first move the body, and the least of all factors.
 fn near(assessment: &Assessment) -> Option<String> {
     let assessed = assessment.least(|assessed| assessed.departure().load_factor());
-    let place = place(assessment, assessed).map_or(String::new(), |name| format!("Under {name}, "));
+    let head = place(assessment, assessed).map_or(String::new(), |name| format!("Under {}, ", quoted(&name)));
     let loads = verdict::risen_loads(assessed);
+    let less = assessed.ground.as_ref().and_then(|ground| ground.load_factors?.less);
     let departs = match assessed.departure() {
         Departure::AtOnce { permanent: true, verdict } => {
             format!("the permanent loads alone move it: it {}.", predicate(verdict))
         }
         Departure::AtOnce { permanent: false, .. } => format!("any share of {loads} moves it."),
         Departure::At { factor, verdict: Some(Verdict::BearingFailure) } => {
-            let less = assessed.ground.as_ref().and_then(|ground| ground.load_factors?.less);
             let less = less.map_or(String::new(), |less| {
                 format!(", and at {} with an angle of friction 2° less", percent(less))
             });
@@ -89,22 +112,38 @@ fn near(assessment: &Assessment) -> Option<String> {
         Departure::At { factor, verdict } => {
             let goes = verdict
                 .map_or_else(|| "it moves".to_owned(), |verdict| format!("it {}", predicate(Some(verdict))));
-            format!("at {} of {loads} {goes}.", percent(factor))
+            let less = less.filter(|less| *less < factor).map_or(String::new(), |less| {
+                format!("; with an angle of friction 2° less the ground fails before, at {}", percent(less))
+            });
+            format!("at {} of {loads} {goes}{less}.", percent(factor))
         }
         Departure::Never if assessed.rises() => format!("no multiple of {loads} moves it."),
         Departure::Never => String::new(),
     };
-    let factor = assessment
+    let least = assessment
         .least(|assessed| verdict::least_factor(assessed).map_or(f64::INFINITY, |(least, _)| least));
-    let factor = verdict::least_factor(factor).map_or(String::new(), |(least, against)| {
-        format!(" The least safety factor is {}, against {against}.", layout::factor(least))
+    let under = match place(assessment, least).filter(|_| least.index != assessed.index) {
+        Some(name) => format!(", under {}", quoted(&name)),
+        None => String::new(),
+    };
+    let factor = verdict::least_factor(least).map_or(String::new(), |(factor, against)| {
+        format!(" The least safety factor is {}, against {against}{under}.", layout::factor(factor))
     });
     let points = match verdict::is_object(assessed) && assessment.in_time.is_none() {
-        true => " What it does after the onset: `standfast simulate`.",
+        true => {
+            " What it does after the onset `standfast simulate` tells, of a shaking in time under [motion.base]."
+        }
         false => "",
     };
-    let departs = if departs.is_empty() { departs } else { sentence(&(place + &departs)) };
+    let departs = if departs.is_empty() { departs } else { sentence(&(head + &departs)) };
     let words = format!("{departs}{factor}{points}");
-    let words = words.trim().to_owned();
-    (!words.is_empty()).then_some(words)
+    let in_time = assessment.all.iter().find_map(ground::in_time);
+    let slowly = in_time.as_ref().filter(|_| !assessment.case.criteria.is_empty());
+    let slowly = slowly.map(|_| "Criteria are those of loads raised slowly.".to_owned());
+    let words: Vec<String> = [in_time, Some(words.trim().to_owned()), slowly]
+        .into_iter()
+        .flatten()
+        .filter(|words| !words.is_empty())
+        .collect();
+    (!words.is_empty()).then(|| words.join(" "))
 }

@@ -1,11 +1,11 @@
 //! Sentences on the body under the full load at once, and while it rises: those of every face.
 
 use standfast::loads::LoadSource;
-use standfast::{Boundary, Departure, Mode, Response, Verdict};
+use standfast::{Boundary, Departure, Mode, Outcome, Response, Verdict};
 
 use super::{Assessed, AssessmentView, BaseResponse, predicate};
 use crate::layout::{self, columns, digits, percent, row};
-use crate::summary::listed;
+use crate::summary::{listed, quoted};
 use crate::units::Extent;
 
 /// Note on ground that fails.
@@ -40,20 +40,20 @@ pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
     Some(format!("with a safety factor of {} against {against}", layout::factor(factor)))
 }
 
-/// The least of the safety factors: against sliding, against overturning, and of ground that can fail where it bears anything; what it is
-/// against. `None` of a body that no load pushes, or that is lifted.
+/// The least of the safety factors: against sliding, and against overturning, net and by gross moments; what it is against. `None` of a body
+/// that no load pushes, or that is lifted; and on a base that gives way, whose one margin is the share of the load at which the body leaves
+/// rest: factors there are those of a rigid base, or of the ground under one load alone.
 pub fn least_factor(assessed: &Assessed) -> Option<(f64, &'static str)> {
-    let stability = &assessed.outcome.stability;
+    let Outcome { stability, gross, full, .. } = &assessed.outcome;
     let turning = if is_object(assessed) { "the onset of rocking" } else { "overturning" };
-    // Beyond the edge no ground bears: its factor is 0 whatever it is made of, and that against overturning says by how much.
-    let ground = assessed.ground.as_ref().and_then(|ground| ground.factor).filter(|factor| *factor > 0.0);
     let factors = [
         (stability.sliding, "sliding"),
         (stability.overturning(), turning),
-        (ground.unwrap_or(f64::INFINITY), "failure of the ground"),
+        (gross.overturning(), "overturning by gross moments"),
     ];
     let least = factors.into_iter().reduce(|least, next| if next.0 < least.0 { next } else { least });
-    least.filter(|(factor, _)| factor.is_finite() && !assessed.outcome.full.is_lifted())
+    let gives_way = assessed.ground.as_ref().is_some_and(|ground| ground.limit.is_some());
+    least.filter(|(factor, _)| factor.is_finite() && !full.is_lifted() && !gives_way)
 }
 
 /// True of an object on a floor that is shaken: it begins to rock where its factor against overturning is 1, and need not overturn.
@@ -83,6 +83,7 @@ pub fn risen_loads(assessed: &Assessed) -> String {
             _ if component.name.starts_with(|c: char| c.is_uppercase() || c.is_numeric()) => component.name,
             _ => format!("the {}", component.name),
         };
+        let name = if name.contains(',') || name.contains(" and ") { quoted(&name) } else { name };
         if !names.contains(&name) {
             names.push(name);
         }

@@ -108,7 +108,7 @@ impl Serialize for Worst<'_> {
 /// Results that are worst where they are least, 1, or greatest, −1.
 const WORST: [(ResultName, f64); 5] = [
     (ResultName::SfSliding, 1.0),
-    (ResultName::SfOverturning, 1.0),
+    (ResultName::SfOverturningNet, 1.0),
     (ResultName::BearingMax, -1.0),
     (ResultName::ContactShare, 1.0),
     (ResultName::Eccentricity, -1.0),

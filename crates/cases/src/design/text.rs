@@ -106,7 +106,7 @@ fn asked(target: Target, present: &Assessment, found: &Assessment) -> Option<Vec
     let name = match target {
         Target::Utilisation(_) => "utilisation",
         Target::Criterion(criterion) => match criterion.key {
-            Key::LeastSliding | Key::LeastOverturning | Key::LeastLoadFactor => return None,
+            Key::LeastSliding | Key::LeastOverturningNet | Key::LeastLoadFactor => return None,
             _ => criterion.name(),
         },
         _ => return None,

@@ -8,8 +8,9 @@ use standfast_figures::{
 use standfast_motion::{MotionOutcome, Position, Why};
 
 use super::FollowedMotion;
-use super::text::verdict;
+use super::text::caption;
 use crate::document::AnswerFigure;
+use crate::layout::significant;
 
 /// As many samples of slide and rotation as the page has places for, and some more.
 const SAMPLES: usize = 2400;
@@ -18,6 +19,9 @@ const POSITIONS: usize = 8;
 /// At most so many pictures a second, and so many in all.
 const PER_SECOND: f64 = 40.0;
 const PICTURES: f64 = 800.0;
+/// What a picture that moves shows of the rest before and after, as a share of the motion; it shows all if it would leave out little.
+const ROOM: f64 = 0.08;
+const LITTLE: f64 = 0.15;
 
 /// Histories, positions and the motion as a picture that moves, if the whole motion was kept .
 pub(super) fn all(followed: &FollowedMotion) -> Vec<AnswerFigure> {
@@ -33,6 +37,7 @@ pub(super) fn all(followed: &FollowedMotion) -> Vec<AnswerFigure> {
         title: &samples.title,
         caption: &samples.caption,
         outline: MotionOutline { b1: block.b1, b2: block.b2, d: block.d, height: case.height },
+        begin: 0.0,
         end: samples.end,
         time_unit,
         length_unit,
@@ -43,10 +48,27 @@ pub(super) fn all(followed: &FollowedMotion) -> Vec<AnswerFigure> {
         ground: &samples.ground,
         balance: [(block.b1 / block.d).atan(), -(block.b2 / block.d).atan()],
     };
+    let (begin, end) = samples.moves();
+    let from = significant(begin, 3);
+    let to = format!("{}{}", significant(end, 3), if case.si { " s" } else { "" });
+    let told = match (begin > 0.0, end < samples.end) {
+        (false, false) => samples.caption.clone(),
+        (true, false) => format!("{} Shown from t = {from} on: before, the body rests.", samples.caption),
+        (false, true) => format!("{} Shown up to t = {to}: after that the body rests.", samples.caption),
+        (true, true) => {
+            format!("{} Shown from t = {from} to {to}: before and after, the body rests.", samples.caption)
+        }
+    };
+    let within = |points: &[(f64, f64)]| -> Vec<(f64, f64)> {
+        points.iter().copied().filter(|(t, _)| (begin..=end).contains(t)).collect()
+    };
+    let ground = within(&samples.ground);
+    let moving = MotionPicture { caption: &told, begin, end, ground: &ground, ..picture.clone() };
+    let frames = samples.frames(outcome, (begin, end));
     vec![
         AnswerFigure::new("-motion", "Histories", motion_histories(&picture)),
         AnswerFigure::new("-positions", "Positions", motion_positions(&picture, &samples.moments(outcome))),
-        AnswerFigure::new("-animation", "Animation", motion_animation(&picture, &samples.frames(outcome))),
+        AnswerFigure::new("-animation", "Animation", motion_animation(&moving, &frames)),
     ]
 }
 
@@ -93,7 +115,7 @@ impl Samples {
         let title = if title.is_empty() { "A block in motion".to_owned() } else { title.join(", ") };
         Samples {
             title,
-            caption: verdict(followed),
+            caption: caption(followed),
             end,
             states,
             loads,
@@ -132,14 +154,28 @@ impl Samples {
         chosen.into_iter().filter_map(|t| pose(outcome, t)).collect()
     }
 
-    /// Positions of the body, so many that an eye sees it move; of a rest only the first and the last.
-    fn frames(&self, outcome: &MotionOutcome) -> Vec<MotionPose> {
-        let step = (1.0 / PER_SECOND).max(self.end / PICTURES);
-        let count = (self.end / step).ceil();
-        let mut moments: Vec<f64> = (0..=count as usize).map(|i| self.end * i as f64 / count).collect();
+    /// From shortly before the body leaves rest to shortly after it comes to rest; the whole time if little is left out.
+    fn moves(&self) -> (f64, f64) {
+        let whole = (0.0, self.end);
+        let is_rest = |state: &&(f64, Mode)| state.1 == Mode::Rest;
+        let Some((leaves, _)) = self.states.iter().find(|state| !is_rest(state)) else { return whole };
+        let rests = self.states.last().filter(is_rest).map_or(self.end, |(t, _)| t.min(self.end));
+        let room = (ROOM * (rests - leaves)).min(1.0);
+        let (from, to) = ((leaves - room).max(0.0), (rests + room).min(self.end));
+        if to - from < (1.0 - LITTLE) * self.end { (from, to) } else { whole }
+    }
+
+    /// Positions of the body within a time, so many that an eye sees it move; of a rest only the first and the last.
+    fn frames(&self, outcome: &MotionOutcome, (begin, end): (f64, f64)) -> Vec<MotionPose> {
+        let step = (1.0 / PER_SECOND).max((end - begin) / PICTURES);
+        let count = ((end - begin) / step).ceil();
+        let mut moments: Vec<f64> =
+            (0..=count as usize).map(|i| begin + (end - begin) * i as f64 / count).collect();
         // Where a corner meets the base the way is no straight one.
         let mut last = f64::NEG_INFINITY;
-        for event in outcome.events.iter().filter(|event| event.why == Why::Impact && event.t <= self.end) {
+        for event in
+            outcome.events.iter().filter(|event| event.why == Why::Impact && (begin..=end).contains(&event.t))
+        {
             if event.t - last > 0.4 * step {
                 moments.push(event.t);
                 last = event.t;

@@ -69,6 +69,7 @@ struct StrengthEntry {
     onset: Option<f64>,
     overturning: VerdictEntry,
     slide: Option<VerdictEntry>,
+    max_theta: Option<VerdictEntry>,
     range: [f64; 2],
     tried: Vec<TriedEntry>,
 }
@@ -113,6 +114,10 @@ impl StrengthEntry {
             onset: strength.onset,
             overturning: VerdictEntry::of(&strength.overturning, None),
             slide: strength.slide.as_ref().map(|(bound, verdict)| VerdictEntry::of(verdict, Some(*bound))),
+            max_theta: strength
+                .max_theta
+                .as_ref()
+                .map(|(bound, verdict)| VerdictEntry::of(verdict, Some(*bound))),
             range: ends,
             tried,
         }

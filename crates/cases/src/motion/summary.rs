@@ -1,14 +1,15 @@
 //! Top of the answer in time: criteria, what becomes of the body, how near another answer is.
 
+use standfast_answers::assess::AnyCheck;
 use standfast_answers::motion::Strength;
 use standfast_motion::divergence::Divergence;
-use standfast_motion::strength::{Tried, VerdictStrength};
+use standfast_motion::strength::{Change, Tried, VerdictStrength};
 
 use super::FollowedMotion;
 use super::text::{far, verdict};
 use crate::json::CheckEntry;
 use crate::layout::{digits, significant};
-use crate::summary::{GoverningCriterion, Summary, criteria, once};
+use crate::summary::{GoverningCriterion, Summary, criteria, criterion_words, once, quoted};
 
 /// Relative spread of inputs of which nothing else is known.
 const SPREAD: f64 = 1e-3;
@@ -23,14 +24,14 @@ pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
     let checks = worst.checks();
     let words: Vec<(bool, String)> = checks
         .iter()
-        .map(|check| {
-            let required = check.criterion.required(check.si);
-            (check.met, format!("{} is {}, {required} is asked", check.criterion.name(), check.value_words()))
-        })
+        .map(|check| (check.met, criterion_words(&AnyCheck::Motion(*check, 0), false)))
         .collect();
     let situation = worst.case.situation.clone().filter(|_| count > 1);
-    let place =
-        situation.as_ref().map_or(String::new(), |name| format!("Under {name}, the worst of {count}: "));
+    let place = situation
+        .as_ref()
+        .map_or(String::new(), |name| format!("Under {}, the worst of {count}: ", quoted(name)));
+    let gives_way = worst.warnings.iter().any(|warning| warning.name == "ground-left-out");
+    let rigid = if gives_way { "On a rigid base, as [ground] is not followed in time: " } else { "" };
     let names = worst.warnings.iter().map(|warning| warning.name);
     Summary {
         criteria: criteria(&words),
@@ -38,7 +39,7 @@ pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
         governing: checks
             .first()
             .map(|check| GoverningCriterion::of(CheckEntry::of_motion(check), situation.clone())),
-        answer: format!("{place}{}{}", verdict(worst), far(worst)),
+        answer: format!("{place}{rigid}{}{}", verdict(worst), far(worst)),
         near: near(worst),
         warnings: once(names),
     }
@@ -65,7 +66,7 @@ fn stronger(followed: &FollowedMotion, strength: &Strength) -> String {
     let mut sentences = Vec::new();
     match strength.onset {
         Some(onset) if onset > 0.0 => {
-            sentences.push(format!("It begins to move at {} of this {drive}.", significant(onset, 3)));
+            sentences.push(format!("It begins to move at {} times this {drive}.", significant(onset, 3)));
         }
         None if followed.outcome.max_theta == 0.0 && followed.outcome.max_slide == 0.0 => {
             sentences.push(format!("No multiple of this {drive} moves it."));
@@ -74,29 +75,56 @@ fn stronger(followed: &FollowedMotion, strength: &Strength) -> String {
     }
     let overturns = ["overturns it", "leaves it standing"];
     sentences.push(change(&strength.overturning, strength, drive, overturns, |tried| tried.overturned));
-    if let Some((bound, verdict)) = &strength.slide {
+    // What overturns is beyond every bound: that needs no sentence of its own.
+    let is_news = |verdict: &&(f64, VerdictStrength)| {
+        nearest(&verdict.1).is_none_or(|change| nearest(&strength.overturning) != Some(change))
+    };
+    if let Some((bound, verdict)) = strength.slide.as_ref().filter(is_news) {
         let metres = if followed.case.si { " m" } else { "" };
         let too_far = format!("slides it beyond {}{metres}", digits(*bound));
         let within = format!("keeps it within {}{metres}", digits(*bound));
         sentences
             .push(change(verdict, strength, drive, [&too_far, &within], |tried| tried.is_beyond(*bound)));
     }
-    let undecided = [Some(&strength.overturning), strength.slide.as_ref().map(|(_, verdict)| verdict)];
-    if undecided.into_iter().flatten().any(|verdict| is_open(followed, verdict)) {
+    if let Some((bound, verdict)) = strength.max_theta.as_ref().filter(is_news) {
+        let degrees = significant(bound.to_degrees(), 3);
+        let too_far = format!("turns it beyond {degrees}°");
+        let within = format!("keeps it within {degrees}°");
+        sentences.push(change(verdict, strength, drive, [&too_far, &within], |tried| {
+            tried.is_turned_beyond(*bound)
+        }));
+    }
+    if verdicts(strength).any(is_open) {
         sentences.push("One motion does not decide this.".to_owned());
     }
     sentences.join(" ")
 }
 
-/// True if what is known of the inputs does not decide a verdict by one motion.
-fn is_open(followed: &FollowedMotion, verdict: &VerdictStrength) -> bool {
-    let nearest = [verdict.up, verdict.down].into_iter().flatten().map(|change| (change.factor - 1.0).abs());
-    let nearest = nearest.fold(f64::INFINITY, f64::min);
-    let parted = followed.divergence.as_ref().is_some_and(|found| found.value * nearest > 1.0);
-    let near = |change: &Option<standfast_motion::strength::Change>| {
-        change.is_some_and(|change| (change.factor - 1.0).abs() <= 0.05)
+/// The verdicts on a motion that were looked for.
+fn verdicts(strength: &Strength) -> impl Iterator<Item = &VerdictStrength> {
+    let bounded = [&strength.slide, &strength.max_theta].into_iter().flatten().map(|(_, verdict)| verdict);
+    std::iter::once(&strength.overturning).chain(bounded)
+}
+
+/// The change of a verdict that is nearest to the loads as they are.
+fn nearest(verdict: &VerdictStrength) -> Option<Change> {
+    match (verdict.up, verdict.down) {
+        (Some(up), Some(down)) if 1.0 - down.factor < up.factor - 1.0 => Some(down),
+        (Some(up), _) => Some(up),
+        (None, down) => down,
+    }
+}
+
+/// True if what is known of a load does not decide a verdict by one motion: a change as near as loads are never known, one to either side
+/// that is near, or several within what is tried densely.
+fn is_open(verdict: &VerdictStrength) -> bool {
+    let within = |change: Option<Change>, distance: f64| {
+        change.is_some_and(|change| (change.factor - 1.0).abs() <= distance + 1e-9)
     };
-    nearest.is_finite() && (parted || (near(&verdict.up) && near(&verdict.down)))
+    let either = |distance: f64| within(nearest(verdict), distance);
+    either(0.02)
+        || (within(verdict.up, 0.05) && within(verdict.down, 0.05))
+        || (verdict.windows && either(0.2))
 }
 
 /// The sentence on one verdict: what a motion does of which it holds, and what one of which it does not.
@@ -110,12 +138,7 @@ fn change(
     let other = if verdict.verdict { does[1] } else { does[0] };
     let count = strength.tried.len();
     let (from, to) = (strength.tried[0].factor, strength.tried[count - 1].factor);
-    let nearest = match (verdict.up, verdict.down) {
-        (Some(up), Some(down)) if 1.0 - down.factor < up.factor - 1.0 => Some(down),
-        (Some(up), _) => Some(up),
-        (None, down) => down,
-    };
-    let Some(nearest) = nearest else {
+    let Some(nearest) = nearest(verdict) else {
         return format!(
             "None of {count} factors from {} to {} on this {drive} {other}.",
             digits(from),
@@ -131,8 +154,11 @@ fn change(
         let near: Vec<&Tried> =
             strength.tried.iter().filter(|tried| (tried.factor - 1.0).abs() <= 0.2 + 1e-9).collect();
         let others = near.iter().filter(|tried| differ(tried)).count();
-        let does = if others == 1 { "does" } else { "do" };
-        return format!("{head}, as {does} {others} of {} within 20 %.", near.len());
+        return match others {
+            0 => format!("{head}; none of {} within 20 % does.", near.len()),
+            1 => format!("{head}, as does 1 of {} within 20 %.", near.len()),
+            _ => format!("{head}, as do {others} of {} within 20 %.", near.len()),
+        };
     }
     let behind: Vec<&Tried> =
         strength.tried.iter().filter(|tried| (tried.factor - 1.0) * off < 0.0).collect();
@@ -151,18 +177,22 @@ fn parts(followed: &FollowedMotion, divergence: &Divergence) -> String {
         return String::new();
     }
     let value = significant(divergence.value, 2);
-    match divergence.value * SPREAD > 1.0 {
-        true => format!(
+    let is_decided = followed.strength.as_ref().is_some_and(|strength| !verdicts(strength).any(is_open));
+    match (divergence.value * SPREAD > 1.0, is_decided) {
+        (true, true) => {
+            format!("Divergence {value}: inputs known to 0.1 % do not tell when and how far it moves.")
+        }
+        (true, false) => format!(
             "Divergence {value}: of inputs known to 0.1 % one motion does not decide what becomes of the body."
         ),
-        false => {
+        (false, _) => {
             let percent = significant(100.0 * divergence.value * SPREAD, 2);
             let unit = match divergence.of {
                 standfast_motion::divergence::Diverging::Theta => "of the angle of balance",
                 standfast_motion::divergence::Diverging::Slide => "of half the width",
             };
             format!(
-                "Divergence {value}: 0.1 % more friction and height change the motion by about {percent} % {unit}."
+                "Divergence {value}: 0.1 % more friction and height shift the motion by up to about {percent} % {unit}."
             )
         }
     }

@@ -57,16 +57,10 @@ fn number(x: f64) -> String {
     digits(x)
 }
 
-/// A slide, zero where it is rounding.
-fn slid(followed: &FollowedMotion, slide: f64) -> f64 {
-    let block = &followed.case.problem.block;
-    if slide.abs() < 1e-12 * (block.b1 + block.b2) { 0.0 } else { slide }
-}
-
 /// How far the body got, behind the verdict; nothing of one that rests, or that is gone.
 pub(super) fn far(followed: &FollowedMotion) -> String {
     let (outcome, case) = (&followed.outcome, &followed.case);
-    let slide = slid(followed, outcome.slide);
+    let slide = outcome.slide;
     let moved = outcome.events.iter().any(|event| event.state != Mode::Rest);
     if !moved || outcome.overturned() {
         return String::new();
@@ -89,6 +83,15 @@ pub(super) fn far(followed: &FollowedMotion) -> String {
 
 /// Outcome for the body, in a sentence.
 pub fn verdict(followed: &FollowedMotion) -> String {
+    outcome_words(followed, number)
+}
+
+/// Outcome for the body, in a sentence, with the digits that a caption has.
+pub(super) fn caption(followed: &FollowedMotion) -> String {
+    outcome_words(followed, |time| significant(time, 4))
+}
+
+fn outcome_words(followed: &FollowedMotion, number: impl Fn(f64) -> String) -> String {
     let (outcome, s) = (&followed.outcome, seconds(followed));
     let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t)) + s;
     let moves = outcome.events.iter().find(|event| event.state != Mode::Rest);
@@ -171,13 +174,13 @@ pub fn number_rows(followed: &FollowedMotion) -> Rows {
     };
     vec![
         {
-            let slide = slid(followed, outcome.slide);
+            let slide = outcome.slide;
             let way = if slide < 0.0 { "to the left" } else { "to the right" };
             row("slide", slide.abs(), m, when(slide, || way.to_owned()))
         },
         row(
             "largest slide",
-            slid(followed, outcome.max_slide),
+            outcome.max_slide,
             m,
             when(outcome.max_slide, || format!("at t = {}{s}", number(outcome.t_max_slide))),
         ),

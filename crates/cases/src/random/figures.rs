@@ -8,6 +8,7 @@ use standfast_figures::{
 use standfast_probability::lognormal::Lognormal;
 use standfast_probability::sample::Estimate;
 
+use super::summary::{FEW, records as on_records};
 use super::text::floor;
 use super::{Chances, Fit, Fragility, Happening, Method, Overturning, Probability, Sliding};
 use crate::document::AnswerFigure;
@@ -19,6 +20,8 @@ use cloud::Cloud;
 
 /// The share of the whole that is seen on an axis of equal steps.
 const LEAST_SEEN: f64 = 0.005;
+/// Upper end of an axis of equal steps on which 1 lies: a line there keeps off the frame.
+const TO_ONE: f64 = 1.04;
 /// Number of points that a curve is drawn through.
 const SMOOTH: usize = 96;
 
@@ -95,7 +98,7 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
         groups.iter().zip(&bars).map(|((heading, _), rows)| ChanceGroup { heading, rows }).collect();
     let mut caption = match worst.method {
         Method::Integrate => "Integrated.".to_owned(),
-        method => format!("By {method}; intervals of 95 %."),
+        method => format!("{}; intervals of 95 %.", by(method)),
     };
     let below: Vec<_> = worst.modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
     if !below.is_empty() {
@@ -104,10 +107,15 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
             .map(|(happening, _)| happening.name().replace('\'', "′").replace('-', "−"))
             .collect();
         let bound = below.iter().map(|(_, e)| e.high).fold(0.0, f64::max);
-        caption += &format!(" {}: each below {}.", names.join(", "), digits(bound));
+        let each = if names.len() > 1 { "are each rarer than" } else { "is rarer than" };
+        caption += &format!(" {} {each} {}.", names.join(", "), digits(bound));
     }
     if let Some(point) = &worst.design_point {
-        caption += &format!(" β = {}; Φ(−β) = {} is not P.", digits(point.beta), digits(point.first_order()));
+        caption += &format!(
+            " The reliability index β is {}. A straight limit there would give {}.",
+            digits(point.beta),
+            digits(point.first_order())
+        );
     }
     let title = format!("How likely each mode is: {title}");
     chance_rows(&ChanceRows { title: &title, caption: &caption, groups: &groups })
@@ -117,13 +125,15 @@ fn matters_drawn(answer: &Probability, worst: &Chances, title: &str) -> Option<F
     let point = worst.design_point.as_ref().filter(|_| worst.known.len() == answer.random.len())?;
     let mut order: Vec<usize> = (0..worst.known.len()).collect();
     order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+    // Nothing hangs on a probability that is as good as none.
+    if worst.not_rest.value <= floor(answer) {
+        return None;
+    }
+    let names: Vec<String> = order.iter().map(|&i| answer.random[i].words.clone()).collect();
     let numbers: Vec<Importance<'_>> = order
         .iter()
-        .map(|&i| Importance {
-            name: &answer.random[i].name,
-            alpha2: point.alpha[i].powi(2),
-            known: worst.known[i].value,
-        })
+        .zip(&names)
+        .map(|(&i, name)| Importance { name, alpha2: point.alpha[i].powi(2), known: worst.known[i].value })
         .collect();
     let kink = if point.at_change {
         " The design point lies where a formula or the mode changes: α² ranks, and no gradient has its direction."
@@ -140,6 +150,16 @@ fn matters_drawn(answer: &Probability, worst: &Chances, title: &str) -> Option<F
     (!numbers.is_empty()).then(|| {
         chance_tornado(&Tornado { title: &title, caption: &caption, probability, numbers: &numbers })
     })
+}
+
+/// Way in which a probability was found.
+fn by(method: Method) -> &'static str {
+    match method {
+        Method::Integrate => "Integrated",
+        Method::Sobol => "By Sobol points",
+        Method::Importance => "By Sobol points about the design points",
+        Method::MonteCarlo => "By random draws",
+    }
 }
 
 fn chance(Estimate { value, low, high }: Estimate) -> Chance {
@@ -176,7 +196,7 @@ fn convergence(worst: &Chances, title: &str) -> Option<Figure> {
     };
     let across = SpectrumAxis { name: "points", from: *first as f64, to: *last as f64, logarithmic: true };
     let lines = [ChanceLine {
-        name: "estimate, with its interval of 95 %",
+        name: "estimate",
         look: LineLook::Answer,
         points: course.iter().map(|(points, e)| (*points as f64, chance(*e))).collect(),
     }];
@@ -184,9 +204,9 @@ fn convergence(worst: &Chances, title: &str) -> Option<Figure> {
     let ends = [answer.low, answer.value, answer.high];
     let caption = match &apart(&ends)[..] {
         [low, value, high] if answer.low < answer.high => {
-            format!("By {}: {value} after {last} points, {low} to {high}.", worst.method)
+            format!("{}: {value} after {last} points, {low} to {high}.", by(worst.method))
         }
-        _ => format!("By {}: {} after {last} points.", worst.method, digits(answer.value)),
+        _ => format!("{}: {} after {last} points.", by(worst.method), digits(answer.value)),
     };
     Some(chance_lines(&ChanceLines {
         title: &title,
@@ -219,18 +239,16 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
     let (first, last) = (points[0].value, points[points.len() - 1].value);
     let (from, to) = (first.min(last), first.max(last));
     let up = if is_linear {
-        SpectrumAxis { name: "probability", from: 0.0, to: 1.0, logarithmic: false }
+        SpectrumAxis { name: "probability", from: 0.0, to: TO_ONE, logarithmic: false }
     } else {
         of_probabilities(moved.iter().map(|(_, p)| p.value), floor)
     };
     let mut lines = vec![ChanceLine { name: "does not rest", look: LineLook::Answer, points: moved }];
     let mut caption = format!("At {} values.", points.len());
-    let told;
     if let Some(Fit { median, dispersion, misfit }) = fit {
         let unit = unit.map_or_else(String::new, |unit| format!(" {}", in_words(unit)));
-        told = format!("lognormal, misses by {}", digits(*misfit));
         let points = smooth((from, to), (*median, *dispersion));
-        lines.push(ChanceLine { name: &told, look: LineLook::Fit, points });
+        lines.push(ChanceLine { name: "lognormal", look: LineLook::Fit, points });
         caption += &format!(
             " Dashed: the lognormal curve of median {}{unit} and dispersion {}; it misses the probabilities by {} at most.",
             digits(*median),
@@ -257,14 +275,25 @@ fn overturns(overturning: &Overturning, title: &str) -> Figure {
     let along = |of: &dyn Fn(usize) -> Chance| -> Vec<(f64, Chance)> {
         points.iter().enumerate().map(|(i, at)| (at.peak / gravity, of(i))).collect()
     };
+    let is_few = records.len() < FEW;
+    let of_mode = |mode| if is_few { LineLook::Points(Some(mode)) } else { LineLook::Mode(mode) };
     let mut lines = vec![ChanceLine {
-        name: "overturns, with the interval of 95 %",
-        look: LineLook::Answer,
+        name: "overturns",
+        look: if is_few { LineLook::Points(None) } else { LineLook::Answer },
         points: along(&|i| chance(points[i].overturned)),
     }];
     let (from, to) = (points[0].peak / gravity, points[points.len() - 1].peak / gravity);
     let each = match &records[..] {
-        [_] => format!("{bodies} bodies under one shaking, scaled to each of {} peaks.", points.len()),
+        [_] => format!(
+            "{bodies} bodies under one shaking, scaled to each of {} peaks. It tells nothing of another one.",
+            points.len()
+        ),
+        few if is_few => format!(
+            "{bodies} bodies, each under every one of {} records, scaled to each of {} peaks. {}",
+            few.len(),
+            points.len(),
+            on_records(few.len()).unwrap_or_default()
+        ),
         many => format!(
             "{bodies} bodies, each under every one of {} records, scaled to each of {} peaks; the interval is that of a further record and body.",
             many.len(),
@@ -272,28 +301,27 @@ fn overturns(overturning: &Overturning, title: &str) -> Figure {
         ),
     };
     let mut caption = each;
-    let told;
-    if let Some(Fit { median, dispersion, misfit }) = fit {
-        told = format!("lognormal, misses by {}", digits(rounded(*misfit)));
+    if let Some(Fit { median, dispersion, misfit }) = fit.as_ref().filter(|_| !is_few) {
         lines.push(ChanceLine {
-            name: &told,
+            name: "lognormal",
             look: LineLook::Fit,
             points: smooth((from, to), (median / gravity, *dispersion)),
         });
         caption += &format!(
-            " Dashed: the lognormal curve of median {} g and dispersion {}.",
+            " Dashed: the lognormal curve of median {} g and dispersion {}; it misses the points by {} at most.",
             digits(*median / gravity),
-            digits(*dispersion)
+            digits(*dispersion),
+            digits(rounded(*misfit))
         );
     }
     lines.push(ChanceLine {
         name: "rocks",
-        look: LineLook::Mode(Mode::RockO),
+        look: of_mode(Mode::RockO),
         points: along(&|i| certain(points[i].rocked.value)),
     });
     lines.push(ChanceLine {
         name: "slips or rocks",
-        look: LineLook::Mode(Mode::SlideLeft),
+        look: of_mode(Mode::SlideLeft),
         points: along(&|i| certain(points[i].moved.value)),
     });
     let axis = |name, from, to| SpectrumAxis { name, from, to, logarithmic: false };
@@ -301,7 +329,7 @@ fn overturns(overturning: &Overturning, title: &str) -> Figure {
         title: &format!("Overturning: {title}"),
         caption: &caption,
         across: axis("peak of the shaking ($g$)", from, to),
-        up: axis("probability", 0.0, 1.0),
+        up: axis("probability", 0.0, TO_ONE),
         lines: &lines,
         marks: &[],
     })
@@ -359,7 +387,7 @@ fn exceedance(sliding: &Sliding, title: &str) -> Option<Figure> {
         ..of_probabilities(likely.iter().map(|e| e.probability.value), 0.0)
     };
     let lines = [ChanceLine {
-        name: "of lives, with the interval of 95 %",
+        name: "of lives",
         look: LineLook::Answer,
         points: likely.iter().map(|e| (e.slide, chance(e.probability))).collect(),
     }];

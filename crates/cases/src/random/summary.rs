@@ -50,7 +50,7 @@ fn criterion_words(answer: &Probability) -> Option<(bool, String)> {
 
 /// Period that the probabilities of the modes are of.
 pub(super) fn period(answer: &Probability) -> &'static str {
-    if answer.random.iter().any(|number| number.yearly) { "in one year" } else { "in one event" }
+    crate::summary::period(answer.random.iter().any(|number| number.yearly))
 }
 
 /// The probability that was asked for.
@@ -72,6 +72,9 @@ fn not_resting(answer: &Probability) -> String {
     format!("The probability that the body does not stay at rest {}", period(answer))
 }
 
+/// Share of a probability from which on what is not meant by it is told.
+const NOTED: f64 = 1e-3;
+
 /// That the body moves in an event, and at least once in a life.
 fn moves(answer: &Probability, worst: &Chances) -> String {
     let not_rest = answer.joined.as_ref().map_or(worst.not_rest, |joint| joint.not_rest);
@@ -87,7 +90,13 @@ fn moves(answer: &Probability, worst: &Chances) -> String {
     let life = worst.life.as_ref().map_or(String::new(), |life| {
         format!(" At least once in {}: {}.", years(life.years), known(life.not_rest))
     });
-    format!("{} is {}{place}.{goes}{life}", not_resting(answer), known(not_rest))
+    let impossible =
+        worst.modes.iter().find(|(mode, _)| *mode == Happening::NotABody).map_or(0.0, |(_, e)| e.value);
+    let impossible = match impossible > NOTED * worst.not_rest.value {
+        true => format!(" Of it {} are draws that make no possible body.", probability(impossible)),
+        false => String::new(),
+    };
+    format!("{} is {}{place}.{impossible}{goes}{life}", not_resting(answer), known(not_rest))
 }
 
 /// How far the body slides in a life.
@@ -108,7 +117,12 @@ fn slides(sliding: &Sliding) -> String {
 /// That the body overturns, over the peak of the shaking.
 fn overturns(overturning: &Overturning) -> String {
     let Overturning { points, fit, gravity, .. } = overturning;
-    let at = |point: &PeakChances| (below_or(point.overturned), digits(point.peak / gravity) + " g");
+    let motions = overturning.records.len() as u64 * overturning.bodies;
+    let share = |e: Estimate| match e.value {
+        0.0 => format!("0 in {motions} motions"),
+        _ => probability(e.value),
+    };
+    let at = |point: &PeakChances| (share(point.overturned), digits(point.peak / gravity) + " g");
     let median = fit.filter(|_| overturning.records.len() >= FEW).map_or(String::new(), |fit| {
         format!(" By a lognormal curve half overturn at {} g.", significant(fit.median / gravity, 3))
     });

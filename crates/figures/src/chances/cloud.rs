@@ -2,9 +2,9 @@
 
 use standfast::{Mode, Verdict};
 
-use super::{LEFT, LOOK, finished, plot};
+use super::finished;
 use crate::Figure;
-use crate::axes::Axes;
+use crate::axes::{Axes, COLUMN, LEFT, PAGE, Plot};
 use crate::below::{Key, modes_key};
 use crate::caption::SMALL;
 use crate::motion::SpectrumAxis;
@@ -13,12 +13,10 @@ use crate::scene::{Path, Pen, Scene};
 use crate::text::Text;
 use crate::texture::Texture;
 
-const TOP: f64 = 36.0;
+const TOP: f64 = 30.0;
 const DOWN: f64 = 280.0;
-/// One plot, or several side by side.
-const ALONE: f64 = 470.0;
-const BESIDE: f64 = 300.0;
-const GAP: f64 = 30.0;
+/// White right of a plot, in which half of the last number stands.
+const RIGHT: f64 = 22.0;
 
 /// One view of the draws.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,12 +55,14 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
         }
     }
     order.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
-    let wide = if chart.panels.len() > 1 { BESIDE } else { ALONE };
-    let (mut left, mut right, mut bottom) = (LEFT, LEFT, TOP);
+    let right = if chart.panels.len() > 1 { PAGE } else { COLUMN };
+    let each = (right - LEFT) / chart.panels.len().max(1) as f64;
+    let mut bottom = TOP;
     let mut names = Vec::new();
-    for panel in chart.panels {
-        let plot = plot([&panel.across, &panel.up], (left, TOP), (wide, DOWN));
-        let (axes, area) = (plot.axes, plot.axes.area);
+    for (i, panel) in chart.panels.iter().enumerate() {
+        let left = LEFT + each * i as f64;
+        let plot = Plot::new([&panel.across, &panel.up], (left, left + each - RIGHT), TOP, DOWN);
+        let axes = plot.axes;
         paint(&mut scene, &axes, &panel.areas);
         axes.grid(&mut scene, &plot.ticks);
         for (_, mode) in &order {
@@ -75,25 +75,23 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
                 dots.line_to(x + 0.1, y);
             }
             // A tint on paper is seen by its rim.
-            scene.stroke(&dots, Pen { colour: FAINT, width: 4.6, dashes: "0 9" });
+            scene.stroke(&dots, Pen { colour: FAINT, width: 5.0, dashes: "0 9" });
             let inner = mode.map_or(crate::palette::PAPER, tint);
             scene.stroke(&dots, Pen { colour: inner, width: 3.4, dashes: "0 9" });
             if mode.is_some_and(|mode| texture(mode) != Texture::Plain) {
                 scene.stroke(&dots, RING);
             }
         }
-        plot.draw(&mut scene, LOOK, 36.0, (left, TOP - 14.0));
+        bottom = plot.draw(&mut scene, 0.0);
         let [across, up] = plot.names();
         names.push(format!("{up} over {across}"));
-        (right, bottom) = (area.x1 + 18.0, area.y1 + 46.0);
-        left = area.x1 + GAP;
     }
     let has_area =
         |mode: &Mode| chart.panels.iter().any(|panel| panel.areas.iter().any(|(other, _)| other == mode));
     let modes: Vec<Mode> =
         Mode::ALL.into_iter().filter(|m| order.iter().any(|(_, o)| *o == Some(*m)) || has_area(m)).collect();
-    let below = modes_key(&mut scene, &modes, (LEFT, right), bottom + 8.0);
-    let below = rings_key(&mut scene, &order, (LEFT, right), below);
+    let below = modes_key(&mut scene, &modes, (LEFT, right - LEFT), bottom + 12.0);
+    let below = rings_key(&mut scene, &order, (LEFT, right - LEFT), below);
     let description = format!("Draws as dots: {}.", names.join("; "));
     finished(scene, (chart.title, chart.caption), (right, below + 8.0), &description)
 }

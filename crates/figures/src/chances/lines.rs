@@ -2,28 +2,32 @@
 
 use standfast::Mode;
 
-use super::{Chance, LEFT, LOOK, finished, plot};
+use super::{Chance, finished};
 use crate::Figure;
-use crate::axes::Axes;
+use crate::axes::{Axes, COLUMN, LEFT, Plot};
 use crate::below::Key;
 use crate::caption::SMALL;
 use crate::labels::spread;
 use crate::motion::SpectrumAxis;
-use crate::palette::{BAND, BAND_OF_MODE, FAINT, INK, MARK, texture, tint};
+use crate::palette::{BAND, BAND_OF_MODE, FAINT, INK, MARK, symbol, texture, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::texture::Texture;
 
-const PLOT: (f64, f64) = (470.0, 300.0);
+const HEIGHT: f64 = 280.0;
+/// Right of the plot: the names of lines, at their ends.
+const NAMES: f64 = 118.0;
 /// Above the axes: the name of an axis, and what marks are.
 const TOP: f64 = 30.0;
-const MARKS: f64 = 22.0;
+pub(crate) const MARKS: f64 = 22.0;
 
 /// Look of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LineLook {
     /// In ink, with its band and, if there are few, its points.
     Answer,
+    /// Dots, without line and band: too little to tell what lies between. In ink, or in the colour of a mode.
+    Points(Option<Mode>),
     /// In the colour of a mode.
     Mode(Mode),
     /// Dashed: something that goes through the answer.
@@ -73,8 +77,9 @@ const FEW: usize = 40;
 /// Draws lines of probabilities.
 pub fn chance_lines(chart: &ChanceLines<'_>) -> Figure {
     let mut scene = Scene::default();
-    let top = if chart.marks.is_empty() { TOP } else { TOP + MARKS };
-    let plot = plot([&chart.across, &chart.up], (LEFT, top), PLOT);
+    let higher = if chart.marks.is_empty() { 0.0 } else { MARKS };
+    let right = COLUMN - NAMES;
+    let plot = Plot::new([&chart.across, &chart.up], (LEFT, right), TOP + higher, HEIGHT);
     let axes = plot.axes;
     axes.grid(&mut scene, &plot.ticks);
     for line in chart.lines.iter().rev() {
@@ -84,15 +89,73 @@ pub fn chance_lines(chart: &ChanceLines<'_>) -> Figure {
         stroke(&mut scene, &axes, line);
     }
     marks(&mut scene, &axes, chart.marks);
-    plot.draw(&mut scene, LOOK, 36.0, (LEFT, TOP - 12.0));
-    let right = axes.area.x1 + 26.0;
-    let below = swatches(&mut scene, chart.lines, (LEFT, right), axes.area.y1 + 50.0);
-    finished(scene, (chart.title, chart.caption), (right, below + 8.0), &plot.description())
+    let below = plot.draw(&mut scene, higher);
+    let unnamed = at_ends(&mut scene, &axes, chart.lines);
+    let below = swatches(&mut scene, chart.lines, &unnamed, (LEFT, COLUMN - LEFT), below + 12.0);
+    finished(scene, (chart.title, chart.caption), (COLUMN, below + 8.0), &plot.description())
+}
+
+/// True if two lines lie on each other.
+fn coincide(axes: &Axes, one: &ChanceLine<'_>, other: &ChanceLine<'_>) -> bool {
+    let (one, other) = (seen(axes, &one.points), seen(axes, &other.points));
+    one.len() == other.len()
+        && one.iter().zip(&other).all(|(a, b)| (a.0 - b.0).abs() < 0.5 && (a.1 - b.1).abs() < 0.5)
+}
+
+/// Names of lines at their right ends, in as many rows of those that lie on each other; gives the lines to be told in the key: ended
+/// before, or named by a symbol.
+fn at_ends(scene: &mut Scene, axes: &Axes, lines: &[ChanceLine<'_>]) -> Vec<usize> {
+    const NEAR: f64 = 3.0;
+    let Rect { x1, y0, y1, .. } = axes.area;
+    let mut unnamed = Vec::new();
+    let mut named: Vec<(f64, Vec<String>)> = Vec::new();
+    let mut done = vec![false; lines.len()];
+    for (i, line) in lines.iter().enumerate() {
+        let end = seen(axes, &line.points).last().copied().filter(|end| end.0 > x1 - 3.0);
+        if done[i] {
+            continue;
+        }
+        let same: Vec<usize> = (i..lines.len())
+            .filter(|j| *j == i || (end.is_some() && coincide(axes, line, &lines[*j])))
+            .collect();
+        let fits = |name: &str| Text::inline(name, SMALL).width <= NAMES - LEFT - 12.0;
+        // A mode is named by its symbol where its words are too long.
+        let short = |line: &ChanceLine<'_>| match line.look {
+            _ if fits(line.name) => Some(line.name.to_owned()),
+            LineLook::Mode(mode) => Some(symbol(mode).to_owned()),
+            _ => None,
+        };
+        let names: Option<Vec<String>> = same.iter().map(|j| short(&lines[*j])).collect();
+        same.iter().for_each(|j| done[*j] = true);
+        let is_told = |j: &usize| end.is_none() || !fits(lines[*j].name);
+        unnamed.extend(same.iter().copied().filter(is_told));
+        if let (Some((_, y)), Some(names)) = (end, names) {
+            named.push((y, names));
+        }
+    }
+    named.sort_by(|one, other| one.0.total_cmp(&other.0));
+    // Lines that lie on each other have their names in as many rows.
+    let rows: Vec<(f64, &str)> =
+        named.iter().flat_map(|(y, names)| names.iter().map(|name| (*y, name.as_str()))).collect();
+    let wanted: Vec<(f64, f64)> = rows.iter().map(|(y, _)| (*y, 1.05 * SMALL)).collect();
+    let Some(places) = spread(&wanted, y0 - 4.0, y1 + 10.0, 3.0) else {
+        return (0..lines.len()).collect();
+    };
+    for ((at, name), y) in rows.into_iter().zip(places) {
+        let moved = (at - y).abs() > NEAR;
+        let left = x1 + if moved { 15.0 } else { 6.0 };
+        if moved {
+            scene.line((x1 + 2.0, at), (left - 2.0, y), Pen::solid(FAINT, 0.6));
+        }
+        scene.text(&Text::inline(name, SMALL), left, y + 4.0, INK);
+    }
+    unnamed
 }
 
 fn pens(look: LineLook) -> Vec<Pen> {
     match look {
         LineLook::Answer => vec![Pen::solid(INK, 1.6)],
+        LineLook::Points(_) => Vec::new(),
         // A tint on paper is seen by its rim.
         LineLook::Mode(mode) => {
             // Its mirror image has the same tint.
@@ -113,14 +176,26 @@ fn stroke(scene: &mut Scene, axes: &Axes, line: &ChanceLine<'_>) {
     let places = seen(axes, &line.points);
     let path = Path::through(&places);
     pens(line.look).into_iter().for_each(|pen| scene.stroke(&path, pen));
+    if let LineLook::Points(mode) = line.look {
+        places.iter().for_each(|place| point(scene, *place, mode));
+    }
     if line.look == LineLook::Answer && places.len() <= FEW {
         places.iter().for_each(|place| scene.dot(*place, 2.4, INK, None));
     }
 }
 
+fn point(scene: &mut Scene, place: (f64, f64), mode: Option<Mode>) {
+    match mode {
+        None => scene.dot(place, 2.6, INK, None),
+        Some(mode) => scene.dot(place, 4.2, tint(mode), Some(Pen::solid(INK, 0.9))),
+    }
+}
+
 fn band(scene: &mut Scene, axes: &Axes, line: &ChanceLine<'_>) {
     let points = || line.points.iter().filter(|(x, p)| axes.across.shows(*x) && p.high > 0.0);
-    if line.look == LineLook::Fit || points().all(|(_, p)| p.high - p.low <= 1e-6 * p.high) {
+    if matches!(line.look, LineLook::Fit | LineLook::Points(_))
+        || points().all(|(_, p)| p.high - p.low <= 1e-6 * p.high)
+    {
         return;
     }
     let upper = points().map(|(x, p)| axes.held(*x, p.high));
@@ -131,7 +206,7 @@ fn band(scene: &mut Scene, axes: &Axes, line: &ChanceLine<'_>) {
 }
 
 /// Upright lines, and what they are above the axes.
-fn marks(scene: &mut Scene, axes: &Axes, marks: &[ChanceMark<'_>]) {
+pub(crate) fn marks(scene: &mut Scene, axes: &Axes, marks: &[ChanceMark<'_>]) {
     let mut shown: Vec<(f64, Text)> = marks
         .iter()
         .filter(|mark| axes.across.shows(mark.at))
@@ -152,21 +227,36 @@ fn marks(scene: &mut Scene, axes: &Axes, marks: &[ChanceMark<'_>]) {
     }
 }
 
-/// The key: a stretch of each line with its name; returns the y below.
-fn swatches(scene: &mut Scene, lines: &[ChanceLine<'_>], edges: (f64, f64), top: f64) -> f64 {
+/// The key: a stretch of each line that has no name at its end, and what the band is; returns the y below.
+fn swatches(
+    scene: &mut Scene,
+    lines: &[ChanceLine<'_>],
+    unnamed: &[usize],
+    edges: (f64, f64),
+    top: f64,
+) -> f64 {
     let mut key = Key::new(edges, top);
-    for line in lines {
-        let words = Text::inline(line.name, SMALL);
+    for line in unnamed.iter().map(|i| &lines[*i]) {
+        let words = match line.look {
+            LineLook::Mode(mode) => Text::inline(&format!("{} {}", symbol(mode), line.name), SMALL),
+            _ => Text::inline(line.name, SMALL),
+        };
         let (x, y) = key.entry(30.0 + words.width, 18.0);
-        let has_band =
-            line.look == LineLook::Answer && line.points.iter().any(|(_, p)| p.high - p.low > 1e-6 * p.high);
-        if has_band {
-            scene.fill(&Path::rectangle(&Rect { x0: x, x1: x + 24.0, y0: y + 1.0, y1: y + 12.0 }), BAND);
+        if let LineLook::Points(mode) = line.look {
+            point(scene, (x + 12.0, y + 6.5), mode);
         }
         for pen in pens(line.look) {
             scene.line((x, y + 6.5), (x + 24.0, y + 6.5), pen);
         }
         scene.text(&words, x + 30.0, y + 10.5, INK);
+    }
+    let has_band = |line: &ChanceLine<'_>| {
+        line.look == LineLook::Answer && line.points.iter().any(|(_, p)| p.high - p.low > 1e-6 * p.high)
+    };
+    if let Some(line) = lines.iter().find(|line| has_band(line)) {
+        let paint = |scene: &mut Scene, patch: &Rect| scene.fill(&Path::rectangle(patch), BAND);
+        let words = format!("interval of 95 %, {}", line.name);
+        key.patch(scene, paint, &[Text::inline(&words, SMALL)]);
     }
     key.below()
 }

@@ -2,16 +2,15 @@
 
 use standfast::{Mode, Verdict};
 
-use super::{Chance, LEFT, LOOK, across_ticks, finished};
+use super::{Chance, finished};
 use crate::Figure;
-use crate::axes::{Axes, Axis, NUMBER, Tick};
+use crate::axes::{Axes, Axis, FRAME, LEFT, NUMBER, PAGE, Tick};
 use crate::caption::{SIZE, SMALL};
 use crate::number::{digits, significant};
 use crate::palette::{BEHIND, FAINT, INK, PAPER, symbol};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
-const WIDE: f64 = 430.0;
 const TOP: f64 = 14.0;
 const HEAD: f64 = 24.0;
 const ROW: f64 = 38.0;
@@ -63,12 +62,12 @@ pub fn chance_rows(chart: &ChanceRows<'_>) -> Figure {
         .filter(|p| *p > 0.0)
         .fold(0.1, f64::min);
     let from = 10f64.powf((0.5 * least.max(LEAST)).log10().floor());
-    let (x0, x1) = (LEFT + 8.0, LEFT + 8.0 + WIDE);
+    let (x0, x1) = (LEFT + 8.0, PAGE - VALUES);
     let heads = chart.groups.len() as f64 * HEAD;
     let bottom = TOP + heads + ROW * rows().count() as f64 + 4.0;
     let across = Axis { from, to: 1.0, logarithmic: true };
     let axes = Axes::over(Rect { x0, x1, y0: TOP, y1: bottom }, across);
-    let ticks = [across_ticks(&across, WIDE), Vec::new()];
+    let ticks = [across.ticks(x1 - x0, false), Vec::new()];
     let mut y = TOP;
     for group in chart.groups {
         let heading = Text::verbatim(group.heading, SIZE);
@@ -79,12 +78,11 @@ pub fn chance_rows(chart: &ChanceRows<'_>) -> Figure {
             y += ROW;
         }
     }
-    scene.line((x0, bottom), (x1, bottom), Pen::solid(INK, 0.9));
-    axes.below(&mut scene, &ticks[0], LOOK);
-    axes.name_below(&mut scene, &Text::new("probability", NUMBER), 36.0);
-    let right = x1 + VALUES;
+    scene.line((x0, bottom), (x1, bottom), FRAME);
+    axes.below(&mut scene, &ticks[0]);
+    axes.name_below(&mut scene, &Text::new("Probability", NUMBER));
     let description = "Probabilities as points with their intervals on a logarithmic axis.";
-    finished(scene, (chart.title, chart.caption), (right, bottom + 50.0), description)
+    finished(scene, (chart.title, chart.caption), (PAGE, bottom + 50.0), description)
 }
 
 /// The words of a row, and below them its line with the point.

@@ -1,9 +1,9 @@
 //! Importance of each number: its share α² in the direction of the design point, and the probability if it were known.
 
-use super::{LEFT, LOOK, across_ticks, finished};
+use super::finished;
 use crate::Figure;
-use crate::axes::{Axes, Axis, NUMBER};
-use crate::caption::{SMALL, shortened};
+use crate::axes::{Axes, Axis, LEFT, NUMBER, PAGE};
+use crate::caption::{SMALL, cut};
 use crate::number::{digits, significant};
 use crate::palette::{BEHIND, FAINT, INK, LOWERS, MARK, RAISES};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -11,8 +11,11 @@ use crate::text::Text;
 
 const ROW: f64 = 26.0;
 const THICK: f64 = 13.0;
-const SHARES: f64 = 150.0;
-const KNOWN: f64 = 250.0;
+const SHARES: f64 = 120.0;
+/// Letters of a name.
+const LONGEST: usize = 42;
+/// Right of the plots: a number.
+const VALUES: f64 = 96.0;
 const TOP: f64 = 44.0;
 const LEAST: f64 = 1e-12;
 
@@ -43,10 +46,11 @@ pub struct Tornado<'a> {
 /// Draws what matters: bars of α², and beside them bars from the probability to what it would be if the number were known.
 pub fn chance_tornado(chart: &Tornado<'_>) -> Figure {
     let mut scene = Scene::default();
-    let names: Vec<Text> = chart.numbers.iter().map(|n| Text::verbatim(&shortened(n.name), NUMBER)).collect();
+    let names: Vec<Text> =
+        chart.numbers.iter().map(|n| Text::verbatim(&cut(n.name, LONGEST), NUMBER)).collect();
     let widest = names.iter().fold(60.0, |most: f64, name| most.max(name.width));
     let (a0, gap) = (LEFT + widest + 56.0, 48.0);
-    let (k0, k1) = (a0 + SHARES + gap, a0 + SHARES + gap + KNOWN);
+    let (k0, k1) = (a0 + SHARES + gap, PAGE - VALUES);
     let all = || chart.numbers.iter().map(|n| n.known).chain([chart.probability]);
     let least = all().filter(|p| *p > 0.0).fold(1.0, f64::min).max(LEAST);
     let most = all().fold(least, f64::max);
@@ -59,9 +63,10 @@ pub fn chance_tornado(chart: &Tornado<'_>) -> Figure {
     let share = |value: f64| shares.held(value, 0.0).0;
     let place = |p: f64| known.held(p, 0.0).0;
     for axes in [&shares, &known] {
-        let ticks = [across_ticks(&axes.across, axes.area.x1 - axes.area.x0), Vec::new()];
+        let [ticks, _] = axes.ticks();
+        let ticks = [ticks, Vec::new()];
         axes.grid(&mut scene, &ticks);
-        axes.framed(&mut scene, &ticks, LOOK);
+        axes.framed(&mut scene, &ticks);
     }
     for (i, (number, name)) in chart.numbers.iter().zip(&names).enumerate() {
         let y = TOP + 4.0 + ROW * i as f64;
@@ -91,9 +96,9 @@ pub fn chance_tornado(chart: &Tornado<'_>) -> Figure {
     let said = Text::new(&format!("$P = {}$", digits(chart.probability)), SMALL);
     let left = (x - said.width / 2.0).clamp(k0, (k1 - said.width).max(k0));
     scene.text(&said, left, TOP - 8.0, MARK);
-    for (axes, name) in [(&shares, "share $α^2$"), (&known, "$P$ if it were known")] {
-        axes.name_below(&mut scene, &Text::new(name, NUMBER), 36.0);
+    for (axes, name) in [(&shares, "Share, $α^2$"), (&known, "Probability if it were known")] {
+        axes.name_below(&mut scene, &Text::new(name, NUMBER));
     }
     let description = "Bars of the shares of random numbers, and of the probability if each were known.";
-    finished(scene, (chart.title, chart.caption), (k1 + 84.0, bottom + 50.0), description)
+    finished(scene, (chart.title, chart.caption), (PAGE, bottom + 50.0), description)
 }

@@ -9,15 +9,18 @@ use super::{
     MotionPicture, MotionPose, band, enlarged, extent, finished, polygon, positions::ground, time_axis,
 };
 use crate::Figure;
-use crate::caption::SMALL;
+use crate::axes::PAGE;
+use crate::caption::{SIZE, SMALL};
 use crate::number::significant;
 use crate::palette::{FAINT, INK, MARK};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
-const WIDTH: f64 = 560.0;
 const LEFT: f64 = 24.0;
+const WIDTH: f64 = PAGE - 2.0 * LEFT;
 const TALLEST: f64 = 300.0;
+/// Above the body: the clock.
+const TOP: f64 = 34.0;
 /// Time for which the end is shown before it begins again, s.
 const PAUSE: f64 = 1.5;
 
@@ -31,7 +34,7 @@ pub fn motion_animation(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> Fi
     let all = extent(outline, poses.iter().chain([&standing]));
     let (across, up) = (all.x1 - all.x0, all.y1.max(outline.height));
     let scale = (WIDTH / (1.06 * across)).min(TALLEST / up);
-    let base = 14.0 + scale * up;
+    let base = TOP + scale * up;
     let middle = LEFT + WIDTH / 2.0 - scale * (all.x0 + all.x1) / 2.0;
     let place = |(x, y): (f64, f64)| (middle + scale * x, base - scale * y);
     let mut scene = Scene::default();
@@ -44,8 +47,9 @@ pub fn motion_animation(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> Fi
         Pen { colour: FAINT, width: 0.8, dashes: "3.2 2.6" },
     );
     ground(&mut scene, (LEFT, LEFT + WIDTH), base);
-    let clock = Clock::new(picture.end);
+    let clock = Clock { begin: picture.begin, end: picture.end };
     moving(&mut scene, picture, &poses, scale, &place, &clock);
+    digits(&mut scene, picture, &clock);
     let below =
         base + if picture.ground.is_empty() { 22.0 } else { shaking(&mut scene, picture, base, &clock) };
     let strip = Rect { x0: LEFT, y0: below, x1: LEFT + WIDTH, y1: below + 17.0 };
@@ -82,13 +86,17 @@ fn shaking(scene: &mut Scene, picture: &MotionPicture<'_>, base: f64, clock: &Cl
 
 /// Clock that turns moments into shares of the time from one beginning to the next.
 struct Clock {
+    begin: f64,
     end: f64,
-    duration: f64,
 }
 
 impl Clock {
-    fn new(end: f64) -> Clock {
-        Clock { end, duration: end + PAUSE }
+    fn duration(&self) -> f64 {
+        self.end - self.begin + PAUSE
+    }
+
+    fn share(&self, t: f64) -> f64 {
+        (t.min(self.end) - self.begin) / self.duration()
     }
 
     /// Moments as key times, which begin at 0, rise, and end at 1 with the last value once more.
@@ -96,7 +104,7 @@ impl Clock {
         let mut text = String::new();
         let mut last = 0.0;
         for (i, t) in moments.enumerate() {
-            let share = if i == 0 { 0.0 } else { (t.min(self.end) / self.duration).max(last) };
+            let share = if i == 0 { 0.0 } else { self.share(t).max(last) };
             let _ = write!(text, "{share:.6};");
             last = share;
         }
@@ -104,8 +112,82 @@ impl Clock {
     }
 
     fn attributes(&self) -> String {
-        format!("dur=\"{:.3}s\" repeatCount=\"indefinite\"", self.duration)
+        format!("dur=\"{:.3}s\" repeatCount=\"indefinite\"", self.duration())
     }
+
+    /// Step in which it is read: a tenth, or so many times as much that there are not too many.
+    fn step(&self) -> f64 {
+        const MOST: f64 = 400.0;
+        let steps = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
+        steps.into_iter().find(|step| (self.end - self.begin) / step <= MOST).unwrap_or(self.end - self.begin)
+    }
+}
+
+/// The time in digits, above the body: each digit one of a column of ten, of which one is seen at a time.
+fn digits(scene: &mut Scene, picture: &MotionPicture<'_>, clock: &Clock) {
+    let step = clock.step();
+    let decimals = usize::from(step < 1.0);
+    let read = |t: f64| format!("{t:.decimals$}");
+    // Every reading, the last one that of the end.
+    let first = (clock.begin / step).ceil() as i64;
+    let last = (clock.end / step + 1e-9).floor() as i64;
+    let mut readings: Vec<(f64, String)> = vec![(clock.begin, read((clock.begin / step).floor() * step))];
+    readings.extend((first..=last).map(|i| i as f64 * step).map(|t| (t, read(t))));
+    readings.push((clock.end, read(clock.end)));
+    let longest = readings.iter().map(|(_, text)| text.len()).max().unwrap_or(1);
+    let unit = if picture.time_unit.is_empty() { String::new() } else { format!(" {}", picture.time_unit) };
+    let (name, unit) = (Text::inline("$t =$ ", SIZE), Text::verbatim(unit.trim(), SIZE));
+    let wide = (0..10).map(|i| Text::verbatim(&i.to_string(), SIZE).width).fold(0.0, f64::max) + 0.6;
+    let point = Text::verbatim(".", SIZE);
+    let y = 22.0;
+    let (mut x, from) = (LEFT + name.width + 5.0, LEFT);
+    scene.text(&name, from, y, INK);
+    for place in 0..longest {
+        let at = |text: &str| {
+            // From the right, so that units stand below units.
+            let letter = (text.len() + place).checked_sub(longest).and_then(|i| text.chars().nth(i));
+            letter.unwrap_or(' ')
+        };
+        if readings.iter().all(|(_, text)| at(text) == '.') {
+            scene.letters(&point, x, y, INK);
+            x += point.width + 1.2;
+            continue;
+        }
+        let end = readings.last().map_or(' ', |(_, text)| at(text));
+        for digit in '0'..='9' {
+            let seen = |letter: char| if letter == digit { "1" } else { "0" };
+            if readings.iter().all(|(_, text)| at(text) != digit) {
+                continue;
+            }
+            let text = Text::verbatim(&digit.to_string(), SIZE);
+            scene.open(&format!("class=\"sf-moving\" opacity=\"{}\"", seen(end)));
+            let shown = readings.iter().map(|(t, text)| (*t, seen(at(text))));
+            // Where it does not change nothing is said.
+            let mut kept: Vec<(f64, &str)> = Vec::new();
+            for (t, value) in shown {
+                if kept.last().is_none_or(|last| last.1 != value) {
+                    kept.push((t, value));
+                }
+            }
+            if kept.len() > 1 {
+                scene.put(&format!(
+                    "<animate attributeName=\"opacity\" calcMode=\"discrete\" values=\"{}\" keyTimes=\"{}\" {}/>\n",
+                    values(kept.iter().map(|(_, value)| (*value).to_owned())),
+                    clock.key_times(kept.iter().map(|(t, _)| *t)),
+                    clock.attributes()
+                ));
+            }
+            scene.letters(&text, x + (wide - text.width) / 2.0, y, INK);
+            scene.close();
+            if digit == end {
+                scene.open("class=\"sf-still\" display=\"none\"");
+                scene.letters(&text, x + (wide - text.width) / 2.0, y, INK);
+                scene.close();
+            }
+        }
+        x += wide;
+    }
+    scene.text(&unit, x + 4.0, y, INK);
 }
 
 fn values(each: impl Iterator<Item = String>) -> String {
@@ -149,6 +231,13 @@ fn moving(
     }
 }
 
+/// The states that are shown, the first from the beginning on.
+fn shown(states: &[(f64, Mode)], clock: &Clock) -> Vec<(f64, Mode)> {
+    let before = states.iter().rposition(|(t, _)| *t <= clock.begin).unwrap_or(0);
+    let later = states.iter().skip(before).filter(|(t, _)| *t <= clock.end);
+    later.map(|(t, mode)| (t.max(clock.begin), *mode)).collect()
+}
+
 /// The body in each of its states, one over the other, of which one is seen at a time.
 fn states(
     scene: &mut Scene,
@@ -158,7 +247,7 @@ fn states(
     moves: bool,
 ) {
     let mut states: Vec<(f64, Mode)> = Vec::new();
-    for &(t, mode) in picture.states.iter().filter(|(t, _)| *t <= clock.end) {
+    for (t, mode) in shown(picture.states, clock) {
         // States that are over before they can be seen are left out.
         match states.last_mut() {
             Some(last) if t - last.0 < 0.02 => *last = (last.0, mode),
@@ -199,7 +288,7 @@ fn time(scene: &mut Scene, picture: &MotionPicture<'_>, strip: Rect, clock: &Clo
     let width = strip.x1 - strip.x0;
     let ways = format!("0 0;{width:.2} 0;{width:.2} 0");
     scene.open(&format!("class=\"sf-moving\" transform=\"translate({width:.2} 0)\""));
-    let key_times = format!("0;{:.6};1", clock.end / clock.duration);
+    let key_times = format!("0;{:.6};1", clock.share(clock.end));
     scene.put(&animated("translate", &ways, &key_times, clock));
     scene.line((strip.x0, strip.y0 - 4.0), (strip.x0, strip.y1 + 4.0), Pen::solid(MARK, 2.0));
     scene.close();

@@ -2,17 +2,18 @@
 
 use super::{Lengths, MotionPicture, band, finished, time_axis};
 use crate::Figure;
-use crate::axes::{Axes, Axis, Look, NUMBER, Tick, widest};
-use crate::palette::{FAINT, INK, MARK};
+use crate::axes::{Axes, Axis, FRAME, LEFT, NUMBER, PAGE, Tick, named, widest};
+use crate::palette::{FAINT, INK, MARK, PUSH};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
-const WIDTH: f64 = 560.0;
+/// White right of the plots, in which half of the last number stands.
+const RIGHT: f64 = 22.0;
 const HEIGHT: f64 = 104.0;
 const STRIP: f64 = 17.0;
 const GAP: f64 = 30.0;
 const TOP: f64 = 14.0;
-const LINES: [Pen; 2] = [Pen::solid(INK, 1.2), Pen { colour: INK, width: 1.1, dashes: "4 2.6" }];
+const LINES: [Pen; 2] = [Pen::solid(INK, 1.2), Pen { colour: PUSH, width: 1.2, dashes: "4 2.6" }];
 
 /// One quantity over the time.
 struct Panel<'a> {
@@ -91,12 +92,13 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
         .iter()
         .map(|panel| {
             let up = panel.axis();
-            (up, if panel.flat.is_some() { Vec::new() } else { up.numbers(6.0) })
+            (up, if panel.flat.is_some() { Vec::new() } else { up.ticks(HEIGHT, true) })
         })
         .collect();
-    let left = axes.iter().fold(24.0, |most, (_, ticks)| widest(ticks, most)) + 18.0;
+    let left = axes.iter().fold(20.0, |most, (_, ticks)| widest(ticks, most)) + LEFT + 9.0;
+    let right = PAGE - RIGHT;
     let mut scene = Scene::default();
-    let strip = Rect { x0: left, y0: TOP, x1: left + WIDTH, y1: TOP + STRIP };
+    let strip = Rect { x0: left, y0: TOP, x1: right, y1: TOP + STRIP };
     band(&mut scene, picture, strip);
     let mut top = TOP + STRIP;
     for (panel, (up, ticks)) in panels.iter().zip(&axes) {
@@ -106,28 +108,28 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
             continue;
         }
         top += GAP;
-        let area = Rect { x0: left, y0: top, x1: left + WIDTH, y1: top + HEIGHT };
-        let axes = Axes { area, across: Axis::linear(0.0, picture.end), up: *up };
+        let area = Rect { x0: left, y0: top, x1: right, y1: top + HEIGHT };
+        let axes = Axes { area, across: Axis::linear(picture.begin, picture.end), up: *up };
         draw(&mut scene, picture, panel, &axes, ticks);
         top += HEIGHT;
     }
     if panels.iter().all(|panel| panel.flat.is_some()) {
         top += STRIP;
     }
-    let below = time_axis(&mut scene, picture, Rect { x0: left, y0: TOP, x1: left + WIDTH, y1: top });
-    let edges = (16.0, left + WIDTH);
+    let below = time_axis(&mut scene, picture, Rect { x0: left, y0: TOP, x1: right, y1: top });
+    let edges = (LEFT, right);
     let quantities: Vec<String> = panels
         .iter()
         .map(|panel| panel.flat.map_or_else(|| Text::inline(&panel.name, NUMBER).plain, str::to_owned))
         .collect();
     let description = format!("Over the time, from above: the states; {}.", quantities.join("; "));
-    finished(scene, picture, "histories", edges, below + 12.0, 22.0, &description)
+    finished(scene, picture, "histories", edges, below + 12.0, RIGHT, &description)
 }
 
 fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes: &Axes, ticks: &[Tick]) {
     let area = axes.area;
-    scene.text(&Text::inline(&panel.name, NUMBER), area.x0, area.y0 - 6.0, INK);
-    axes.beside(scene, ticks, Look::PLAIN);
+    axes.name_above(scene, &Text::inline(&named(&panel.name), NUMBER), LEFT, -5.0);
+    axes.beside(scene, ticks);
     let across = |scene: &mut Scene, y: f64, pen: Pen| scene.line((area.x0, y), (area.x1, y), pen);
     across(scene, axes.y(0.0), Pen::solid(FAINT, 0.6));
     let Axis { from, to, .. } = axes.up;
@@ -147,7 +149,7 @@ fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes:
         let places: Vec<(f64, f64)> = places.map(|&(t, value)| axes.at(t, value)).collect();
         scene.stroke(&thinned(&places), LINES[i.min(1)]);
     }
-    axes.border(scene, Pen::solid(FAINT, 0.8));
+    axes.border(scene, FRAME);
 }
 
 /// A line through places from left to right, of which the page shows no more: in each half of a unit the first, the lowest, the highest

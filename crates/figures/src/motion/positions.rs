@@ -4,14 +4,13 @@ use standfast::Verdict;
 
 use super::{Lengths, MotionOutline, MotionPicture, MotionPose, enlarged, extent, finished, polygon};
 use crate::Figure;
-use crate::axes::NUMBER;
+use crate::axes::{LEFT, NUMBER, PAGE};
 use crate::number::significant;
 use crate::palette::{FAINT, INK, symbol};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
 
-const WIDTH: f64 = 640.0;
-const LEFT: f64 = 16.0;
+const WIDTH: f64 = PAGE - 2.0 * LEFT;
 const TALLEST: f64 = 170.0;
 const GHOST: Pen = Pen { colour: FAINT, width: 0.8, dashes: "3.2 2.6" };
 /// A cell is no narrower: its words are below it.

@@ -1,16 +1,19 @@
 //! Spectra of motions: a map of classes over two quantities, and lines over one.
 
 use crate::Figure;
-use crate::axes::{Axis, Look, NUMBER, Plot, Tick};
+use crate::axes::{Axes, Axis, COLUMN, LEFT, Plot};
 use crate::below::{Key, Words};
 use crate::caption::SMALL;
-use crate::number::significant;
-use crate::palette::{INK, MARK, OVERTURNS, PUSH, ROCKING};
+use crate::chances::{ChanceMark, MARKS, marks};
+use crate::palette::{FAINT, INK, MARK, OVERTURNS, PAPER, PUSH, ROCKING};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
+use crate::texture;
 
-const PLOT: (f64, f64) = (470.0, 310.0);
-const TOP: f64 = 34.0;
+const HEIGHT: f64 = 300.0;
+const TOP: f64 = 30.0;
+/// Right edge of a plot: half of its last number stands beyond.
+const RIGHT: f64 = COLUMN - 26.0;
 const LINES: [Pen; 3] = [
     Pen::solid(INK, 1.4),
     Pen { colour: PUSH, width: 1.3, dashes: "6 3" },
@@ -35,18 +38,6 @@ impl SpectrumAxis<'_> {
         let SpectrumAxis { from, to, logarithmic, .. } = *self;
         Axis { from, to, logarithmic }
     }
-
-    /// Numbers, round, all of them written.
-    fn numbers(&self, most: f64) -> Vec<Tick> {
-        let axis = self.axis();
-        if !self.logarithmic || self.to < 3.0 * self.from {
-            return axis.numbers(most);
-        }
-        let is_long = axis.last_decade() - axis.first_decade() > 3;
-        let values = axis.decades(if is_long { &[1.0] } else { &[1.0, 2.0, 5.0] });
-        let text = |value: f64| Text::new(&format!("${}$", significant(value, 3)), NUMBER);
-        values.map(|(.., value)| (value, Some(text(value)))).collect()
-    }
 }
 
 /// A map of classes over two quantities.
@@ -60,47 +51,85 @@ pub struct SpectrumMap<'a> {
     pub across: SpectrumAxis<'a>,
     /// The quantity upwards.
     pub up: SpectrumAxis<'a>,
-    /// The values to the right that were asked for, rising.
-    pub columns: &'a [f64],
-    /// The values upwards, rising.
-    pub rows: &'a [f64],
-    /// The class of each column and row, column by column: a number of `classes`.
-    pub cells: &'a [usize],
+    /// Outlines of the areas of each class but the first together with those after it, in the quantities of the axes; an outline in
+    /// another is that of a hole.
+    pub above: &'a [Vec<Vec<(f64, f64)>>],
+    /// True for a class that occurs.
+    pub occurs: [bool; 7],
     /// Words of each class, in markup: does not rock, four of rotations up to the angle of balance, beyond it, overturns.
     pub classes: [&'a str; 7],
 }
 
+/// The class whose area is striped, and the one whose edge is drawn the strongest.
+const BACK: usize = 5;
+const OVER: usize = 6;
+
 /// Draws a map of classes.
 pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
     let mut scene = Scene::default();
-    let plot = plot(&map.across, &map.up);
-    // Halfway to the neighbours, to the edge at the ends.
-    let edges = |values: &[f64], place: &dyn Fn(f64) -> f64, ends: [f64; 2]| -> Vec<f64> {
-        let between = values.windows(2).map(|pair| (place(pair[0]) + place(pair[1])) / 2.0);
-        std::iter::once(ends[0]).chain(between).chain([ends[1]]).collect()
-    };
-    let (axes, area) = (plot.axes, plot.axes.area);
-    let xs = edges(map.columns, &|value| axes.x(value), [area.x0, area.x1]);
-    let ys = edges(map.rows, &|value| axes.y(value), [area.y1, area.y0]);
-    for (i, column) in xs.windows(2).enumerate() {
-        let classes = &map.cells[i * map.rows.len()..(i + 1) * map.rows.len()];
-        // Cells of one class above each other are one rectangle: two that touch show a seam.
-        let mut j = 0;
-        for run in classes.chunk_by(|one, two| one == two) {
-            let cell =
-                Rect { x0: column[0], x1: (column[1] + 0.7).min(area.x1), y0: ys[j + run.len()], y1: ys[j] };
-            scene.fill(&Path::rectangle(&cell), ROCKING[run[0]]);
-            j += run.len();
+    let plot = plot(&map.across, &map.up, TOP);
+    let axes = plot.axes;
+    scene.fill(&Path::rectangle(&axes.area), ROCKING[0]);
+    let areas: Vec<Vec<Vec<(f64, f64)>>> = map
+        .above
+        .iter()
+        .map(|loops| loops.iter().map(|each| each.iter().map(|(x, y)| axes.held(*x, *y)).collect()).collect())
+        .collect();
+    // Each class lies on those before it, so that no paper is seen between two.
+    for (class, loops) in areas.iter().enumerate().map(|(i, loops)| (i + 1, loops)) {
+        scene.fill(&outlines(loops), ROCKING[class]);
+        if class == BACK {
+            texture::stripes(&mut scene, &loops.iter().map(Vec::as_slice).collect::<Vec<_>>());
         }
     }
-    let mut key = key(&mut scene, &plot);
-    for (i, (words, colour)) in map.classes.iter().zip(ROCKING).enumerate() {
-        if map.cells.contains(&i) {
-            let paint = |scene: &mut Scene, patch: &Rect| scene.fill(&Path::rectangle(patch), colour);
-            key.patch(&mut scene, paint, &[Text::inline(words, SMALL)]);
+    for (class, loops) in areas.iter().enumerate().map(|(i, loops)| (i + 1, loops)) {
+        let pen = if class == OVER { Pen::solid(INK, 1.2) } else { Pen::solid(FAINT, 0.6) };
+        scene.stroke(&within(&axes.area, loops), pen);
+    }
+    let mut key = Key::new((LEFT, COLUMN - LEFT), plot.draw(&mut scene, 0.0) + 12.0);
+    for (class, words) in map.classes.iter().enumerate().filter(|(class, _)| map.occurs[*class]) {
+        let paint = |scene: &mut Scene, patch: &Rect| {
+            scene.fill(&Path::rectangle(patch), ROCKING[class]);
+            if class == BACK {
+                texture::stripes(scene, &[&patch.corners()]);
+            }
+        };
+        key.patch(&mut scene, paint, &[Text::inline(words, SMALL)]);
+    }
+    finished(scene, &plot, key.below(), (map.title, map.caption))
+}
+
+/// Outlines as one path.
+fn outlines(loops: &[Vec<(f64, f64)>]) -> Path {
+    let mut path = Path::default();
+    for each in loops {
+        for (i, &(x, y)) in each.iter().enumerate() {
+            if i == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
+        }
+        path.close();
+    }
+    path
+}
+
+/// Outlines without what runs along the edges of the plot.
+fn within(area: &Rect, loops: &[Vec<(f64, f64)>]) -> Path {
+    let mut path = Path::default();
+    for each in loops {
+        let mut last = None;
+        for (one, two) in each.iter().zip(each.iter().cycle().skip(1)) {
+            let along = (one.0 == two.0 && (one.0 == area.x0 || one.0 == area.x1))
+                || (one.1 == two.1 && (one.1 == area.y0 || one.1 == area.y1));
+            if along {
+                continue;
+            }
+            if last != Some(one) {
+                path.move_to(one.0, one.1);
+            }
+            path.line_to(two.0, two.1);
+            last = Some(two);
         }
     }
-    finished(scene, &plot, &key, (map.title, map.caption))
+    path
 }
 
 /// Lines over a quantity.
@@ -114,16 +143,20 @@ pub struct SpectrumLines<'a> {
     pub across: SpectrumAxis<'a>,
     /// The quantity upwards.
     pub up: SpectrumAxis<'a>,
-    /// At most three lines: their words in markup and their points. What is outside of the axes is left out.
+    /// At most three lines: their words in markup and their points. What is outside of the axes is left out; a point alone is a dot, and
+    /// an end before a point without bound is a ring.
     pub lines: &'a [(&'a str, Vec<(f64, f64)>)],
     /// Stretches of the quantity to the right that are shaded, with their words.
     pub shaded: (&'a [[f64; 2]], &'a str),
+    /// Values that are marked.
+    pub marks: &'a [ChanceMark<'a>],
 }
 
 /// Draws lines over a quantity.
 pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
     let mut scene = Scene::default();
-    let plot = plot(&chart.across, &chart.up);
+    let higher = if chart.marks.is_empty() { 0.0 } else { MARKS };
+    let plot = plot(&chart.across, &chart.up, TOP + higher);
     let (axes, area) = (plot.axes, plot.axes.area);
     for [from, to] in chart.shaded.0 {
         let [x0, x1] = [from, to].map(|value| axes.x(axes.across.held(*value)));
@@ -131,31 +164,25 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
         let x1 = x1.max(x0 + 0.8);
         scene.fill(&Path::rectangle(&Rect { x0, x1, ..area }), OVERTURNS);
     }
+    axes.grid(&mut scene, &plot.ticks);
     for ((_, points), pen) in chart.lines.iter().zip(LINES) {
-        let mut path = Path::default();
-        let mut begun = false;
-        for &(x, y) in points {
-            let seen = axes.across.shows(x) && axes.up.shows(y);
-            let place = axes.at(x, y);
-            match (seen, begun) {
-                (true, false) => path.move_to(place.0, place.1),
-                (true, true) => path.line_to(place.0, place.1),
-                (false, _) => {}
-            }
-            begun = seen;
-        }
-        scene.stroke(&path, pen);
+        line(&mut scene, &axes, points, pen);
     }
-    let mut key = key(&mut scene, &plot);
+    marks(&mut scene, &axes, chart.marks);
+    let mut key = Key::new((LEFT, COLUMN - LEFT), plot.draw(&mut scene, higher) + 12.0);
     let mut swatch = |scene: &mut Scene, words: &str, draw: &dyn Fn(&mut Scene, f64, f64)| {
         let words = Text::inline(words, SMALL);
         let (x, y) = key.entry(28.0 + words.width, 16.0);
         draw(scene, x, y);
         scene.text(&words, x + 28.0, y + 10.5, INK);
     };
-    for ((words, _), pen) in chart.lines.iter().zip(LINES) {
+    for ((words, points), pen) in chart.lines.iter().zip(LINES) {
         let line = |scene: &mut Scene, x: f64, y: f64| scene.line((x, y + 6.0), (x + 24.0, y + 6.0), pen);
         swatch(&mut scene, words, &line);
+        if points.iter().any(|(_, y)| y.is_infinite()) {
+            let ring = |scene: &mut Scene, x: f64, y: f64| ring(scene, (x + 12.0, y + 6.0), pen);
+            swatch(&mut scene, "last before it does not", &ring);
+        }
     }
     if !chart.shaded.0.is_empty() {
         let patch = |scene: &mut Scene, x: f64, y: f64| {
@@ -163,23 +190,48 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
         };
         swatch(&mut scene, chart.shaded.1, &patch);
     }
-    finished(scene, &plot, &key, (chart.title, chart.caption))
+    finished(scene, &plot, key.below(), (chart.title, chart.caption))
+}
+
+/// A line through points, as far as the axes show them; a dot where it is a point alone, and rings where it ends before one without bound.
+fn line(scene: &mut Scene, axes: &Axes, points: &[(f64, f64)], pen: Pen) {
+    let seen = |(x, y): (f64, f64)| axes.across.shows(x) && axes.up.shows(y);
+    let at = |i: usize| axes.at(points[i].0, points[i].1);
+    let mut path = Path::default();
+    let mut rings = Vec::new();
+    let places: Vec<usize> = (0..points.len()).collect();
+    for run in places.chunk_by(|i, j| seen(points[*i]) && seen(points[*j])) {
+        let (first, last) = (run[0], run[run.len() - 1]);
+        if !seen(points[first]) {
+            continue;
+        }
+        for &i in run {
+            if i == first { path.move_to(at(i).0, at(i).1) } else { path.line_to(at(i).0, at(i).1) }
+        }
+        let is_over =
+            |i: Option<usize>| i.and_then(|i| points.get(i)).is_some_and(|point| point.1.is_infinite());
+        rings.extend(is_over(first.checked_sub(1)).then_some(first));
+        rings.extend(is_over(Some(last + 1)).then_some(last));
+        if first == last {
+            scene.dot(at(first), 1.6, pen.colour, None);
+        }
+    }
+    scene.stroke(&path, pen);
+    rings.dedup();
+    rings.into_iter().for_each(|i| ring(scene, at(i), pen));
+}
+
+fn ring(scene: &mut Scene, place: (f64, f64), pen: Pen) {
+    scene.dot(place, 3.0, PAPER, Some(Pen::solid(pen.colour, 1.2)));
 }
 
 /// The plot on the page.
-fn plot(across: &SpectrumAxis<'_>, up: &SpectrumAxis<'_>) -> Plot {
-    Plot::new([across, up], [across.numbers(8.0), up.numbers(7.0)], (24.0, TOP), PLOT)
+fn plot(across: &SpectrumAxis<'_>, up: &SpectrumAxis<'_>, top: f64) -> Plot {
+    Plot::new([across, up], (LEFT, RIGHT), top, HEIGHT)
 }
 
-/// Draws the frame; gives the key below it.
-fn key(scene: &mut Scene, plot: &Plot) -> Key {
-    plot.draw(scene, Look::PLAIN, 35.0, (16.0, TOP - 12.0));
-    let Rect { x1, y1, .. } = plot.axes.area;
-    Key::new((16.0, x1 + 24.0), y1 + 52.0)
-}
-
-/// The figure with its words below the key.
-fn finished(scene: Scene, plot: &Plot, key: &Key, (title, caption): (&str, &str)) -> Figure {
+/// The figure with its key and words below.
+fn finished(scene: Scene, plot: &Plot, below: f64, (title, caption): (&str, &str)) -> Figure {
     let description = format!("{} {caption}", plot.description());
-    Words::verbatim(title, caption).figure(scene, key.edges, key.y + 24.0, 12.0, &description)
+    Words::verbatim(title, caption).figure(scene, (LEFT, COLUMN - LEFT), below + 8.0, LEFT, &description)
 }

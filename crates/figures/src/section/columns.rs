@@ -11,6 +11,8 @@ use crate::text::Text;
 pub(super) const GAP: f64 = 26.0;
 /// Room between columns, and between rows.
 pub(super) const APART: f64 = 14.0;
+/// Distance of the sign of water from the end of its surface.
+const SIGN: f64 = 9.0;
 /// The shortest arrow of a force that is seen.
 const SHORTEST: f64 = 14.0;
 /// Room between a thing and its label.
@@ -283,7 +285,8 @@ impl Painter<'_> {
             let face = self.place(self.face(elevation, column.out), 0.0).0;
             self.level_line(y, (face, column.x(end)), pen);
             if is_water {
-                let x = column.x(GAP / 2.0);
+                // Beyond forces and pressures, which may stand on the surface.
+                let x = column.x(end - SIGN);
                 let mut sign = Path::through(&[(x, y), (x - 5.0, y - 8.0), (x + 5.0, y - 8.0)]);
                 sign.close();
                 self.drawn.scene.fill(&sign, PUSH);

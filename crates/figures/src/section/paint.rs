@@ -2,7 +2,11 @@
 
 use standfast::loads::Face;
 
-use super::{Arrow, LABEL, Material, Mound, Outline, Painting, Section, SectionLook, Side, legend, tag};
+use super::{
+    Arrow, LABEL, MARGIN, Material, Mound, Outline, Painting, Section, SectionLook, Side, legend, tag,
+};
+use crate::axes::COLUMN;
+use crate::caption::SMALL;
 use crate::margins;
 use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, MOUND, PAPER, PUSH, WATER};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -14,9 +18,8 @@ const DEEPEST: f64 = 120.0;
 const FARTHEST: f64 = 190.0;
 /// The ratio of slopes of the mound, which no case gives.
 const SLOPE: f64 = 1.5;
-/// Type size of the legend, and its least width.
-const SMALL: f64 = 13.0;
-const LEGEND: f64 = 470.0;
+/// Least width of the legend.
+const LEGEND: f64 = COLUMN - 2.0 * MARGIN;
 
 pub(super) const THIN: Pen = Pen::solid(FAINT, 0.7);
 
@@ -76,6 +79,11 @@ impl<'a> Painter<'a> {
             self.legend();
         }
         self.drawn
+    }
+
+    /// Width of the body on the page.
+    pub(super) fn width(&self) -> f64 {
+        (self.bounds.x1 - self.bounds.x0) * self.scale
     }
 
     /// Place on the page of a place of the section.
@@ -394,7 +402,47 @@ impl<'a> Painter<'a> {
         if let Some(rect) = nearest {
             self.label(&text, rect.centre(), INK);
             taken.push(rect);
+        } else {
+            self.part_name_beside(&text, middle, taken);
         }
+    }
+
+    /// Writes a part's name beside the body with a leader to the part; not at all where there is no room.
+    fn part_name_beside(&mut self, text: &Text, heart: (f64, f64), taken: &mut Vec<Rect>) {
+        const AROUND: u32 = 24;
+        const STEP: f64 = 6.0;
+        const RINGS: u32 = 14;
+        let bodies: Vec<Vec<(f64, f64)>> = self
+            .given
+            .parts
+            .iter()
+            .map(|part| part.vertices.iter().map(|&(x, y)| self.place(x, y)).collect())
+            .collect();
+        let base = self.place(0.0, 0.0).1;
+        let places = (2..RINGS).flat_map(|ring| (0..AROUND).map(move |i| (f64::from(ring) * STEP, i)));
+        let rects = places.map(|(distance, i)| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(AROUND)).sin_cos();
+            let (x, y) = (heart.0 + distance * cos, heart.1 - distance * sin);
+            // It grows away from the part.
+            let centre = x + cos.signum() * text.width / 2.0;
+            Rect::around(centre, y, text.width, text.height())
+        });
+        let clear = |rect: &Rect| {
+            let Rect { x0, y0, x1, y1 } = rect.grown(4.0);
+            let across = |share: f64| (x0 + share * (x1 - x0), (y0 + y1) / 2.0);
+            let points = [(x0, y0), (x1, y0), (x1, y1), (x0, y1), across(0.25), across(0.5), across(0.75)];
+            let outside = points.iter().all(|&at| !bodies.iter().any(|body| is_inside(body, at)));
+            outside
+                && y1 < base
+                && !taken.iter().any(|other| other.overlaps(rect))
+                && !self.touches(&rect.grown(2.0))
+        };
+        let Some(rect) = { rects }.find(clear) else { return };
+        let from = (heart.0.clamp(rect.x0, rect.x1), heart.1.clamp(rect.y0, rect.y1));
+        self.line(from, heart, THIN);
+        self.drawn.scene.dot(heart, 1.3, INK, None);
+        self.label(text, rect.centre(), INK);
+        taken.push(rect);
     }
 
     /// The loads in words, and the sentences below them.

@@ -106,6 +106,11 @@ impl Problem {
             Problem::SineOnSprings { .. } => "give it by its points".into(),
             Problem::Record { help, .. } => (*help)?.into(),
             Problem::ByWavesShape { .. } => "shape = \"triangle\"".into(),
+            Problem::HeldShaking => {
+                "in place of [earthquake] say how the base moves, by a record or by a pulse as\n[motion.base]\n\
+                 horizontal = { shape = \"half-sine\", peak = \"0.3 g\", duration = \"0.5 s\" }"
+                    .into()
+            }
             Problem::ShakenTwice => "leave one of them out".into(),
             Problem::MovingOnCrushing { .. } => "leave it out, and the body moves on a rigid base".into(),
             Problem::Motion(MotionError::NoHistory { .. }) => {

@@ -39,6 +39,17 @@ impl Bias {
         }
     }
 
+    /// The same in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Bias::Thrust => "factor on the thrust of the wave",
+            Bias::Uplift => "factor on the uplift",
+            Bias::ThrustMoment => "factor on the moment of the thrust",
+            Bias::UpliftMoment => "factor on the moment of the uplift",
+            Bias::Force => "factor on the forces",
+        }
+    }
+
     /// The bias of a name.
     pub fn find(name: &str) -> Option<Bias> {
         Bias::ALL.into_iter().find(|bias| bias.name() == name)

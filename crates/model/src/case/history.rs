@@ -146,6 +146,10 @@ impl Field<'_> {
     }
 
     fn course(&self, shape: &str) -> Result<Result<History, HistoryError>, Fault> {
+        // Values of an acceleration without the peak that they are shares of would be in m/s² and not say so.
+        if matches!(self.of, HistoryOf::Base) && !self.has(Key::HistoryPeak) {
+            return Err(self.lacks(Key::HistoryPeak));
+        }
         let peak = self.number(Key::HistoryPeak).unwrap_or(1.0);
         let duration = || self.needed(Key::HistoryDuration);
         Ok(match shape {

@@ -4,13 +4,13 @@ use std::fmt;
 
 use standfast::loads::Face;
 use standfast::wave::Heights;
-use standfast::{BaseEdges, Slip};
+use standfast::{BaseEdges, Situation, Slip};
 
 use super::Warning;
-use crate::case::{Acting, Case, Direction, Waves, Weight};
+use crate::case::{Acting, Case, Direction, Waves, Weight, said_by};
 use crate::criteria::Bound;
 use crate::error::Place;
-use crate::key::{Id, Key};
+use crate::key::{Id, Key, Table};
 use crate::units::Extent;
 
 /// Usual range of a value, both ends included.
@@ -79,8 +79,14 @@ pub(super) const SUBMERGED: f64 = 13.0;
 /// A pressure below this is none of a structure, Pa.
 const PRESSURE: f64 = 100.0;
 
-/// A force below this share of the weight does nothing.
-const FORCE: f64 = 1e-4;
+/// A force below this share of the weight does next to nothing: the body would bear hundreds of it.
+const FORCE: f64 = 2e-3;
+
+/// Share of the least safety factor that a variable load is worth at least to be told of.
+const FAVOUR: f64 = 1e-3;
+
+/// A body with such factors is safe without the load, too.
+const SAFE: f64 = 2.0;
 
 /// Distance from the body's edge that a force on it may have by rounding, m.
 const SLACK: f64 = 1e-6;
@@ -120,6 +126,7 @@ impl Case {
         warnings.extend(self.forces());
         warnings.extend(self.pressures());
         warnings.extend(self.uplifted());
+        warnings.extend(self.favourable());
         warnings.extend(self.asked());
         warnings.extend(self.ground());
         warnings.extend(self.unused().into_iter().filter_map(|place| match place {
@@ -153,11 +160,20 @@ impl Case {
     /// About pressures along faces.
     fn pressures(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
+        for keys in [&[Key::UpliftLeft, Key::UpliftRight][..], &[Key::Surcharge], &[Key::Cohesion]] {
+            let given = keys.iter().filter_map(|key| Some((*key, self.inputs.number(*key)?.abs())));
+            let most = given.reduce(|most, next| if next.1 > most.1 { next } else { most });
+            if let Some((key, pressure)) =
+                most.filter(|(_, pressure)| *pressure > 0.0 && *pressure < PRESSURE)
+            {
+                warnings.push(Warning::SmallPressure { id: key.into(), pressure });
+            }
+        }
         for (index, given) in self.pressures.iter().enumerate() {
             let points = given.diagram.points();
             let pressure = points.iter().fold(0.0, |most: f64, point| most.max(point.pressure.abs()));
             if pressure > 0.0 && pressure < PRESSURE {
-                warnings.push(Warning::SmallPressure { index, pressure });
+                warnings.push(Warning::SmallPressure { id: Id::new(Key::Pressures, index), pressure });
             }
             if let Some(water) = self.water.filter(|_| given.permanent) {
                 let [here, beyond] = match given.face {
@@ -195,6 +211,43 @@ impl Case {
             full.is_ok_and(|full| full.wrench.x * (right - left) > 0.0)
         };
         self.acting().into_iter().all(away).then_some(Warning::UpliftAwayFromPush { left, right })
+    }
+
+    /// About variable forces and pressures that hold the body, where it is nowhere looked at without one of them.
+    fn favourable(&self) -> Vec<Warning> {
+        let named = self.forces.iter().map(|force| force.permanent);
+        if named.chain(self.pressures.iter().map(|pressure| pressure.permanent)).all(|permanent| permanent) {
+            return Vec::new();
+        }
+        let situations: Vec<Situation> =
+            self.acting().into_iter().filter_map(|acting| self.situation(acting, None).ok()).collect();
+        let least = |situation: &Situation| {
+            let stability = situation.outcome().ok()?.stability;
+            Some(stability.sliding.min(stability.overturning()))
+        };
+        let with = situations.iter().filter_map(least).fold(f64::INFINITY, f64::min);
+        let mut warnings: Vec<Warning> = Vec::new();
+        for situation in &situations {
+            let Ok(full) = situation.at(1.0) else { continue };
+            for load in situation.loads().iter().filter(|load| !load.permanent) {
+                let Place::Table(table @ (Table::Load | Table::Pressure), index) = said_by(load.id) else {
+                    continue;
+                };
+                let own = situation.wrench_of(load);
+                let holds = own.p > 0.0 || own.x * full.wrench.x < 0.0 || own.m * full.wrench.m < 0.0;
+                let known = warnings.iter().any(
+                    |warning| matches!(warning, Warning::FavourableLoad { table: of, index: at, .. } if (*of, *at) == (table, index)),
+                );
+                if !holds || known {
+                    continue;
+                }
+                let Some(without) = least(&situation.without(load.id)) else { continue };
+                if without < SAFE && without < with * (1.0 - FAVOUR) {
+                    warnings.push(Warning::FavourableLoad { table, index, with, without });
+                }
+            }
+        }
+        warnings
     }
 
     /// About what is asked of the results.
@@ -494,6 +547,35 @@ mod tests {
         assert_eq!(names(&still.replace(level, "level = 0")), [""; 0]);
     }
 
+    /// By hand: μ(W + V)/H, with the crane's V and without; and what another combination tells is not told again.
+    #[test]
+    fn a_load_that_holds_the_body() {
+        let name = "favourable-load";
+        // 1.2·10⁶ N/m of earth against 0.6 · 2256.3 kN/m: 1.128 without the crane, 1.428 with 600 kN/m of it.
+        let earth = "[[load]]\nname = \"earth\"\nforce = 1.2e6\nelevation = 3\npermanent = true\n";
+        let crane = "[[load]]\nname = \"crane\"\nforce = 600e3\ndirection = \"down\"\ndistance = 5\n";
+        let quay = format!("{BLOCK}{earth}{crane}");
+        let [warning] = warnings(&quay)[..] else { panic!("{:?}", names(&quay)) };
+        let Warning::FavourableLoad { table: Table::Load, index: 1, with, without } = warning else {
+            panic!("{warning}");
+        };
+        let weight = 230e3 * 9.81;
+        assert!((without / (0.6 * weight / 1.2e6) - 1.0).abs() < 1e-9, "{without}");
+        assert!((with / (0.6 * (weight + 600e3) / 1.2e6) - 1.0).abs() < 1e-9, "{with}");
+        assert!(
+            warning.to_string().contains("without it the least safety factor is 1.128, not 1.428"),
+            "{warning}"
+        );
+        // It pushes; it is there all the time; the body is safe without it.
+        assert_eq!(names(&quay.replace("\"down\"", "\"up\"")), [""; 0]);
+        assert_eq!(names(&quay.replace("distance = 5", "distance = 5\npermanent = true")), [""; 0]);
+        assert_eq!(names(&quay.replace("1.2e6", "0.6e6")), [""; 0]);
+        let combined = "[[combination]]\nname = \"with\"\nfactors = { crane = 1 }\n[[combination]]\nname = \"without\"\nfactors = { earth = 1 }\n";
+        assert_eq!(names(&format!("{quay}{combined}")), [""; 0]);
+        let alone = combined.split("[[combination]]\nname = \"without\"").next().unwrap();
+        assert_eq!(names(&format!("{quay}{alone}")), [name]);
+    }
+
     #[test]
     fn slips_of_place_and_size() {
         let dry = format!("{BLOCK}{FORCE}");
@@ -517,8 +599,8 @@ mod tests {
         let [inside, outside] = [[size(100.0, 5.0), size(0.2, 10.0)], [size(100.0, 4.9), size(0.1, 5.1)]];
         let [inside, outside] = [&inside, &outside].map(|all| all.each_ref().map(String::as_str));
         limits(&dry, sizes, "slenderness", &inside, &outside);
-        // 1e-4 of m g = 2256.3 kN/m.
-        limits(&dry, "force = 1e5", "small-force", &["force = 226", "force = 0"], &["force = 225"]);
+        // 2e-3 of m g = 2256.3 kN/m.
+        limits(&dry, "force = 1e5", "small-force", &["force = 4513", "force = 0"], &["force = 4512"]);
         let sea = format!("{BLOCK}[water]\nlevel = 6\n{SEA}");
         limits(&sea, "angle_deg = 0", "wave-angle", &["angle_deg = 60"], &["angle_deg = 61"]);
         let soil = "[ground]\nfriction_angle_deg = 35\nunit_weight = 10e3\n";
@@ -537,6 +619,24 @@ mod tests {
         let filled = format!("{dry}{backfill}");
         let given = "pressure = [54e3, 0]";
         limits(&filled, given, "small-pressure", &["pressure = [100, 0]"], &["pressure = [54, 0]"]);
+        let name = "small-pressure";
+        let founded = format!("{dry}{soil}surcharge = 15e3\ncohesion = 5e3\n");
+        limits(
+            &founded,
+            "surcharge = 15e3",
+            name,
+            &["surcharge = 0", "surcharge = 100"],
+            &["surcharge = 15"],
+        );
+        limits(
+            &founded,
+            "cohesion = 5e3",
+            name,
+            &["cohesion = 0", "cohesion = \"5 kPa\""],
+            &["cohesion = 5"],
+        );
+        let lifted = format!("{dry}[uplift]\nleft = 0\nright = 30e3\n");
+        limits(&lifted, "right = 30e3", name, &["right = 100"], &["right = 30"]);
         let name = "pressure-falls-with-depth";
         limits(
             &filled,

@@ -54,7 +54,7 @@ fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
 fn quantity(key: Key) -> (&'static str, SheetUnit) {
     match key {
         Key::LeastSliding => ("SF_sliding", FACTOR),
-        Key::LeastOverturning => ("SF_overturning_net", FACTOR),
+        Key::LeastOverturningNet => ("SF_overturning_net", FACTOR),
         Key::LeastOverturningGross => ("SF_overturning_gross", FACTOR),
         Key::GreatestBearing => ("p_max", KILOPASCAL),
         Key::LeastContact => ("ψ", NONE),
@@ -70,7 +70,7 @@ fn quantity(key: Key) -> (&'static str, SheetUnit) {
 fn letters(key: Key) -> &'static str {
     match key {
         Key::LeastSliding => "s",
-        Key::LeastOverturning => "o",
+        Key::LeastOverturningNet => "o",
         Key::LeastOverturningGross => "g",
         Key::GreatestBearing => "p",
         Key::LeastContact => "c",

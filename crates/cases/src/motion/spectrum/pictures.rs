@@ -1,46 +1,41 @@
 //! The figure of a spectrum.
 
-use standfast_answers::motion::{Spectrum, SpectrumPoints};
-use standfast_figures::{Figure, SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map};
-use standfast_motion::spectrum::{Rocked, Slid};
+use crate::layout::significant;
+use standfast_answers::motion::{RockingDistance, RockingEdges, Spectrum, SpectrumPoints, rocking_class};
+use standfast_figures::{
+    ChanceMark, Figure, SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map,
+};
+use standfast_motion::spectrum::Slid;
 
-/// Classes of the rotation of a block: the greatest share of the angle of balance of each, and its words.
-const CLASSES: [(f64, &str); 7] = [
-    (0.0, "does not rock"),
-    (0.1, "$|θ| ≤ 0.1 α$"),
-    (0.25, "$≤ 0.25 α$"),
-    (0.5, "$≤ 0.5 α$"),
-    (1.0, "$≤ α$"),
-    (f64::INFINITY, "beyond $α$, and comes back"),
-    (f64::INFINITY, "overturns"),
+/// Words of the classes of blocks.
+const CLASSES: [&str; 7] = [
+    "does not rock",
+    "$|θ| ≤ 0.1 α$",
+    "$≤ 0.25 α$",
+    "$≤ 0.5 α$",
+    "$≤ α$",
+    "beyond $α$, and comes back",
+    "overturns",
 ];
-
-fn class(block: &Rocked) -> usize {
-    if block.overturned {
-        return CLASSES.len() - 1;
-    }
-    CLASSES.iter().position(|(most, _)| block.of_balance <= *most).unwrap_or(CLASSES.len() - 2)
-}
 
 /// The figure.
 pub(super) fn figure(spectrum: &Spectrum) -> Figure {
     let title = spectrum.title.as_deref().unwrap_or("A shaking");
-    let caption = super::text::words(spectrum);
+    let caption = super::text::words(spectrum, 4);
     let metres = |name: &str| if spectrum.si { format!("{name} (m)") } else { name.to_owned() };
     match &spectrum.points {
-        SpectrumPoints::Rocking { sizes, slendernesses, blocks } => {
-            let cells: Vec<usize> = blocks.iter().map(class).collect();
-            let classes = CLASSES.map(|(_, words)| words);
+        SpectrumPoints::Rocking { sizes, slendernesses, blocks, edges } => {
+            let mut occurs = [false; CLASSES.len()];
+            blocks.iter().for_each(|block| occurs[rocking_class(block)] = true);
             let size = metres("half diagonal $R$");
             spectrum_map(&SpectrumMap {
                 title: &format!("{title}: rocking spectrum"),
-                caption: &format!("{caption} α is the angle of balance."),
+                caption: &format!("{caption} α is the angle of balance.{}", located(edges.as_ref())),
                 across: axis(&size, sizes, true),
                 up: axis("height over width", slendernesses, false),
-                columns: sizes,
-                rows: slendernesses,
-                cells: &cells,
-                classes,
+                above: edges.as_ref().map_or(&[], |edges| &edges.above),
+                occurs,
+                classes: CLASSES,
             })
         }
         SpectrumPoints::Newmark { ratios, slides } => {
@@ -61,11 +56,12 @@ pub(super) fn figure(spectrum: &Spectrum) -> Figure {
             let name = metres("slide");
             spectrum_lines(&SpectrumLines {
                 title: &format!("{title}: Newmark spectrum"),
-                caption: &caption,
+                caption: &format!("{caption}{}", one_sided(ratios, slides)),
                 across: axis("yield acceleration over peak", ratios, false),
-                up: SpectrumAxis { name: &name, from: least, to: most, logarithmic: true },
+                up: SpectrumAxis { name: &name, from: least, to: round_above(most), logarithmic: true },
                 lines: &lines,
                 shaded: (&[], ""),
+                marks: &[],
             })
         }
         SpectrumPoints::Overturning { scales, bodies, stretches } => {
@@ -75,22 +71,64 @@ pub(super) fn figure(spectrum: &Spectrum) -> Figure {
                 .map(|(scale, body)| (*scale, if body.overturned { f64::INFINITY } else { body.of_balance }))
                 .collect();
             let finite = line.iter().map(|point| point.1).filter(|value| value.is_finite());
-            let most = finite.fold(1.05, f64::max);
+            let most = 1.08 * finite.fold(0.1, f64::max);
             spectrum_lines(&SpectrumLines {
                 title: &format!("{title}: overturning"),
                 caption: &caption,
                 across: axis("factor on the shaking", scales, false),
                 up: SpectrumAxis {
-                    name: "largest $|θ|$ over that of balance",
+                    name: "largest $|θ|$ over the angle of balance",
                     from: 0.0,
                     to: most,
                     logarithmic: false,
                 },
                 lines: &[("where it stands", line)],
                 shaded: (stretches, "it overturns"),
+                marks: &[ChanceMark { at: 1.0, words: "this shaking" }],
             })
         }
     }
+}
+
+/// The next round number: 1, 2 or 5 times a power of ten.
+fn round_above(value: f64) -> f64 {
+    let decade = 10f64.powf(value.log10().floor());
+    [1.0, 2.0, 5.0]
+        .map(|step| step * decade)
+        .into_iter()
+        .find(|round| *round >= value)
+        .unwrap_or(10.0 * decade)
+}
+
+/// Sentence on where a block on level ground slides as far as one that can only slide to a side: there the lines lie on each other.
+fn one_sided(ratios: &[f64], slides: &[Slid]) -> String {
+    let same = |one: f64, other: f64| (one - other).abs() <= 0.01 * other;
+    for side in ["left", "right"] {
+        let of = |slid: &Slid| if side == "left" { slid.left } else { slid.right };
+        let differs = slides.iter().rposition(|slid| !same(of(slid), slid.both));
+        let from = differs.map_or(0, |last| last + 1);
+        if slides.get(from).is_some_and(|slid| slid.both > 0.0) {
+            let from = significant(ratios[from], 2);
+            return format!(
+                " From {from} on a block on level ground slides as far as one that can only slide to the {side}."
+            );
+        }
+    }
+    String::new()
+}
+
+/// Sentences on the edges between classes.
+fn located(edges: Option<&RockingEdges>) -> String {
+    let Some(RockingEdges { overturning, others, motions, .. }) = edges else { return String::new() };
+    let percent = |distance: &RockingDistance| significant(100.0 * (distance.factor - 1.0), 2);
+    format!(
+        " {motions} more motions locate the edges: that of overturning to {} % of R and {} of height over width, others to {} % and {}. What \
+         is narrower than the grid of blocks may be missed.",
+        percent(overturning),
+        significant(overturning.step, 2),
+        percent(others),
+        significant(others.step, 2)
+    )
 }
 
 fn axis<'a>(name: &'a str, values: &[f64], logarithmic: bool) -> SpectrumAxis<'a> {

@@ -82,7 +82,7 @@ const BODY: &str = "max_theta,max_theta_of_balance,max_slide,overturned,impacts,
 
 fn entries(spectrum: &Spectrum) -> Vec<Entry> {
     match &spectrum.points {
-        SpectrumPoints::Rocking { sizes, slendernesses, blocks } => blocks
+        SpectrumPoints::Rocking { sizes, slendernesses, blocks, .. } => blocks
             .iter()
             .enumerate()
             .map(|(i, body)| Entry::Block {
@@ -158,7 +158,7 @@ pub(super) fn text(spectrum: &Spectrum) -> String {
     if let Some(title) = &spectrum.title {
         let _ = writeln!(text, "{title}\n");
     }
-    text += &paragraph(&words(spectrum), 0);
+    text += &paragraph(&words(spectrum, 7), 0);
     let _ = write!(text, "\n{}", columns(&table(spectrum), 2, &[0, 1, 2, 3, 4]));
     for warning in &spectrum.warnings {
         let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
@@ -171,8 +171,8 @@ fn metres(spectrum: &Spectrum) -> &'static str {
     if spectrum.si { " m" } else { "" }
 }
 
-/// Sentences on the motions followed and on their outcome.
-pub(super) fn words(spectrum: &Spectrum) -> String {
+/// Sentences on the motions followed and on their outcome, with so many digits of the factors at which one turns into another.
+pub(super) fn words(spectrum: &Spectrum, digits: usize) -> String {
     let peak = format!("{} g", significant(spectrum.peak / spectrum.gravity, 3));
     match &spectrum.points {
         SpectrumPoints::Rocking { blocks, .. } => {
@@ -189,8 +189,9 @@ pub(super) fn words(spectrum: &Spectrum) -> String {
             ratios.len()
         ),
         SpectrumPoints::Overturning { scales, stretches, .. } => {
-            let stretch =
-                |[from, to]: &[f64; 2]| format!("from {} to {}", significant(*from, 7), significant(*to, 7));
+            let stretch = |[from, to]: &[f64; 2]| {
+                format!("from {} to {}", significant(*from, digits), significant(*to, digits))
+            };
             let found = match &stretches[..] {
                 [] => "it does not overturn at any of them".to_owned(),
                 all => {
@@ -223,7 +224,7 @@ fn table(spectrum: &Spectrum) -> Vec<Vec<String>> {
         (0..shown).map(|i| if shown < 2 { 0 } else { i * (count - 1) / (shown - 1) }).collect()
     };
     match &spectrum.points {
-        SpectrumPoints::Rocking { sizes, slendernesses, blocks } => {
+        SpectrumPoints::Rocking { sizes, slendernesses, blocks, .. } => {
             let head = ["height over width", "do not rock", "overturn", "the largest that does"];
             let mut rows = vec![head.map(str::to_owned).to_vec()];
             for j in chosen(slendernesses.len()) {

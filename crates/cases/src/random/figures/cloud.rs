@@ -30,7 +30,8 @@ const K: usize = 1;
 const K_PRIME: usize = 2;
 const MU: usize = 3;
 const GAMMA: usize = 0;
-const NAMES: [&str; 4] = ["slenderness $γ$", "force $k$", "elevation $k′$", "friction $μ$"];
+const NAMES: [&str; 4] =
+    ["slenderness, $γ$", "force over weight, $k$", "elevation of the force, $k′$", "friction, $μ$"];
 
 impl Cloud {
     /// None of a problem of one random number, which has no cloud.
@@ -120,7 +121,7 @@ impl Cloud {
         let name = |i: usize| {
             let input = &problem.random()[i];
             let unit = input.unit().map_or_else(String::new, |unit| format!(" ({})", in_markup(unit)));
-            format!("{}{unit}", escaped(&input.name))
+            format!("{}{unit}", escaped(&input.words()))
         };
         let of = |i: usize| self.values.iter().map(|values| values[i]).collect::<Vec<f64>>();
         let names = [name(across), name(up)];
