@@ -10,7 +10,7 @@ use standfast_cases::{CaseFile, Document};
 use crate::assess::beside;
 use crate::errors::{of_case, of_design};
 use crate::figures;
-use crate::watch::patiently;
+use crate::watch::watched;
 
 /// Names of the arguments of `standfast.design` in errors.
 const SPELLING: Spelling = Spelling {
@@ -28,10 +28,11 @@ const SPELLING: Spelling = Spelling {
 /// Lower and upper end of a range, where they are given.
 type Ends = [Option<String>; 2];
 
-fn request(vary: String, target: &str, greatest: bool, [from, to]: Ends) -> PyResult<DesignRequest> {
+/// A request; `wanted` are the target, and whether the greatest value that meets it is.
+fn request(vary: String, (target, greatest): &(String, bool), [from, to]: Ends) -> PyResult<DesignRequest> {
     let target =
         target.parse().map_err(|error| PyValueError::new_err(format!("target is {target:?}; {error}")))?;
-    let extreme = if greatest { Extreme::Greatest } else { Extreme::Least };
+    let extreme = if *greatest { Extreme::Greatest } else { Extreme::Least };
     Ok(DesignRequest { vary, target, extreme, from, to, spelling: &SPELLING })
 }
 
@@ -41,14 +42,14 @@ pub(crate) fn design(
     py: Python<'_>,
     file: (String, String),
     vary: String,
-    target: &str,
-    greatest: bool,
+    wanted: (String, bool),
     ends: Ends,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, String)> {
-    let request = request(vary, target, greatest, ends)?;
-    patiently(py, move || {
+    let request = request(vary, &wanted, ends)?;
+    watched(py, progress.as_ref(), move |portion| {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
-        let design = Design::of(&file, request).map_err(|error| of_design(&error))?;
+        let design = Design::of(&file, request, portion).map_err(|error| of_design(&error))?;
         Ok((design.text(&()), design.json(&(), &[])))
     })?
 }
@@ -62,13 +63,13 @@ pub(crate) fn boundary(
     py: Python<'_>,
     file: (String, String),
     vary: String,
-    target: &str,
-    greatest: bool,
+    wanted: (String, bool),
     ends: Ends,
     and_: (String, Ends),
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<Rendered> {
-    let design = request(vary, target, greatest, ends)?;
-    patiently(py, move || {
+    let design = request(vary, &wanted, ends)?;
+    watched(py, progress.as_ref(), move |portion| {
         let (and, [from, to]) = and_;
         let request = BoundaryRequest { design, and, from, to };
         let rendered = |boundary: DesignBoundary| {
@@ -76,6 +77,6 @@ pub(crate) fn boundary(
             Ok((boundary.text(&()), boundary.json(&(), &[]), boundary_csv(&boundary), svg))
         };
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
-        DesignBoundary::of(&file, request).map_err(|error| of_design(&error)).and_then(rendered)
+        DesignBoundary::of(&file, request, portion).map_err(|error| of_design(&error)).and_then(rendered)
     })?
 }

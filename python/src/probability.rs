@@ -14,7 +14,7 @@ use crate::assess::beside;
 use crate::errors::{of_case, of_chance};
 use crate::onset::NO_MODE;
 use crate::simulate::{Samples, given_base};
-use crate::watch::patiently;
+use crate::watch::{patiently, watched};
 use crate::{Figure, figures};
 
 /// Arguments of a call, as `_probability.py` gives them.
@@ -29,6 +29,7 @@ pub(crate) struct Arguments {
     over: Option<String>,
     follow: bool,
     threads: Option<NonZero<usize>>,
+    progress: Option<Py<PyAny>>,
 }
 
 /// The answer to a case with random numbers.
@@ -79,10 +80,10 @@ pub(crate) fn probability(
     let over = over.map_err(|error| {
         PyValueError::new_err(format!("over is {:?}: {error}", asked.over.as_deref().unwrap_or_default()))
     })?;
-    patiently(py, move || {
+    watched(py, asked.progress.as_ref(), move |portion| {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));
         let file = file.map_err(|error| of_case(&error))?;
-        let answer = Probability::under(&file, request, over.as_ref(), &records);
+        let answer = Probability::under(&file, request, over.as_ref(), &records, portion);
         answer.map(ChanceAnswer).map_err(|error| of_chance(&error))
     })?
 }

@@ -10,7 +10,7 @@ use standfast_sheet::{Date, Paper, Sheet, SheetError, SheetOptions};
 
 use crate::assess::{beside, checked_up_to};
 use crate::errors::of_sheet;
-use crate::watch::patiently;
+use crate::watch::watched;
 
 /// The keys of the title block.
 #[pyfunction]
@@ -18,7 +18,8 @@ pub(crate) fn title_block() -> Vec<&'static str> {
     TITLE_BLOCK.into_iter().map(|key| key.name()).collect()
 }
 
-/// The sheet as HTML, and if it is asked for as PDF on `paper`; `told` are keys of the title block with their texts.
+/// The sheet as HTML, and as PDF where `print` says so: the paper, whether it is asked for, and whether the sheet is one page; `told` are keys
+/// of the title block with their texts.
 #[pyfunction]
 pub(crate) fn sheet(
     py: Python<'_>,
@@ -26,8 +27,8 @@ pub(crate) fn sheet(
     date: Option<&str>,
     up_to: &Bound<'_, PyAny>,
     told: Vec<(String, String)>,
-    paper: &str,
-    is_pdf: bool,
+    print: (String, bool, bool),
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, Option<Py<PyBytes>>)> {
     let read = |date: &str| -> PyResult<Date> {
         date.parse().map_err(|error| PyValueError::new_err(format!("date is {date:?}; {error}")))
@@ -38,13 +39,14 @@ pub(crate) fn sheet(
         Ok((key.ok_or_else(unknown)?, text))
     };
     let title_block = told.into_iter().map(key).collect::<PyResult<_>>()?;
-    let options =
-        SheetOptions { title_block, date: date.map(read).transpose()?, up_to: checked_up_to(up_to)? };
+    let (paper, is_pdf, short) = print;
+    let date = date.map(read).transpose()?;
+    let options = SheetOptions { title_block, date, up_to: checked_up_to(up_to)?, short };
     let paper: Paper =
         paper.parse().map_err(|error| PyValueError::new_err(format!("paper is {paper:?}; {error}")))?;
-    let (html, pdf) = patiently(py, move || -> PyResult<_> {
+    let (html, pdf) = watched(py, progress.as_ref(), move |portion| -> PyResult<_> {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(SheetError::from);
-        let sheet = file.and_then(|file| Sheet::of_file(&file, &options));
+        let sheet = file.and_then(|file| Sheet::of_file(&file, &options, portion));
         let sheet = sheet.map_err(|error| of_sheet(&error))?;
         let print = |paper| sheet.pdf(paper).map_err(|error| PyRuntimeError::new_err(report(&error)));
         Ok((sheet.html().to_owned(), is_pdf.then_some(paper).map(print).transpose()?))

@@ -12,10 +12,10 @@ use standfast::Mode;
 use standfast_cases::motion::{
     BlockCase, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, StrengthAsked,
 };
-use standfast_cases::{CaseFile, Document};
+use standfast_cases::{CaseFile, Document, Interface};
 
 use crate::errors::{StandfastError, of_case};
-use crate::watch::patiently;
+use crate::watch::{patiently, watched};
 use crate::{Figure, figures};
 
 /// The motion of a case in each of its situations, the worst first.
@@ -36,7 +36,7 @@ type Series<'py> = ([Bound<'py, PyArray1<f64>>; 6], Bound<'py, PyArray1<u8>>);
 impl MotionAnswer {
     /// For reading.
     fn text(&self) -> String {
-        self.answers.text(&MotionView { all: self.all })
+        self.answers.text(&MotionView { all: self.all, interface: Interface::Python })
     }
 
     /// As one JSON document.
@@ -138,6 +138,7 @@ pub(crate) fn simulate(
     case: MotionCase,
     base: (Option<Samples<'_>>, Option<Samples<'_>>),
     options: (Option<bool>, bool),
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<MotionAnswer> {
     let base = given_base(base)?;
     let (strength, all) = options;
@@ -146,9 +147,10 @@ pub(crate) fn simulate(
         Some(true) => StrengthAsked::Always(Factors::Rungs),
         Some(false) => StrengthAsked::No,
     };
-    patiently(py, move || {
+    watched(py, progress.as_ref(), move |portion| {
         let (cases, files) = cases(case, &base)?;
-        let answers = FollowedMotion::of_all(cases, &Follow { divergence: true, strength, series: false });
+        let answers =
+            FollowedMotion::of_all(cases, &Follow { divergence: true, strength, series: false }, portion);
         let answers = answers.map_err(|error| StandfastError::new_err(error.to_string()))?;
         Ok(MotionAnswer { answers, files, all })
     })?

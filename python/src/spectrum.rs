@@ -7,22 +7,22 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast_cases::Document;
 use standfast_cases::motion::{
-    Progressed, Spectrum, SpectrumError, SpectrumRequest, SpectrumSteps, spectrum_csv,
+    Spectrum, SpectrumError, SpectrumRequest, SpectrumSteps, SpectrumValues, spectrum_csv,
 };
 
 use crate::errors::StandfastError;
 use crate::figures;
 use crate::simulate::{MotionCase, Samples, cases, given_base};
-use crate::watch::{Caller, aside};
+use crate::watch::watched;
 
 /// Arguments of a call, as `_spectrum.py` gives them.
 #[derive(FromPyObject)]
 pub(crate) struct Arguments {
     kind: String,
-    size: Option<String>,
-    slenderness: Option<String>,
-    ratio: Option<String>,
-    scale: Option<String>,
+    size: Option<Values>,
+    slenderness: Option<Values>,
+    ratio: Option<Values>,
+    scale: Option<Values>,
     threads: Option<NonZero<usize>>,
     progress: Option<Py<PyAny>>,
 }
@@ -30,15 +30,26 @@ pub(crate) struct Arguments {
 /// Text, JSON, CSV and SVG, and whether they are in SI units.
 type Rendered = (String, String, String, String, bool);
 
-/// A range that is given by its ends and how many values.
-fn steps(name: &str, given: Option<String>) -> PyResult<Option<SpectrumSteps>> {
-    let Some(text) = given else { return Ok(None) };
-    let wrong = |_| {
-        PyValueError::new_err(format!(
-            "{name} is {text:?}; expected 'from..to' or 'from..to:how many', with 0 < from < to and two or more"
-        ))
+/// Values as they are given: a text with their ends and how many, or one by one.
+#[derive(FromPyObject)]
+enum Values {
+    Text(String),
+    These(Vec<f64>),
+}
+
+fn values(name: &str, given: Option<Values>) -> PyResult<Option<SpectrumValues>> {
+    let found = match given {
+        None => return Ok(None),
+        Some(Values::These(values)) => {
+            SpectrumValues::these(values).map_err(|wrong| format!("{name} has {wrong}"))
+        }
+        Some(Values::Text(text)) => text.parse::<SpectrumSteps>().map(Into::into).map_err(|_| {
+            format!(
+                "{name} is {text:?}; expected 'from..to' or 'from..to:how many', with 0 < from < to and two or more"
+            )
+        }),
     };
-    text.parse().map(Some).map_err(wrong)
+    found.map(Some).map_err(PyValueError::new_err)
 }
 
 /// The spectrum of a case.
@@ -54,23 +65,18 @@ pub(crate) fn spectrum(
     let kind =
         kind.map_err(|error: String| PyValueError::new_err(format!("kind is {:?}; {error}", asked.kind)))?;
     let request = SpectrumRequest {
-        size: steps("size", asked.size)?,
-        slenderness: steps("slenderness", asked.slenderness)?,
-        ratio: steps("ratio", asked.ratio)?,
-        scale: steps("scale", asked.scale)?,
+        size: values("size", asked.size)?,
+        slenderness: values("slenderness", asked.slenderness)?,
+        ratio: values("ratio", asked.ratio)?,
+        scale: values("scale", asked.scale)?,
         threads: asked.threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZero::get),
         ..SpectrumRequest::new(kind)
     };
     let refused = |error: SpectrumError| StandfastError::new_err(error.to_string());
-    aside(py, &Caller { progress: asked.progress.as_ref(), total: None }, false, move |watch| {
+    watched(py, asked.progress.as_ref(), move |portion| {
         let (found, _) = cases(case, &base)?;
         let case = found.into_iter().next().ok_or_else(|| refused(SpectrumError::NoShaking))?;
-        let done = |progressed| {
-            if progressed == Progressed::Done {
-                watch.advance(1);
-            }
-        };
-        let spectrum = Spectrum::of(&case, &request, &done).map_err(refused)?;
+        let spectrum = Spectrum::of(&case, &request, portion).map_err(refused)?;
         let svg = figures(&spectrum, &())?.pop().map_or_else(String::new, |(_, _, svg)| svg);
         Ok((spectrum.text(&()), spectrum.json(&(), &[]), spectrum_csv(&spectrum), svg, spectrum.si))
     })?

@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use standfast_cases::Portion;
 
 /// Long enough not to be felt where another thread keeps the GIL for its five milliseconds, and short enough for a finger on
 /// Ctrl-C.
@@ -56,6 +57,30 @@ impl Watch {
     fn done(&self) -> Option<usize> {
         Some(self.done.load(Ordering::Relaxed) as usize)
     }
+}
+
+/// Parts in which the share of work is told that is not made of rows.
+const PARTS: usize = 1000;
+
+/// Shares are counted in [`PARTS`].
+impl standfast_cases::Watch for Watch {
+    fn reached(&self, share: f64) {
+        self.done.fetch_max((share * PARTS as f64) as u64, Ordering::Relaxed);
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.is_stopped()
+    }
+}
+
+/// As [`aside`], for work of which is known what share of it is done. Where it is stopped it ends soon, unheard.
+pub(crate) fn watched<T: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<&Py<PyAny>>,
+    work: impl FnOnce(Portion<'_>) -> T + Send + 'static,
+) -> PyResult<T> {
+    let caller = Caller { progress, total: Some(PARTS) };
+    aside(py, &caller, false, |watch| work(Portion::whole(watch)))
 }
 
 /// Does work on a thread of its own, while the caller looks after Ctrl-C. Work that `stops` where its [`Watch`] says so is waited for

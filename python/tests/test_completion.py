@@ -48,3 +48,10 @@ def test_keys_are_completed() -> None:
         with provisionalcompleter():
             found = {one.text.strip("\"'") for one in shell.Completer.completions(text, len(text))}
         assert expected in found, (text, found)
+
+
+@pytest.mark.parametrize("function", ["probability", "design", "simulate", "spectrum", "sheet", "assess_table", "classify", "limit_states", "contact"])
+def test_how_far_work_is_is_completed(function: str) -> None:
+    """Everything that may take long has ``progress``, under that name."""
+    found = {one.name for one in jedi.Interpreter(f"standfast.{function}(prog", [{"standfast": standfast}]).complete()}
+    assert "progress=" in found, found

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import copy
 import itertools
+import pickle
 import re
 import unicodedata
+from collections.abc import Callable
 from typing import Any
 
 import duckdb
@@ -183,6 +186,54 @@ def test_twelve_close_points_are_all_seen_and_named(apart: float, layout: Any) -
     page = ax.figure.bbox
     for text, box in labels_of(ax).items():
         assert page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0, text
+    plt.close("all")
+
+
+def test_diagrams_of_the_same_are_equal() -> None:
+    diagram = Diagram(1, 0.4, omega=0.1)
+    same = [copy.copy(diagram), copy.deepcopy(diagram), pickle.loads(pickle.dumps(diagram)), Diagram(np.float64(1), 0.4, omega=0.1)]
+    others = [Diagram(1, 0.4), Diagram(1, 0.5, omega=0.1), Diagram(1, 0.4, omega=0.1, window=(1, 1)), Diagram(1, 0.4, law="ec7", share=0.1), 1]
+    assert all(diagram == one and hash(diagram) == hash(one) for one in same)
+    assert all(diagram != other for other in others)
+
+
+@pytest.mark.parametrize("moved", ["tight_layout", "subplots_adjust", "set_size_inches"])
+def test_what_stands_beside_the_axes_stays_on_the_page_where_they_are_moved(moved: str) -> None:
+    """Laid out after it is drawn, a diagram keeps the room that its values and lists take: none is cut off, none covers its neighbour."""
+    points = {f"storm number {i}": (0.5 + 0.001 * i, 0.4) for i in range(12)}
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.5))
+    Diagram(0.8, 0.9).plot(left, points=[(0.2, 0.4), (0.9, 0.3)])
+    Diagram(1, 0.4).plot(right, points=points)
+    moves: dict[str, Callable[[], object]] = {
+        "tight_layout": figure.tight_layout,
+        "subplots_adjust": lambda: figure.subplots_adjust(left=0.06, right=0.9, wspace=0.3),
+        "set_size_inches": lambda: figure.set_size_inches(14, 6),
+    }
+    moves[moved]()
+    figure.draw_without_rendering()
+    page = figure.bbox
+    boxes = [{**labels_of(ax), **{f"{ax.get_title()} axes": ax.get_window_extent()}} for ax in (left, right)]
+    for of_one in boxes:
+        for text, box in of_one.items():
+            assert page.x0 - 1 <= box.x0 and box.x1 <= page.x1 + 1 and page.y0 - 1 <= box.y0 and box.y1 <= page.y1 + 1, text
+    assert max(box.x1 for box in boxes[0].values()) <= min(box.x0 for box in boxes[1].values()) + 1
+    plt.close("all")
+
+
+def test_points_beyond_limits_that_are_set_later_are_not_drawn() -> None:
+    """As with the shared axes of another diagram: a point on an axis beyond them would float in white, and one within them is whole."""
+    figure, ax = plt.subplots()
+    Diagram(1, 0.4).plot(ax)
+    # C, at μ = 1, is beyond them, and D lies on the axis.
+    ax.set_ylim(0, 0.95)
+    figure.canvas.draw()
+    dots = {tuple(np.round(line.get_xydata()[0], 3)): line for line in ax.lines if line.get_marker() == "o"}
+    dark = np.asarray(figure.canvas.buffer_rgba())[::-1, :, :3].astype(int).sum(axis=2) < 300
+    k, mu = ax.transData.transform(dots[0.0, 1.0].get_xydata()[0]).astype(int)
+    assert mu < len(dark) - 4 and not dark[mu - 3 : mu + 4, k - 3 : k + 4].any()
+    k, mu = ax.transData.transform(dots[2.5, 0.0].get_xydata()[0]).astype(int)
+    # Outwards of the axis, whose line is thin.
+    assert dark[mu - 3 : mu - 1, k - 1 : k + 2].any()
     plt.close("all")
 
 

@@ -348,7 +348,7 @@ def test_missing_operands() -> None:
         (iter([1.0]), "a list_iterator; expected a number"),
         (b"1", "mu is b'1', a bytes"),
         (pd.NA, "mu is <NA>, a NAType"),
-        (object(), "a object; expected real numbers"),
+        (object(), "an object; expected real numbers"),
         ([10**400], "mu holds what is not a number within float64"),
         (10**400, "expected a number within float64"),
         (np.nan, "friction μ is NaN; expected"),

@@ -1,6 +1,7 @@
 """Modes and sets of modes: a code is never taken for bits, nor bits for a code."""
 
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -129,3 +130,37 @@ def test_tables_carry_words_as_categories():
         with pytest.raises(ValueError, match="'rest' is not a mode"):
             _ = column == "rest"
         assert ModeArray(column).names.tolist() == column.to_pylist()
+
+
+def test_words_in_a_column_of_pandas_are_looked_for_by_mode_code_and_word() -> None:
+    """Wherever the column comes from and whatever is done with it, a mode is found under each of its names."""
+    case = {"body": {"width": 9, "height": 3, "mass": 5e4, "friction": 0.5}, "load": [{"force": 1e5, "elevation": 0.5}]}
+    table = standfast.assess_table(case, pd.DataFrame({"friction": [0.1, 0.6, 0.15, 0.7]}), columns=["mode", "SF_sliding"])
+    slides = [True, False, True, False]
+    columns = {
+        "a table": table["mode"],
+        "points": standfast.classify(pd.Series([1.0] * 4), 0.0, pd.Series([0.2, 0.0, 0.2, 0.0]), 0.1, names=True),
+        "sorted twice": table.sort_values("SF_sliding").sort_index()["mode"],
+        "joined": pd.concat([table[:2], table[2:]])["mode"],
+        "merged": table.reset_index().merge(table.reset_index(), on="index")["mode_x"],
+        "pickled": pickle.loads(pickle.dumps(table))["mode"],
+        "as index and back": table.set_index("mode").reset_index()["mode"],
+    }
+    for name, column in columns.items():
+        assert isinstance(column.dtype, pd.CategoricalDtype), name
+        for mode in (Mode.SLIDE_LEFT, "SL", 1, np.uint8(1)):
+            assert column.isin([mode]).tolist() == slides, (name, mode)
+            assert column.isin({mode, Mode.ROCK_O}).tolist() == slides, (name, mode)
+            assert (column == mode).tolist() == slides and (column != mode).tolist() == [not one for one in slides], (name, mode)
+            assert mode in column.array and column.map({mode: "slides"}).tolist()[0] == "slides", (name, mode)
+        assert column.isin(np.array(["SL"])).tolist() == column.isin(pd.Series(["SL"])).tolist() == slides, name
+        for wrong in (lambda column=column: column.isin(["slides"]), lambda column=column: column == "slides"):
+            with pytest.raises(ValueError, match="'slides' is no mode; expected RE, SL"):
+                wrong()
+        with pytest.raises(TypeError, match="is a set of modes; expected a mode"):
+            column.isin([Modes.SLIDE_LEFT])
+    missing = table["mode"].shift()
+    assert missing.isna().tolist() == [True, False, False, False] and missing.isin([Mode.SLIDE_LEFT]).tolist() == [False, True, False, True]
+    drawn = standfast.draws(Path(__file__).parents[2] / "examples/goda-2000-random.toml", 500).mode
+    assert drawn.to_pandas().isin([Mode.SLIDE_LEFT]).tolist() == (drawn == Mode.SLIDE_LEFT).tolist() and "SL" in drawn.to_pandas().array
+    assert table.groupby("mode", observed=True).size().to_dict() == {"RE": 2, "SL": 2}

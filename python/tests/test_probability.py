@@ -336,3 +336,38 @@ def test_a_vertical_record_goes_with_its_horizontal_one() -> None:
 def test_records_that_are_none_are_refused(options: dict[str, Any], error: type[Exception], said: str) -> None:
     with pytest.raises(error, match=said):
         standfast.probability(STATUE, **options)
+
+
+def test_values_along_a_number_are_a_text_or_one_by_one() -> None:
+    """Whatever holds the values, the answer is that of the text, and each value that of a file with it."""
+    how: dict[str, Any] = {"method": "sobol", "samples": 4096}
+    text = standfast.probability(GODA, over="width=18 m..22 m:3", **how).fragility
+    values = [18.0, 20.0, 22.0]
+    arrays: list[Any] = [values, tuple(values), np.array(values), pd.Series(values, index=list("abc")), pl.Series(values), ["18 m", "2000 cm", "22 m"]]
+    for given in [*arrays, "18 m..22 m:3"]:
+        assert standfast.probability(GODA, over={"width": given}, **how).fragility == text, given
+    uneven = standfast.probability(GODA, over="width=18 m, 22 m, 23 m", **how).fragility
+    assert uneven is not None and text is not None
+    assert [point.value for point in uneven.points] == [18, 22, 23]
+    assert uneven.points[1].not_rest.probability == text.points[2].not_rest.probability
+    column = ROOT / "examples/probability/column-records.toml"
+    peaks = standfast.probability(column, over={"pga": [2.0, 3.5]}, samples=4096).overturning
+    assert peaks is not None and [point.peak for point in peaks.points] == [2.0, 3.5]
+
+
+@pytest.mark.parametrize(
+    ("over", "error", "said"),
+    [
+        ({"width": [20, 18]}, ValueError, "`width`: it does not rise from 20.0 to 18.0; expected rising values"),
+        ({"width": [18]}, ValueError, "expected NAME=FROM..TO:COUNT or NAME=VALUE,VALUE with two values or more"),
+        ({"width": (18, 22, 3)}, TypeError, r"over\['width'\] is \(18, 22, 3\), a tuple; expected a text such as '12 m..20 m:9', or a list of values"),
+        ({"width": 18}, TypeError, r"over\['width'\] is 18, an int; expected a text such as '12 m..20 m:9', or a list of values"),
+        ({"width": [18, 22], "mu": [1, 2]}, TypeError, "or a dict of one name with its values"),
+        ({"width": [18, np.nan]}, ValueError, "width"),
+        ({"wdith": [18, 20]}, ValueError, "did you mean `width`"),
+        ({"width": ["18 m", "20 kg"]}, ValueError, "kg"),
+    ],
+)
+def test_values_that_are_no_range_are_refused(over: Any, error: type[Exception], said: str) -> None:
+    with pytest.raises(error, match=said):
+        standfast.probability(GODA, over=over, samples=4096, method="sobol")

@@ -30,6 +30,14 @@ def test_the_program_writes_the_same(program: list[str], tmp_path: Path) -> None
     assert standfast.sheet(str(QUAY), date="2026-11-21", **told) == html  # type: ignore[arg-type]
 
 
+def test_the_short_sheet_is_that_of_the_program(program: list[str], tmp_path: Path) -> None:
+    theirs = tmp_path / "theirs.html"
+    subprocess.run([*program, "sheet", QUAY, "--short", "-o", theirs], check=True, capture_output=True)
+    html = standfast.sheet(QUAY, short=True)
+    assert html == theirs.read_text(encoding="utf-8") != standfast.sheet(QUAY)
+    assert "Inputs that decide" in html and "3 Calculation" not in html
+
+
 def test_every_key_of_the_title_block_is_an_argument() -> None:
     keys = _standfast.title_block()
     html = standfast.sheet(BLOCK, date=datetime.datetime(2026, 11, 21, 12), **{key: f"this {key} of ours" for key in keys})
@@ -40,9 +48,9 @@ def test_every_key_of_the_title_block_is_an_argument() -> None:
 def test_the_native_module_drops_nothing() -> None:
     case = ("the case", '[body]\nwidth = 1\nheight = 2\nmass = 4800\nfriction = 0.7\n')
     with pytest.raises(TypeError, match="a title block has no autor"):
-        _standfast.sheet(case, None, 2.0, [("autor", "N. N.")], "a4", False)
+        _standfast.sheet(case, None, 2.0, [("autor", "N. N.")], ("a4", False), None)
     with pytest.raises(ValueError, match='paper is "a5"; expected a4 or letter'):
-        _standfast.sheet(case, None, 2.0, [], "a5", True)
+        _standfast.sheet(case, None, 2.0, [], ("a5", True), None)
 
 
 def test_what_is_replaced_is_whole(tmp_path: Path) -> None:

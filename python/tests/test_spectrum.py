@@ -12,7 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import polars as pl
+import pyarrow as pa
 import pytest
 import standfast
 from test_schema import errors
@@ -92,3 +94,38 @@ def test_a_case_without_shaking_has_none() -> None:
     with pytest.raises(ValueError, match="unit is missing"):
         body = {"body": {"width": 1, "height": 3, "density": 2400, "friction": 0.7}}
         standfast.spectrum(body, "newmark", ratio="0.2..0.8:2", base=[0, 1, 0], dt=0.1)
+
+
+def test_a_range_is_a_text_or_its_values() -> None:
+    """Whatever holds the values, the curve is that of the text; what a text refuses is refused of values."""
+    text = standfast.spectrum(BLOCK, "overturning", scale="0.5..2:4", base=[0.5, 0.5], dt=4)
+    values = [0.5, 1.0, 1.5, 2.0]
+    for given in (values, tuple(values), np.array(values), pd.Series(values, index=list("abcd")), pl.Series(values), pa.array(values)):
+        found = standfast.spectrum(BLOCK, "overturning", scale=given, base=[0.5, 0.5], dt=4)
+        assert found.to_json() == text.to_json() and found.csv == text.csv, type(given)
+    uneven = standfast.spectrum(BLOCK, "newmark", ratio=[0.2, 0.3, 0.9], base=[0.5, 0.5], dt=4)
+    assert uneven.points.ratio.to_pylist() == [0.2, 0.3, 0.9]
+    wide = standfast.spectrum(BLOCK, "rocking", size=[1, 3], slenderness=np.arange(2, 5), base=[0.5, 0.5], dt=4)
+    assert wide.points.size.to_pylist() == [1] * 3 + [3] * 3 and wide.points.slenderness.to_pylist() == [2, 3, 4] * 2
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "said"),
+    [
+        (0.5, TypeError, "ratio is 0.5, a float; expected a text as"),
+        ({0.2, 0.4}, TypeError, "ratio is .*; expected a text as"),
+        ({"from": 0.2}, TypeError, "ratio is .*; expected a text as"),
+        (True, TypeError, "ratio is True, a bool; expected a text as"),
+        (["0.2", "0.4"], TypeError, "ratio"),
+        ([0.5], ValueError, "ratio has one value; expected two or more"),
+        ([], ValueError, "ratio has 0 values; expected two or more"),
+        ([0.5, 0.2], ValueError, "ratio has 0.2 at index 1; expected rising values, all above zero"),
+        ([0.0, 0.2], ValueError, "ratio has 0 at index 0; expected rising values, all above zero"),
+        ([0.1, np.nan], ValueError, "ratio has NaN at index 1"),
+        ([[0.1, 0.2]], ValueError, r"ratio has the shape \(1, 2\); expected numbers along one axis"),
+        (pd.Series([0.1, None], dtype="Float64"), ValueError, "ratio has missing values"),
+    ],
+)
+def test_values_that_are_no_range_are_refused(given: Any, error: type[Exception], said: str) -> None:
+    with pytest.raises(error, match=said):
+        standfast.spectrum(BLOCK, "newmark", ratio=given, base=[0.5, 0.5], dt=4)

@@ -327,7 +327,7 @@ def test_names() -> None:
     for call, words in [
         (lambda: assess_table(BLOCK, frame, columns={"friction": "mu"}), "said by map="),
         (lambda: assess_table(BLOCK, frame, columns="mode"), r"columns is 'mode', a str; expected a list of what to compute, as \['mode'\]"),
-        (lambda: assess_table(BLOCK, frame, columns=5), "columns is 5, a int; expected a list"),
+        (lambda: assess_table(BLOCK, frame, columns=5), "columns is 5, an int; expected a list"),
         (lambda: assess_table(BLOCK, frame, columns={"mode"}), "a set; expected a list"),
         (lambda: assess_table(BLOCK, frame, map=[("friction", "mu")]), "expected a dict of keys and columns"),
         (lambda: assess_table(BLOCK, frame, map={"friction": 0.5}), "map gives 0.5 for 'friction'"),

@@ -11,6 +11,7 @@ use standfast::loads::Earthquake;
 use standfast::{Departure, InputError, Mode, Motion, Outcome, Situation, Stage, Verdict};
 use standfast_model::{BlockCase, CaseFile, Criterion, FirstInstant, MotionCriterion};
 use standfast_probability::sample::Estimate;
+use standfast_watch::Portion;
 
 use crate::case::{Acting, Case};
 use crate::criteria::Check;
@@ -107,21 +108,26 @@ impl Assessment {
     /// # Errors
     /// If the case makes no sense, its probability is not found, or its motion cannot be followed.
     pub fn of_file(file: &CaseFile) -> Result<Assessment, CaseError> {
-        Assessment::following(file, None)
+        Assessment::following(file, None, Portion::UNSEEN)
     }
 
-    /// Answers a case file with the motion of a case in time followed as `follow` says; not followed if that is `None`.
+    /// Answers a case file with the motion of a case in time followed as `follow` says; not followed if that is `None`. It is a portion of
+    /// work that somebody may watch.
     ///
     /// # Errors
-    /// As [`of_file`](Assessment::of_file).
-    pub fn following(file: &CaseFile, follow: Option<&Follow>) -> Result<Assessment, CaseError> {
+    /// As [`of_file`](Assessment::of_file); if the work is stopped.
+    pub fn following(
+        file: &CaseFile,
+        follow: Option<&Follow>,
+        portion: Portion<'_>,
+    ) -> Result<Assessment, CaseError> {
         if let Some(first) = file.first_instant()? {
-            return Assessment::in_time(file, &first, follow);
+            return Assessment::in_time(file, &first, follow, portion);
         }
         let case = file.case()?;
         let asks = case.criteria.iter().any(Criterion::is_chance);
         let assessment = Assessment::owning(case).map_err(|error| file.refused(error))?;
-        if asks { assessment.with_chance(file) } else { Ok(assessment) }
+        if asks { assessment.with_chance(file, portion) } else { Ok(assessment) }
     }
 
     /// The answer of a file in time at its first instant, with what belongs to time: the criteria of the motion, which is followed where
@@ -130,13 +136,18 @@ impl Assessment {
         file: &CaseFile,
         first: &FirstInstant,
         follow: Option<&Follow>,
+        portion: Portion<'_>,
     ) -> Result<Assessment, CaseError> {
-        let mut assessment = Assessment::of_file(&first.file)?;
+        let [of_first, of_motions] = portion.parts([1.0, 1.0]);
+        let mut assessment = Assessment::following(&first.file, None, of_first)?;
         let criteria = file.motion_criteria()?;
-        let motions = match follow {
-            Some(follow) => FollowedMotion::of_file(file, follow)?,
-            None if criteria.is_empty() => Vec::new(),
-            None => FollowedMotion::of_file(file, &Follow::default())?,
+        let plain = Follow::default();
+        let motions = match follow.or((!criteria.is_empty()).then_some(&plain)) {
+            Some(follow) => {
+                let all = FollowedMotion::of_all(file.motions()?, follow, of_motions);
+                all.map_err(|error| file.motion_refused(error))?
+            }
+            None => Vec::new(),
         };
         assessment.in_time = Some(MotionAssessment { note: first.note.clone(), criteria, motions });
         Ok(assessment)
@@ -146,8 +157,12 @@ impl Assessment {
     ///
     /// # Errors
     /// If it is not found.
-    pub(crate) fn with_chance(mut self, file: &CaseFile) -> Result<Assessment, CaseError> {
-        let found = not_rest(file).map_err(|error| match error {
+    pub(crate) fn with_chance(
+        mut self,
+        file: &CaseFile,
+        portion: Portion<'_>,
+    ) -> Result<Assessment, CaseError> {
+        let found = not_rest(file, portion).map_err(|error| match error {
             ProbabilityError::Case(error) => error,
             other => file.no_chance(other.to_string()),
         })?;

@@ -34,6 +34,7 @@ use set::Search;
 use standfast::{Departure, Mode};
 use standfast_model::CaseFile;
 use standfast_model::MotionCriterion;
+use standfast_watch::Portion;
 use subject::Subject;
 
 /// Number of parts that a range is cut into to find where a target is met.
@@ -205,7 +206,7 @@ impl Varied<'_> {
     fn answer_for(&self, target: Target, variable: &Variable, value: f64) -> Result<Assessment, CaseError> {
         let answer = self.answer(variable, value)?;
         match target.asks_for_chance(self.case()) {
-            true => answer.with_chance(&self.subject.with(&self.changes(variable, value))?),
+            true => answer.with_chance(&self.subject.with(&self.changes(variable, value))?, Portion::UNSEEN),
             false => Ok(answer),
         }
     }
@@ -218,7 +219,7 @@ impl Varied<'_> {
     fn present(&self, target: Target) -> Result<Assessment, CaseError> {
         let present = self.subject.answer(&[], self.follows)?;
         let asks = target.asks_for_chance(self.case());
-        Ok(if asks { present.with_chance(&self.subject.file)? } else { present })
+        Ok(if asks { present.with_chance(&self.subject.file, Portion::UNSEEN)? } else { present })
     }
 }
 
@@ -284,12 +285,13 @@ pub struct Design {
 }
 
 impl Design {
-    /// Designs the case of a file; of one in time, what asks for its motion is asked of the motion, everything else of its first instant.
+    /// Designs the case of a file, as a portion of work that somebody may watch; of one in time, what asks for its motion is asked of the
+    /// motion, everything else of its first instant.
     ///
     /// # Errors
     /// If the case makes no sense or lacks the quantity, or the target cannot be met, or is met without an end on the side that is
-    /// wanted.
-    pub fn of(file: &CaseFile, request: DesignRequest) -> Result<Design, DesignError> {
+    /// wanted; if the work is stopped.
+    pub fn of(file: &CaseFile, request: DesignRequest, portion: Portion<'_>) -> Result<Design, DesignError> {
         let subject = Subject::of(file)?;
         let varied = Varied { subject: &subject, follows: subject.follows(request.target)?, held: None };
         request.answerable(&subject)?;
@@ -300,14 +302,16 @@ impl Design {
         if request.target.asks_for_rise() && !search.rises() {
             return Err(DesignError::NothingRises { target: request.target });
         }
-        let stretches = search.stretches();
+        let [of_search, of_changes] = portion.parts([10.0, 1.0]);
+        let stretches = search.stretches(of_search)?;
         let Some(at) = request.extreme.outermost(&stretches) else {
             return Err(search.unmet(request.spelling));
         };
         if matches!(request.extreme.of(&stretches[at]).beyond, OuterState::Range) {
             return Err(no_end(&request, &quantity, &stretches[at]));
         }
-        let sensitivities = sensitivity::all(&varied, Some(&present));
+        let sensitivities = sensitivity::all(&varied, Some(&present), of_changes)?;
+        portion.reached(1.0);
         Ok(Design { subject, request, quantity, present, stretches, at, sensitivities })
     }
 

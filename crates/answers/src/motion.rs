@@ -24,14 +24,15 @@ pub use criteria::{MotionCheck, MotionValue};
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
 pub use series::{SERIES, series, series_csv};
 pub use spectrum::{
-    Progressed, ROCKING_LEVELS, RockingDistance, RockingEdges, Spectrum, SpectrumError, SpectrumKind,
-    SpectrumPoints, SpectrumRequest, SpectrumSteps, in_order, rocking_class,
+    ROCKING_LEVELS, RockingDistance, RockingEdges, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints,
+    SpectrumRequest, SpectrumSteps, SpectrumValues, in_order, rocking_class,
 };
 pub use strength::{Strength, StrengthAsked};
 
 use standfast_model::{BlockCase, CaseFile, MotionWarning};
 use standfast_motion::divergence::Divergence;
 use standfast_motion::{Keep, MotionError, MotionOutcome, simulate};
+use standfast_watch::Portion;
 
 use crate::error::CaseError;
 
@@ -70,6 +71,12 @@ impl FollowedMotion {
     /// # Errors
     /// If the problem is refused.
     pub fn of(case: BlockCase, follow: &Follow) -> Result<FollowedMotion, MotionError> {
+        FollowedMotion::within(case, follow, Portion::UNSEEN)
+    }
+
+    fn within(case: BlockCase, follow: &Follow, portion: Portion<'_>) -> Result<FollowedMotion, MotionError> {
+        portion.check()?;
+        let [of_itself, of_strength] = portion.parts([2.0, follow.strength.weight(&case)]);
         let mut outcome = simulate(&case.problem, Keep { steps: follow.series || follow.divergence })?;
         let block = &case.problem.block;
         for slide in [&mut outcome.slide, &mut outcome.max_slide] {
@@ -78,7 +85,9 @@ impl FollowedMotion {
             }
         }
         let divergence = follow.divergence.then(|| Divergence::of(&case.problem, &outcome)).transpose()?;
-        let strength = Strength::of(&case, &outcome, follow.strength)?;
+        of_itself.reached(1.0);
+        let strength = Strength::of(&case, &outcome, follow.strength, of_strength)?;
+        portion.reached(1.0);
         if !follow.series {
             outcome.steps = Vec::new();
         }
@@ -93,15 +102,22 @@ impl FollowedMotion {
     /// # Errors
     /// If a load that varies has no history, or the problem is refused.
     pub fn of_file(file: &CaseFile, follow: &Follow) -> Result<Vec<FollowedMotion>, CaseError> {
-        FollowedMotion::of_all(file.motions()?, follow).map_err(|error| file.motion_refused(error))
+        let all = FollowedMotion::of_all(file.motions()?, follow, Portion::UNSEEN);
+        all.map_err(|error| file.motion_refused(error))
     }
 
-    /// Follows the motion in every situation of a case, the worst first.
+    /// Follows the motion in every situation of a case, the worst first, as a portion of work that somebody may watch.
     ///
     /// # Errors
-    /// If a problem is refused.
-    pub fn of_all(cases: Vec<BlockCase>, follow: &Follow) -> Result<Vec<FollowedMotion>, MotionError> {
-        let followed = cases.into_iter().map(|case| FollowedMotion::of(case, follow));
+    /// If a problem is refused, or the work is stopped.
+    pub fn of_all(
+        cases: Vec<BlockCase>,
+        follow: &Follow,
+        portion: Portion<'_>,
+    ) -> Result<Vec<FollowedMotion>, MotionError> {
+        let count = cases.len();
+        let one = |(place, case)| FollowedMotion::within(case, follow, portion.part(place, count));
+        let followed = cases.into_iter().enumerate().map(one);
         let mut answers = followed.collect::<Result<Vec<_>, _>>()?;
         let rank = |outcome: &MotionOutcome| (!outcome.overturned(), !outcome.past_balance);
         let used = |of: &FollowedMotion| of.checks().first().map_or(0.0, MotionCheck::urgency);

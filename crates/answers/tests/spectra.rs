@@ -1,11 +1,11 @@
 //! Spectra against single motions and closed forms.
 
 use standfast_answers::motion::{
-    Follow, FollowedMotion, Progressed, RockingDistance, Spectrum, SpectrumError, SpectrumKind,
-    SpectrumPoints, SpectrumRequest, SpectrumSteps,
+    Follow, FollowedMotion, RockingDistance, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints,
+    SpectrumRequest, SpectrumSteps, SpectrumValues,
 };
 use standfast_model::{BlockCase, CaseFile};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use standfast_watch::Portion;
 
 const BASE: &str = "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = 0.6, duration = 3 }\n";
 
@@ -21,12 +21,12 @@ fn block(b: f64, d: f64, mu: f64, rest: &str) -> String {
     )
 }
 
-fn steps(from: f64, to: f64, count: usize) -> Option<SpectrumSteps> {
-    Some(SpectrumSteps { from, to, count })
+fn steps(from: f64, to: f64, count: usize) -> Option<SpectrumValues> {
+    Some(SpectrumSteps { from, to, count }.into())
 }
 
 fn spectrum(case: &BlockCase, request: &SpectrumRequest) -> Result<Spectrum, SpectrumError> {
-    Spectrum::of(case, request, &|_| ())
+    Spectrum::of(case, request, Portion::UNSEEN)
 }
 
 #[test]
@@ -82,19 +82,13 @@ fn a_motion_that_is_cut_off_has_no_overturning_spectrum() {
 #[test]
 fn a_rocking_spectrum_is_of_single_blocks() {
     let case = case(&block(1.0, 3.0, 0.9, BASE));
-    let done = [AtomicUsize::new(0), AtomicUsize::new(0)];
     let request = SpectrumRequest {
         size: steps(1.0, 9.0, 3),
         slenderness: steps(2.0, 5.0, 4),
         edges: false,
         ..SpectrumRequest::new(SpectrumKind::Rocking)
     };
-    let told = |progressed| match progressed {
-        Progressed::Expect(count) => done[0].store(count, Ordering::Relaxed),
-        Progressed::Done => drop(done[1].fetch_add(1, Ordering::Relaxed)),
-    };
-    let found = Spectrum::of(&case, &request, &told).unwrap();
-    assert_eq!(done.map(AtomicUsize::into_inner), [12, 12]);
+    let found = spectrum(&case, &request).unwrap();
     assert_eq!((found.peak, found.gravity, found.si), (0.6, 1.0, false));
     let SpectrumPoints::Rocking { sizes, slendernesses, blocks, .. } = &found.points else { panic!() };
     assert_eq!((&sizes[..], &slendernesses[..]), (&[1.0, 3.0, 9.0][..], &[2.0, 3.0, 4.0, 5.0][..]));

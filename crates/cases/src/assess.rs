@@ -78,6 +78,18 @@ pub fn shown<'a>(assessment: &'a Assessment, view: &AssessmentView) -> Vec<&'a A
     shown
 }
 
+/// The figures of some situations, loads followed up to a multiple of the full load, and the section of the case.
+///
+/// # Errors
+/// If a figure's numbers are out of range.
+pub fn figures_of(
+    assessment: &Assessment,
+    situations: &[&Assessed],
+    up_to: f64,
+) -> Result<Vec<AnswerFigure>, InputError> {
+    figures::of(assessment, situations.to_vec(), up_to)
+}
+
 /// JSON as `docs/answer.schema.json` has it; figures: k–μ diagrams for the loads that have a point there, the load path where loads rise
 /// together, and the section.
 impl Document for Assessment {

@@ -50,6 +50,7 @@ pub use standfast_inputs::{
     ReadFile, RecordFile, Value, key, suggest, units,
 };
 pub use standfast_model::{Acting, Bound, Case, CaseFile, Criterion, Warning, case, couple};
+pub use standfast_watch::{Portion, Stopped, Watch};
 pub use summary::{GoverningCriterion, Summary};
 
 use standfast_inputs::{explained, record};

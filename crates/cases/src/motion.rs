@@ -9,6 +9,7 @@ mod text;
 use standfast::InputError;
 
 use crate::document::{AnswerFigure, Document};
+use crate::interface::Interface;
 pub use crate::record::ReadFile;
 use crate::summary::Summary;
 pub use spectrum::spectrum_csv;
@@ -24,6 +25,8 @@ pub use text::{Rows, energy_rows, event_rows, number_rows, uniqueness, verdict};
 pub struct MotionView {
     /// True if every event is shown; else of more than 24 the first and the last.
     pub all: bool,
+    /// Interface whose option for that is named.
+    pub interface: Interface,
 }
 
 /// The motions of a case in every situation, the worst first. JSON as `docs/simulate.schema.json` has it: that of the worst, with the
@@ -37,7 +40,7 @@ impl Document for [FollowedMotion] {
 
     fn text(&self, view: &MotionView) -> String {
         let texts: Vec<_> =
-            self.iter().map(|followed| text::render(followed, view.all, self.len() == 1)).collect();
+            self.iter().map(|followed| text::render(followed, view, self.len() == 1)).collect();
         let title = self.first().and_then(|worst| worst.case.title.as_ref());
         let title = title.map_or(String::new(), |title| format!("{title}\n\n"));
         let top = self.summary().map_or(String::new(), |summary| summary.text() + "\n");

@@ -10,6 +10,7 @@ use standfast::InputError;
 use crate::document::{AnswerFigure, Document};
 use crate::summary::Summary;
 pub use standfast_answers::random::*;
+pub use summary::period;
 
 /// JSON as `docs/probability.schema.json` has it: of the least safe set of loads, and behind it of the others.
 impl Document for Probability {

@@ -511,7 +511,9 @@ fn criteria_are_checked_under_every_acceleration() {
             to: None,
             spelling: &standfast_cases::design::Spelling::PROGRAM,
         };
-        let design = standfast_cases::design::Design::of(&file, request).unwrap().json(&(), &[]);
+        let design = standfast_cases::design::Design::of(&file, request, standfast_cases::Portion::UNSEEN)
+            .unwrap()
+            .json(&(), &[]);
         let design: serde_json::Value = serde_json::from_str(&design).unwrap();
         let found = design["found"]["boundary"].as_f64().unwrap();
         assert!((found / (2.4 * 0.2 / 0.7) - 1.0).abs() < 1e-6, "{found}");

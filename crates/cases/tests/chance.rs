@@ -6,7 +6,7 @@ use standfast_cases::random::{
     ChanceRequest, Draws, Effort, Estimate, Happening, Method, Overturning, Probability, ProbabilityError,
     ValueRange, WeighedDraws, template,
 };
-use standfast_cases::{Assessment, CaseFile, Document};
+use standfast_cases::{Assessment, CaseFile, Document, Portion};
 use standfast_probability::normal::{above, below, quantile_above};
 
 fn file(text: &str) -> CaseFile {
@@ -36,7 +36,7 @@ fn a_design_for_a_probability_is_that_of_the_law() {
         to: Some("20".to_owned()),
         spelling: &Spelling::PROGRAM,
     };
-    let design = Design::of(&case, request).unwrap_or_else(|error| panic!("{error}"));
+    let design = Design::of(&case, request, Portion::UNSEEN).unwrap_or_else(|error| panic!("{error}"));
     let json: serde_json::Value = serde_json::from_str(&design.json(&(), &[])).unwrap();
     let found = json["found"]["value"].as_f64().unwrap();
     let resistance_per_metre = 0.5 * 60e3 / 12.0 * 9.81;

@@ -7,7 +7,7 @@ use standfast_cases::design::{
     BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, Target, TargetError,
     boundary_csv,
 };
-use standfast_cases::{Assessment, Case, CaseFile, Check, Document, Key, report};
+use standfast_cases::{Assessment, Case, CaseFile, Check, Document, Key, Portion, report};
 
 /// A dry block under one force: it slides at μ m g/F, and turns about the corner at m g w/(2 F e).
 const BLOCK: &str = "[body]\nwidth = 4\nheight = 6\ndensity = 2400\nfriction = 0.5\n\
@@ -37,7 +37,7 @@ fn request(vary: &str, target: &str, extreme: Extreme) -> DesignRequest {
 /// The JSON of a design that there is.
 fn design(text: &str, request: DesignRequest) -> Value {
     let file = file(text);
-    let design = Design::of(&file, request).map_err(|error| report(&error)).unwrap();
+    let design = Design::of(&file, request, Portion::UNSEEN).map_err(|error| report(&error)).unwrap();
     let json: Value = serde_json::from_str(&design.json(&(), &[])).unwrap();
     // The text shows the same value.
     let printed = json["found"]["printed"].as_str().unwrap();
@@ -47,7 +47,7 @@ fn design(text: &str, request: DesignRequest) -> Value {
 
 fn refusal(text: &str, request: DesignRequest) -> String {
     let file = file(text);
-    match Design::of(&file, request) {
+    match Design::of(&file, request, Portion::UNSEEN) {
         Ok(design) => panic!("{}", design.text(&())),
         Err(error) => report(&error).split_whitespace().collect::<Vec<_>>().join(" "),
     }
@@ -254,7 +254,11 @@ fn a_gap_between_two_stretches_is_said() {
         assert_eq!(ends.len(), 4);
         ends.iter().zip(expected).for_each(|(found, expected)| near(*found, expected));
         let file = file(text);
-        let text = Design::of(&file, asked).unwrap().text(&()).replace("\n ", "").replace("  ", " ");
+        let text = Design::of(&file, asked, Portion::UNSEEN)
+            .unwrap()
+            .text(&())
+            .replace("\n ", "")
+            .replace("  ", " ");
         assert!(text.contains(words), "{text}");
     }
 }
@@ -415,7 +419,8 @@ fn boundary(text: &str, asked: DesignRequest, and: &str, from: &str, to: &str) -
     let file = file(text);
     let [from, to] = [from, to].map(|end| (!end.is_empty()).then(|| end.to_owned()));
     let request = BoundaryRequest { design: asked, and: and.to_owned(), from, to };
-    let boundary = DesignBoundary::of(&file, request).map_err(|error| report(&error)).unwrap();
+    let boundary =
+        DesignBoundary::of(&file, request, Portion::UNSEEN).map_err(|error| report(&error)).unwrap();
     let figure =
         boundary.figures(&()).unwrap().pop().map_or(String::new(), |drawn| drawn.figure.caption().to_owned());
     (serde_json::from_str(&boundary.json(&(), &[])).unwrap(), boundary_csv(&boundary), figure)
@@ -498,7 +503,8 @@ fn refusals_of_two_quantities() {
         let file = file(BLOCK);
         let from = from.map(str::to_owned);
         let design = request(vary, target, Extreme::Least);
-        match DesignBoundary::of(&file, BoundaryRequest { design, and: and.to_owned(), from, to: None }) {
+        let request = BoundaryRequest { design, and: and.to_owned(), from, to: None };
+        match DesignBoundary::of(&file, request, Portion::UNSEEN) {
             Ok(boundary) => boundary.text(&()),
             Err(error) => report(&error).split_whitespace().collect::<Vec<_>>().join(" "),
         }

@@ -9,7 +9,7 @@ use standfast_cases::key::Kind;
 use standfast_cases::motion::{Follow, FollowedMotion, MotionRows, MotionView};
 use standfast_cases::random::{ChanceProblem, ChanceRequest, Effort, Happening, Method, Probability};
 use standfast_cases::sweep::{Factor, Sweep, heading};
-use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Id, Key};
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Id, Key, Portion};
 
 const RECORD: &str = "time_s,a_cm_s2\n0,0\n0.1,300\n0.3,-420\n0.5,250\n0.7,0\n";
 
@@ -235,7 +235,7 @@ fn every_number_can_be_designed_or_is_refused_by_name() {
                 to: Some(with_unit(from.max(to))),
                 spelling: &Spelling::PROGRAM,
             };
-            if let Err(error) = Design::of(&file, request) {
+            if let Err(error) = Design::of(&file, request, Portion::UNSEEN) {
                 let words = error.to_string();
                 if !words.contains(&id.to_string()) {
                     wrong.push(format!("{id}: {words}"));

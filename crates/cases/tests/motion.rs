@@ -5,9 +5,9 @@ use std::path::Path;
 use standfast::Mode;
 use standfast_cases::motion::{
     BlockCase, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, Spectrum, SpectrumKind,
-    SpectrumRequest,
+    SpectrumRequest, SpectrumSteps,
 };
-use standfast_cases::{Acting, CaseError, CaseFile, Document};
+use standfast_cases::{Acting, CaseError, CaseFile, Document, Portion};
 use standfast_motion::End;
 
 fn no_file(file: &str) -> Result<String, String> {
@@ -171,7 +171,7 @@ fn wrong_cases() {
     }
     let lift = "[[load]]\nforce = 5e6\ndirection = \"up\"\ndistance = 7.5\npermanent = true\n";
     let cases = motions(&format!("{body}{lift}{base}"), &no_file).unwrap();
-    let error = FollowedMotion::of_all(cases, &Follow::default()).unwrap_err();
+    let error = FollowedMotion::of_all(cases, &Follow::default(), Portion::UNSEEN).unwrap_err();
     assert!(error.to_string().contains("floats"), "{error}");
 }
 
@@ -187,7 +187,7 @@ fn examples_are_followed() {
             std::fs::read_to_string(entry.path()).unwrap(),
         );
         let cases = CaseFile::read(&name, &text, &read).unwrap().motions().unwrap();
-        for followed in FollowedMotion::of_all(cases, &Follow::default()).unwrap() {
+        for followed in FollowedMotion::of_all(cases, &Follow::default(), Portion::UNSEEN).unwrap() {
             assert!(matches!(followed.outcome.end, End::AtRest | End::Overturned), "{name}");
         }
         count += 1;
@@ -359,9 +359,9 @@ fn lines_of_a_newmark_spectrum_that_lie_on_each_other_are_told() {
             "[block]\nb1 = 1\nb2 = 1\nd = 0.5\nmu_s = 0.4\ngravity = 1\n[motion.base]\nhorizontal = {{ {shape} }}\n"
         );
         let case = motions(&text, &no_file).unwrap().remove(0);
-        let steps = "0.2,0.8,7".parse().unwrap();
+        let steps = "0.2,0.8,7".parse::<SpectrumSteps>().unwrap().into();
         let request = SpectrumRequest { ratio: Some(steps), ..SpectrumRequest::new(SpectrumKind::Newmark) };
-        let found = Spectrum::of(&case, &request, &|_| ()).unwrap();
+        let found = Spectrum::of(&case, &request, Portion::UNSEEN).unwrap();
         found.figures(&()).unwrap().remove(0).figure.caption().to_owned()
     };
     let one = caption("shape = \"rect\", peak = 0.8, duration = 1.5");

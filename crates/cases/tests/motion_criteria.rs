@@ -2,7 +2,7 @@
 
 use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
 use standfast_cases::motion::{Follow, FollowedMotion};
-use standfast_cases::{Acting, Assessment, AssessmentView, CaseFile, Document};
+use standfast_cases::{Acting, Assessment, AssessmentView, CaseFile, Document, Portion};
 
 const CAISSON: &str = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
 
@@ -112,7 +112,7 @@ fn request(vary: &str, target: &str, extreme: Extreme, ends: Option<[&str; 2]>) 
 
 fn designed(text: &str, request: DesignRequest) -> serde_json::Value {
     let file = CaseFile::parse("case.toml", text).unwrap();
-    serde_json::from_str(&Design::of(&file, request).unwrap().json(&(), &[])).unwrap()
+    serde_json::from_str(&Design::of(&file, request, Portion::UNSEEN).unwrap().json(&(), &[])).unwrap()
 }
 
 /// The least friction for which Goda's caisson slides by 5 cm at most, by S = (¼ + √2/6)(s − 1)³/s² Rτ²/m, s = (P + μU)/(μW'), halved
@@ -216,7 +216,9 @@ fn all_criteria_together_are_the_harder_of_both() {
         "[body]\nwidth = 2\nheight = 2\nmass = 8e3\nfriction = 0.5\n[[load]]\nforce = 1e4\nelevation = 1\n",
     )
     .unwrap();
-    let error = Design::of(&still, request("width", "slide=0.1", Extreme::Least, None)).err().unwrap();
+    let error = Design::of(&still, request("width", "slide=0.1", Extreme::Least, None), Portion::UNSEEN)
+        .err()
+        .unwrap();
     assert!(error.to_string().contains("asks for the motion in time"), "{error}");
 }
 

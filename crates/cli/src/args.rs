@@ -391,6 +391,9 @@ pub struct SheetArgs {
     /// The file to write; its extension is html or pdf
     #[arg(short, long, value_name = "FILE")]
     pub output: SheetFile,
+    /// One page: the verdict, the section, the inputs that decide, each criterion in each combination, signatures
+    #[arg(long)]
+    pub short: bool,
     /// Date on the sheet [default: none; the sheet says that it is undated]
     #[arg(long, value_name = "YYYY-MM-DD")]
     pub date: Option<Date>,

@@ -10,6 +10,7 @@ use crate::error::{CommandError, Result};
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::Shown;
+use crate::progress::watched;
 
 /// Assesses a case file, and writes its diagrams.
 ///
@@ -23,7 +24,8 @@ pub fn assess(
     check: bool,
 ) -> Result<PrintedAnswer> {
     let read = FilesRead::default();
-    let assessment = Assessment::of_file(&case_file::parse(path, &read)?)?;
+    let file = case_file::parse(path, &read)?;
+    let assessment = watched(|portion| Assessment::following(&file, None, portion))?;
     let nothing = assessment.all_checks().is_empty();
     if check && nothing {
         return Err(CommandError::NothingToCheck {

@@ -16,6 +16,7 @@ use crate::draw::PictureFile;
 use crate::error::{CommandError, Result};
 use crate::files_read::FilesRead;
 use crate::format::{Format, Shown};
+use crate::progress::watched;
 use crate::write::{self, ExtensionError};
 
 /// A file for the boundary of two quantities, whose extension says what is written.
@@ -78,12 +79,12 @@ pub fn design(args: &DesignArgs) -> Result<String> {
         spelling: &Spelling::PROGRAM,
     };
     let Some(and) = args.and.clone() else {
-        let design = Design::of(&file, request)?;
+        let design = watched(|portion| Design::of(&file, request, portion))?;
         return Ok(Shown::of(args.brief, args.format).text(&design, &(), &[]));
     };
     let request =
         BoundaryRequest { design: request, and, from: args.and_from.clone(), to: args.and_to.clone() };
-    let boundary = DesignBoundary::of(&file, request)?;
+    let boundary = watched(|portion| DesignBoundary::of(&file, request, portion))?;
     let written = files(args, &boundary, &read)?;
     Ok(match args.format {
         Format::Text => boundary.text(&()) + &written,

@@ -7,7 +7,7 @@ use standfast::InputError;
 use standfast_cases::design::DesignError;
 use standfast_cases::motion::{ColumnError, MotionError, ROW_RESULTS, SpectrumError};
 use standfast_cases::random::ProbabilityError;
-use standfast_cases::{CaseError, Explained};
+use standfast_cases::{CaseError, Explained, Stopped};
 use standfast_sheet::{PrintError, SheetError};
 use standfast_tables::TableError;
 use thiserror::Error;
@@ -40,6 +40,9 @@ pub enum CommandError {
     /// The case has no such spectrum.
     #[error(transparent)]
     Spectrum(#[from] SpectrumError),
+    /// Whoever watches the work has stopped it.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// The table is wrong.
     #[error(transparent)]
     Table(#[from] TableError),

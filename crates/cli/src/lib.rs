@@ -71,8 +71,12 @@ pub fn run(cli: Cli) -> Result<Ended> {
         Command::Assess(args) => return assess_command(&args),
         Command::Design(args) => print(&design::design(&args)?),
         Command::Sheet(args) => {
-            let options =
-                SheetOptions { title_block: args.title_block.0, date: args.date, up_to: args.up_to };
+            let options = SheetOptions {
+                title_block: args.title_block.0,
+                date: args.date,
+                up_to: args.up_to,
+                short: args.short,
+            };
             sheet::sheet(&args.case, &args.output, &options, args.paper)?;
             print(&format!("Calculation sheet written to {}\n", args.output))
         }

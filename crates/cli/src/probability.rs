@@ -15,6 +15,7 @@ use crate::error::{CommandError, Result};
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::{Format, Shown};
+use crate::progress::watched;
 use crate::write::{self, ExtensionError, Pending};
 
 /// A file of draws, whose extension says how it is written.
@@ -65,7 +66,8 @@ pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer> {
     let follow = args.rotations == RotationsArg::Simulate;
     let plainly = ChanceRequest { effort, years: args.years, follow, ..ChanceRequest::default() };
     let request = args.method.map_or(plainly, |method| plainly.with(method));
-    let answer = &Probability::along(&case, request, args.over.as_ref())?;
+    let over = args.over.as_ref();
+    let answer = &watched(|portion| Probability::under(&case, request, over, &[], portion))?;
     if args.check && answer.criterion.is_none() {
         return Err(CommandError::NothingToCheck {
             path: args.case.clone(),

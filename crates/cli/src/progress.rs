@@ -1,10 +1,12 @@
 //! Progress of a run, on a terminal and for who interrupts it.
 
+use std::io::{self, Write};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Once};
 use std::time::{Duration, Instant};
 
-use indicatif::{HumanCount, ProgressBar, ProgressStyle};
-use standfast_cases::motion::Progressed;
+use indicatif::{HumanCount, ProgressBar, ProgressDrawTarget, ProgressStyle};
+use standfast_cases::{Portion, Watch};
 use standfast_tables::Progress;
 
 /// Progress of a table.
@@ -57,43 +59,45 @@ fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
-/// Progress of motions: the number followed.
-pub struct Motions {
-    done: AtomicU64,
+/// Work that is not counted in rows: its share that is done.
+struct Work {
     start: Instant,
     bar: ProgressBar,
+    shown: Once,
 }
 
-impl Motions {
-    /// A bar on standard error, if that is a terminal.
-    pub(crate) fn shown() -> Motions {
-        Motions {
-            done: AtomicU64::new(0),
-            start: Instant::now(),
-            bar: ProgressBar::new(0).with_style(style(WITH_END)),
+/// Parts of the bar of [`Work`].
+const PARTS: u64 = 1000;
+/// Work that is done sooner has no bar.
+const SOON: Duration = Duration::from_millis(500);
+
+impl Watch for Work {
+    fn reached(&self, share: f64) {
+        if self.start.elapsed() > SOON {
+            self.shown.call_once(|| self.bar.set_draw_target(ProgressDrawTarget::stderr()));
         }
+        self.bar.set_position(((share * PARTS as f64) as u64).max(self.bar.position()));
     }
+}
 
-    pub(crate) fn tell(&self, progressed: Progressed) {
-        match progressed {
-            Progressed::Expect(count) => self.bar.inc_length(count as u64),
-            Progressed::Done => {
-                let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
-                if done.is_multiple_of(16) {
-                    let seconds = self.start.elapsed().max(Duration::from_millis(1)).as_secs_f64();
-                    let rate = HumanCount((done as f64 / seconds) as u64);
-                    self.bar.set_message(format!("{} motions, {rate} a second", HumanCount(done)));
-                    self.bar.inc(16);
-                }
-            }
+/// Does long work, with a bar on standard error if that is a terminal. An interrupt ends the program and says how far the work was: it
+/// writes nothing before it is done.
+pub fn watched<T>(work: impl FnOnce(Portion<'_>) -> T) -> T {
+    let bar = ProgressBar::with_draw_target(Some(PARTS), ProgressDrawTarget::hidden());
+    let bar = bar.with_style(style("{bar:40} {percent}%  {eta} left"));
+    let watch = Arc::new(Work { start: Instant::now(), bar, shown: Once::new() });
+    let interrupted = Arc::clone(&watch);
+    // Without a handler the program ends all the same.
+    let _ = ctrlc::set_handler(move || {
+        // What is done may be being written.
+        if !interrupted.bar.is_finished() {
+            let percent = 100 * interrupted.bar.position() / PARTS;
+            interrupted.bar.finish_and_clear();
+            let _ = writeln!(io::stderr(), "interrupted at {percent} %; nothing was written");
         }
-    }
-
-    pub(crate) fn done(&self) -> u64 {
-        self.done.load(Ordering::Relaxed)
-    }
-
-    pub(crate) fn clear(&self) {
-        self.bar.finish_and_clear();
-    }
+        std::process::exit(130);
+    });
+    let done = work(Portion::whole(&*watch));
+    watch.bar.finish_and_clear();
+    done
 }

@@ -9,6 +9,7 @@ use standfast_sheet::{Paper, Sheet, SheetOptions};
 use crate::case_file;
 use crate::error::Result;
 use crate::files_read::FilesRead;
+use crate::progress::watched;
 use crate::write::{self, ExtensionError};
 
 /// Format of a sheet.
@@ -52,7 +53,7 @@ pub fn sheet(case: &Path, file: &SheetFile, options: &SheetOptions, paper: Paper
     let read = FilesRead::default();
     let case = case_file::parse(case, &read)?;
     read.refuse(&file.path)?;
-    let sheet = Sheet::of_file(&case, options)?;
+    let sheet = watched(|portion| Sheet::of_file(&case, options, portion))?;
     match file.kind {
         Kind::Html => write::write_file(&file.path, sheet.html().as_bytes(), &read)?,
         Kind::Pdf => {

@@ -17,6 +17,7 @@ use crate::error::{CommandError, Result};
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::{Format, Shown};
+use crate::progress::watched;
 use crate::write;
 
 /// Follows the motion of a case file, and writes its figures into a directory or else beside it.
@@ -51,7 +52,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
         None => StrengthAsked::IfShort(Factors::Rungs),
     };
     let follow = Follow { divergence: true, strength, series: !no_figures || args.series.is_some() };
-    let answers = FollowedMotion::of_all(cases, &follow)?;
+    let answers = watched(|portion| FollowedMotion::of_all(cases, &follow, portion))?;
     // The worst by the criteria is the first.
     let met = answers.first().and_then(FollowedMotion::met);
     // That of the situation that is the worst.
@@ -60,7 +61,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
         return Ok(PrintedAnswer { met, ..PrintedAnswer::plain(series_csv(worst, dt)) });
     }
     let figures = Figures::asked(args.output.as_deref(), no_figures);
-    let view = MotionView { all: args.all };
+    let view = MotionView { all: args.all, ..MotionView::default() };
     let mut printed = PrintedAnswer::of(
         &answers[..],
         &view,

@@ -1,8 +1,5 @@
 //! `standfast spectrum`: many motions under one shaking.
 
-use std::io::{self, Write};
-use std::sync::Arc;
-
 use standfast_cases::motion::{Spectrum, SpectrumError, SpectrumRequest, spectrum_csv};
 
 use crate::answer::PrintedAnswer;
@@ -12,7 +9,7 @@ use crate::error::Result;
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::{Format, Shown};
-use crate::progress::Motions;
+use crate::progress::watched;
 use crate::write;
 
 /// Finds the spectrum of a case file, draws it, and returns what to print.
@@ -29,20 +26,16 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String> {
     let Some(case) = cases.into_iter().next() else { return Err(SpectrumError::NoShaking.into()) };
     let is_table = args.csv.as_ref().is_some_and(|csv| csv.as_os_str() == "-");
     let request = SpectrumRequest {
-        size: args.size,
-        slenderness: args.slenderness,
-        ratio: args.ratio,
-        scale: args.scale,
+        size: args.size.map(Into::into),
+        slenderness: args.slenderness.map(Into::into),
+        ratio: args.ratio.map(Into::into),
+        scale: args.scale.map(Into::into),
         // A table alone has no figure.
         edges: !is_table,
         threads: threads(args.threads),
         ..SpectrumRequest::new(args.kind)
     };
-    let progress = Arc::new(Motions::shown());
-    on_interrupt(progress.clone());
-    let found = Spectrum::of(&case, &request, &|progressed| progress.tell(progressed));
-    progress.clear();
-    let spectrum = found?;
+    let spectrum = watched(|portion| Spectrum::of(&case, &request, portion))?;
     if is_table {
         return Ok(spectrum_csv(&spectrum));
     }
@@ -59,14 +52,4 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String> {
         }
     }
     Ok(printed.answer)
-}
-
-/// Ends the program on an interrupt, and says how far it came.
-fn on_interrupt(progress: Arc<Motions>) {
-    // Without a handler the program ends all the same.
-    let _ = ctrlc::set_handler(move || {
-        progress.clear();
-        let _ = writeln!(io::stderr(), "interrupted after {} motions; nothing was written", progress.done());
-        std::process::exit(130);
-    });
 }

@@ -3,6 +3,7 @@
 use standfast::loads::LoadId;
 use standfast::number::exact;
 use standfast::{HistoryError, InputError};
+use standfast_watch::Stopped;
 use thiserror::Error;
 
 /// Reason why a motion cannot be followed.
@@ -12,6 +13,9 @@ pub enum MotionError {
     /// A number of the contact problem.
     #[error(transparent)]
     Input(#[from] InputError),
+    /// Whoever watches the work has stopped it.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// A history.
     #[error(transparent)]
     History(#[from] HistoryError),

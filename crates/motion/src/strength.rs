@@ -17,6 +17,7 @@ use crate::machine::{Keep, simulate};
 use crate::outcome::{End, MotionOutcome};
 use crate::problem::{Initial, MotionProblem};
 use standfast::history::History;
+use standfast_watch::Portion;
 
 /// Factors at which a motion is tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -135,14 +136,23 @@ impl<'a> Strengths<'a> {
     /// Tries a problem, whose own motion is `outcome`, at factors on its loads.
     ///
     /// # Errors
-    /// As [`simulate`].
+    /// As [`simulate`]; if the portion is stopped.
     pub fn of(
         problem: &'a MotionProblem,
         outcome: &MotionOutcome,
         factors: Factors,
+        portion: Portion<'_>,
     ) -> Result<Strengths<'a>, MotionError> {
-        let tried = factors.values().into_iter().map(|factor| run(problem, factor));
-        Ok(Strengths { problem, itself: Tried::of(1.0, outcome), tried: tried.collect::<Result<_, _>>()? })
+        let values = factors.values();
+        let steps = portion.steps(values.len());
+        let one = |factor| {
+            portion.check()?;
+            let tried = run(problem, factor)?;
+            steps.advance();
+            Ok(tried)
+        };
+        let tried = values.into_iter().map(one).collect::<Result<_, MotionError>>()?;
+        Ok(Strengths { problem, itself: Tried::of(1.0, outcome), tried })
     }
 
     /// How a verdict changes with the factor.
@@ -345,7 +355,7 @@ mod tests {
         let [stands, _] = boundary(&problem);
         let case = scaled(&problem, stands / 1.002);
         let outcome = simulate(&case, Keep::default()).unwrap();
-        let found = Strengths::of(&case, &outcome, Factors::Rungs).unwrap();
+        let found = Strengths::of(&case, &outcome, Factors::Rungs, Portion::UNSEEN).unwrap();
         let up = found.verdict(|tried| tried.overturned).unwrap().up.unwrap();
         assert!((1.0..=1.002).contains(&up.same) && (1.002..1.0021).contains(&up.factor), "{up:?}");
     }
@@ -379,7 +389,7 @@ mod tests {
         for (itself, verdict) in [(0.98 * stands, false), (1.02 * falls, true)] {
             let case = scaled(&problem, itself);
             let outcome = simulate(&case, Keep::default()).unwrap();
-            let strengths = Strengths::of(&case, &outcome, Factors::Rungs).unwrap();
+            let strengths = Strengths::of(&case, &outcome, Factors::Rungs, Portion::UNSEEN).unwrap();
             let found = strengths.verdict(|tried| tried.overturned).unwrap();
             assert_eq!(found.verdict, verdict);
             let change = if verdict { found.down } else { found.up }.unwrap();

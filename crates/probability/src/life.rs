@@ -9,7 +9,7 @@ use crate::integrate::Life;
 use crate::normal;
 use crate::points::Stream;
 use crate::problem::{Frame, Outcomes, RandomVector};
-use crate::sample::{Averages, Effort, Sampled};
+use crate::sample::{Averages, Sampled, Work};
 
 /// The lives of one scramble that are taken first.
 const FIRST: u64 = 16;
@@ -21,13 +21,14 @@ const NONE: f64 = 1e-12;
 ///
 /// # Panics
 /// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
-pub fn lives<O: Outcomes>(
+pub fn lives<'w, O: Outcomes>(
     inputs: &RandomVector,
     outcomes: &O,
     sets: &[u64],
     life: &Life,
-    effort: &Effort,
+    work: impl Into<Work<'w>>,
 ) -> Sampled {
+    let work @ Work { effort, .. } = work.into();
     assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
     assert!(life.years >= 1.0 && life.years.fract() == 0.0, "whole years");
     let line = outcomes.line();
@@ -42,9 +43,9 @@ pub fn lives<O: Outcomes>(
     let dimensions = (once + usize::from(line_first)).max(1);
     let averages = Averages { dimensions, first: FIRST, cost: years, count: sets.len(), precise: sets.len() };
     let mut sampled = if line_first {
-        averages.take(effort, || drawn.worker(effort.seed))
+        averages.take(work, || drawn.worker(effort.seed))
     } else {
-        averages.take(effort, || {
+        averages.take(work, || {
             let mut scratch = frame.scratch();
             let mut point = vec![0.0; others];
             let mut met: Vec<Vec<(f64, f64)>> = vec![Vec::new(); sets.len()];

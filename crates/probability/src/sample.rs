@@ -8,9 +8,10 @@ mod crossed;
 mod interval;
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 pub use interval::Estimate;
+use standfast_watch::Portion;
 
 use crate::normal;
 use crate::points::{Sobol, Stream};
@@ -35,6 +36,28 @@ impl Default for Effort {
     fn default() -> Effort {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
         Effort { seed: 1, precision: 0.05, floor: 1e-6, points: 1 << 22, threads }
+    }
+}
+
+/// An effort, and the portion of longer work that it is. A sampling that is stopped returns what it has, which is no answer.
+#[derive(Clone, Copy)]
+pub struct Work<'w> {
+    /// The effort.
+    pub effort: Effort,
+    /// The portion.
+    pub portion: Portion<'w>,
+}
+
+impl Effort {
+    /// This effort as a portion of longer work.
+    pub fn within(self, portion: Portion<'_>) -> Work<'_> {
+        Work { effort: self, portion }
+    }
+}
+
+impl From<&Effort> for Work<'static> {
+    fn from(effort: &Effort) -> Work<'static> {
+        effort.within(Portion::UNSEEN)
     }
 }
 
@@ -71,8 +94,13 @@ const BLOCK: u64 = 1 << 14;
 ///
 /// # Panics
 /// For more inputs than a Sobol' point has coordinates.
-pub fn sobol<O: Outcomes>(inputs: &RandomVector, outcomes: &O, sets: &[u64], effort: &Effort) -> Sampled {
-    scrambles(&Frame::new(inputs, outcomes), sets, &[], effort)
+pub fn sobol<'w, O: Outcomes>(
+    inputs: &RandomVector,
+    outcomes: &O,
+    sets: &[u64],
+    work: impl Into<Work<'w>>,
+) -> Sampled {
+    scrambles(&Frame::new(inputs, outcomes), sets, &[], work.into())
 }
 
 /// Probabilities with the input of this number held at its median; about the points given, as [`importance`] has them,
@@ -80,17 +108,17 @@ pub fn sobol<O: Outcomes>(inputs: &RandomVector, outcomes: &O, sets: &[u64], eff
 ///
 /// # Panics
 /// For more inputs than a Sobol' point has coordinates.
-pub fn sampled_known<O: Outcomes>(
+pub fn sampled_known<'w, O: Outcomes>(
     inputs: &RandomVector,
     outcomes: &O,
     sets: &[u64],
     known: usize,
     about: &[Vec<f64>],
-    effort: &Effort,
+    work: impl Into<Work<'w>>,
 ) -> Sampled {
     let frame = Frame::holding(inputs, outcomes, known);
     let about: Vec<Vec<f64>> = about.iter().map(|u| frame.others_of(u)).collect();
-    scrambles(&frame, sets, &about, effort)
+    scrambles(&frame, sets, &about, work.into())
 }
 
 /// Probabilities from points drawn where the outcomes are: nineteen twentieths as standard normals about the points
@@ -99,22 +127,22 @@ pub fn sampled_known<O: Outcomes>(
 ///
 /// # Panics
 /// For more inputs than a Sobol' point has coordinates.
-pub fn importance<O: Outcomes>(
+pub fn importance<'w, O: Outcomes>(
     inputs: &RandomVector,
     outcomes: &O,
     sets: &[u64],
     about: &[Vec<f64>],
-    effort: &Effort,
+    work: impl Into<Work<'w>>,
 ) -> Sampled {
     let frame = Frame::new(inputs, outcomes);
     let about: Vec<Vec<f64>> = about.iter().map(|u| frame.others_of(u)).collect();
-    scrambles(&frame, sets, &about, effort)
+    scrambles(&frame, sets, &about, work.into())
 }
 
 /// The share of points that importance sampling leaves about the origin.
 const AT_ORIGIN: f64 = 0.05;
 
-fn scrambles<O: Outcomes>(frame: &Frame<O>, sets: &[u64], about: &[Vec<f64>], effort: &Effort) -> Sampled {
+fn scrambles<O: Outcomes>(frame: &Frame<O>, sets: &[u64], about: &[Vec<f64>], work: Work<'_>) -> Sampled {
     let dimensions = frame.dimensions();
     let picked = usize::from(!about.is_empty());
     let averages = Averages {
@@ -131,7 +159,7 @@ fn scrambles<O: Outcomes>(frame: &Frame<O>, sets: &[u64], about: &[Vec<f64>], ef
         order.sort_by(|a, b| nearest[*b].abs().total_cmp(&nearest[*a].abs()));
     }
     let order = &order;
-    let mut sampled = averages.take(effort, || {
+    let mut sampled = averages.take(work, || {
         let mut scratch = frame.scratch();
         let mut point = vec![0.0; dimensions];
         move |_: usize, _: u64, coordinates: &[f64], sums: &mut [f64]| {
@@ -169,7 +197,7 @@ impl Averages {
     /// number and its coordinates give.
     pub(crate) fn take<W: FnMut(usize, u64, &[f64], &mut [f64])>(
         &self,
-        effort: &Effort,
+        Work { effort, portion }: Work<'_>,
         worker: impl Fn() -> W + Sync,
     ) -> Sampled {
         let Averages { dimensions, first, cost, count, precise } = *self;
@@ -181,6 +209,7 @@ impl Averages {
         let mut sums = vec![vec![0.0; count]; SCRAMBLES];
         let mut taken = 0;
         let mut course = Vec::new();
+        let pace = Pace::of(portion, effort.points / cost);
         loop {
             let next = if taken == 0 { first } else { 2 * taken };
             // One piece of work is a run of points of one scramble.
@@ -194,14 +223,15 @@ impl Averages {
             let results = shared_out(effort.threads, runs.len(), || {
                 let mut work = worker();
                 let mut point = vec![0.0; dimensions];
-                let (runs, sequences) = (&runs, &sequences);
+                let (runs, sequences, pace) = (&runs, &sequences, &pace);
                 move |run: usize| {
                     let (scramble, from, to) = runs[run];
                     let mut sums = vec![0.0; count];
-                    for index in from..to {
+                    for index in (from..to).take_while(|_| !portion.is_stopped()) {
                         point.iter_mut().zip(sequences[scramble].point(index)).for_each(|(x, p)| *x = p);
                         work(scramble, index, &point, &mut sums);
                     }
+                    pace.advance(to - from);
                     sums
                 }
             });
@@ -216,12 +246,44 @@ impl Averages {
                     Estimate::of_means(&means, points)
                 })
                 .collect();
-            let precise = estimates[..precise].iter().all(|e| e.is_precise(effort.precision, effort.floor));
+            let asked = &estimates[..precise];
+            let precise = asked.iter().all(|e| e.is_precise(effort.precision, effort.floor));
+            pace.reckon(asked, &effort, points);
             course.push((points, estimates.clone()));
-            if precise || 2 * points * cost > effort.points || dimensions == 0 {
+            if precise || 2 * points * cost > effort.points || dimensions == 0 || portion.is_stopped() {
                 return Sampled { estimates, points, precise, course };
             }
         }
+    }
+}
+
+/// Progress of points that are taken until they are enough: how many that will be is reckoned anew at each doubling.
+struct Pace<'w> {
+    portion: Portion<'w>,
+    /// The most that may be taken.
+    most: u64,
+    done: AtomicU64,
+    expected: AtomicU64,
+}
+
+impl<'w> Pace<'w> {
+    fn of(portion: Portion<'w>, most: u64) -> Pace<'w> {
+        Pace { portion, most, done: AtomicU64::new(0), expected: AtomicU64::new(most) }
+    }
+
+    /// So many more are taken.
+    fn advance(&self, points: u64) {
+        let done = self.done.fetch_add(points, Ordering::Relaxed) + points;
+        self.portion.reached(done as f64 / self.expected.load(Ordering::Relaxed) as f64);
+    }
+
+    /// Reckons how many points will be enough: the intervals shrink as with 1/√n at the slowest.
+    fn reckon(&self, estimates: &[Estimate], effort: &Effort, points: u64) {
+        let of = |e: &Estimate| 0.5 * (e.high - e.low) / (effort.precision * e.value);
+        let imprecise = estimates.iter().filter(|e| !e.is_precise(effort.precision, effort.floor));
+        let farthest = imprecise.map(of).fold(1.0, f64::max);
+        let expected = points as f64 * farthest * farthest;
+        self.expected.store((expected as u64).clamp(1, self.most.max(points)), Ordering::Relaxed);
     }
 }
 
@@ -242,24 +304,31 @@ fn displaced(point: &mut [f64], component: f64, about: &[Vec<f64>]) -> f64 {
 }
 
 /// The probability of each set of outcomes by plain Monte Carlo: every input drawn, nothing integrated, hits counted.
-pub fn monte_carlo<O: Outcomes>(
+pub fn monte_carlo<'w, O: Outcomes>(
     inputs: &RandomVector,
     outcomes: &O,
     sets: &[u64],
-    effort: &Effort,
+    work: impl Into<Work<'w>>,
 ) -> Sampled {
+    let Work { effort, portion } = work.into();
     let mut hits = vec![0u64; sets.len()];
     let mut blocks = 0;
     let mut course = Vec::new();
+    let pace = Pace::of(portion, effort.points);
     loop {
         let next = if blocks == 0 { (effort.points / BLOCK).clamp(1, 4) } else { 2 * blocks };
         let results = shared_out(effort.threads, (next - blocks) as usize, || {
+            let pace = &pace;
             move |block: usize| {
                 let mut hits = vec![0u64; sets.len()];
+                if portion.is_stopped() {
+                    return hits;
+                }
                 draw_block(inputs, effort.seed, blocks + block as u64, |values| {
                     let holds = outcomes.at(values);
                     hits.iter_mut().zip(sets).for_each(|(hits, set)| *hits += u64::from(holds & set != 0));
                 });
+                pace.advance(BLOCK);
                 hits
             }
         });
@@ -270,8 +339,9 @@ pub fn monte_carlo<O: Outcomes>(
         let points = blocks * BLOCK;
         let estimates: Vec<Estimate> = hits.iter().map(|&hits| Estimate::of_hits(hits, points)).collect();
         let precise = estimates.iter().all(|e| e.is_precise(effort.precision, effort.floor));
+        pace.reckon(&estimates, &effort, points);
         course.push((points, estimates.clone()));
-        if precise || 2 * points > effort.points {
+        if precise || 2 * points > effort.points || portion.is_stopped() {
             return Sampled { estimates, points, precise, course };
         }
     }

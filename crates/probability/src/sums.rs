@@ -12,7 +12,7 @@ use crate::life::{Values, stream};
 use crate::normal;
 use crate::points::{Sobol, Stream};
 use crate::problem::RandomVector;
-use crate::sample::{Averages, Effort, Estimate, SCRAMBLES, Sampled, shared_out};
+use crate::sample::{Averages, Estimate, SCRAMBLES, Sampled, Work, shared_out};
 
 /// Amounts that each event of one year may add.
 pub trait Sums: Sync {
@@ -59,16 +59,22 @@ pub struct EventMeans {
 /// Means of one year's events: what they add in all, the chance that one adds anything, and that one is of the other kind. The first
 /// is what has to be as precise as the effort asks. A few years add most, far out in what is drawn: nine tenths of the points are
 /// taken where a first look has found the sum to come from, and each is weighed by what it is taken too often.
-pub fn expected<S: Sums>(inputs: &RandomVector, sums: &S, events: f64, effort: &Effort) -> Sampled {
+pub fn expected<'w, S: Sums>(
+    inputs: &RandomVector,
+    sums: &S,
+    events: f64,
+    work: impl Into<Work<'w>>,
+) -> Sampled {
+    let work = work.into();
     let n = inputs.laws().len();
     let yearly = vec![false; n];
     let of = |values: &mut Values, u: &[f64]| {
         values.begin_at(u);
         sums.year(values.all()).map_or(EventMeans::default(), |year| sums.of_event(&year))
     };
-    let about = Centre::found(n, effort.seed, |u| of(&mut Values::new(inputs, &yearly), u).mean);
+    let about = Centre::found(n, work.effort.seed, |u| of(&mut Values::new(inputs, &yearly), u).mean);
     let averages = Averages { dimensions: n + 1, first: 128, cost: 1, count: 3, precise: 1 };
-    averages.take(effort, || {
+    averages.take(work, || {
         let mut values = Values::new(inputs, &yearly);
         let mut u = vec![0.0; n];
         let about = &about;
@@ -164,7 +170,14 @@ pub struct Lives {
 ///
 /// # Panics
 /// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
-pub fn lives<S: Sums>(inputs: &RandomVector, sums: &S, events: u64, life: &Life, effort: &Effort) -> Lives {
+pub fn lives<'w, S: Sums>(
+    inputs: &RandomVector,
+    sums: &S,
+    events: u64,
+    life: &Life,
+    work: impl Into<Work<'w>>,
+) -> Lives {
+    let Work { effort, portion } = work.into();
     assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
     assert!(life.years >= 1.0 && life.years.fract() == 0.0, "whole years");
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();
@@ -177,10 +190,11 @@ pub fn lives<S: Sums>(inputs: &RandomVector, sums: &S, events: u64, life: &Life,
     let runs: Vec<(usize, u64)> = (0..SCRAMBLES)
         .flat_map(|scramble| (0..each).step_by(RUN as usize).map(move |from| (scramble, from)))
         .collect();
+    let steps = portion.steps(runs.len());
     let results = shared_out(effort.threads, runs.len(), || {
         let mut values = Values::new(inputs, &life.yearly);
         let mut point = vec![0.0; once];
-        let (runs, sequences) = (&runs, &sequences);
+        let (runs, sequences, steps) = (&runs, &sequences, &steps);
         move |run: usize| {
             let (scramble, from) = runs[run];
             let of_index = |index: u64| {
@@ -189,7 +203,7 @@ pub fn lives<S: Sums>(inputs: &RandomVector, sums: &S, events: u64, life: &Life,
                 let mut stream = stream(effort.seed, scramble, index);
                 let mut of_life = LifeSums::default();
                 for _ in 0..years {
-                    if of_life.ended {
+                    if of_life.ended || portion.is_stopped() {
                         break;
                     }
                     if let Some(year) = sums.year(values.of_year(&mut stream)) {
@@ -198,7 +212,9 @@ pub fn lives<S: Sums>(inputs: &RandomVector, sums: &S, events: u64, life: &Life,
                 }
                 of_life
             };
-            (from..each.min(from + RUN)).map(of_index).collect::<Vec<LifeSums>>()
+            let lives = (from..each.min(from + RUN)).map(of_index).collect::<Vec<LifeSums>>();
+            steps.advance();
+            lives
         }
     });
     let mut groups = vec![Vec::new(); SCRAMBLES];

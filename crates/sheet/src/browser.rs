@@ -42,11 +42,13 @@ impl FromStr for Paper {
 #[error("expected a4 or letter")]
 pub struct PaperError;
 
-/// The page with its size set; an HTML file itself leaves that to whoever prints it.
-fn on_paper(html: &str, paper: Paper) -> String {
-    let size = match paper {
-        Paper::A4 => "A4",
-        Paper::Letter => "letter",
+/// The page with its size set; an HTML file itself leaves that to whoever prints it. What has to fit one page has smaller margins on the
+/// lower paper.
+fn on_paper(html: &str, paper: Paper, short: bool) -> String {
+    let size = match (paper, short) {
+        (Paper::A4, _) => "A4",
+        (Paper::Letter, false) => "letter",
+        (Paper::Letter, true) => "letter;margin-top:10.5mm;margin-bottom:8mm",
     };
     html.replacen("</style>", &format!("@page{{size:{size}}}</style>"), 1)
 }
@@ -157,11 +159,16 @@ fn in_path(program: OsString) -> Option<PathBuf> {
 }
 
 /// The PDF of a page. The same page and date give the same bytes from the same browser.
-pub(crate) fn print(html: &str, paper: Paper, date: Option<Date>) -> Result<Vec<u8>, PrintError> {
+pub(crate) fn print(
+    html: &str,
+    paper: Paper,
+    short: bool,
+    date: Option<Date>,
+) -> Result<Vec<u8>, PrintError> {
     let program = find()?;
     let folder = tempfile::Builder::new().prefix("standfast-").tempdir()?;
     let (page, pdf) = (folder.path().join("sheet.html"), folder.path().join("sheet.pdf"));
-    fs::write(&page, on_paper(html, paper))?;
+    fs::write(&page, on_paper(html, paper, short))?;
     let said = run(&program, folder.path(), &page, &pdf)?;
     let mut bytes = match fs::read(&pdf) {
         Ok(bytes) if bytes.starts_with(b"%PDF") => bytes,

@@ -21,9 +21,44 @@ pub use mode::capital;
 
 use crate::SheetError;
 use crate::steps::SheetSteps;
+use crate::together::Column;
+
+/// Situations of a sheet: those calculated in full, and those that stand beside each other in a table.
+pub struct Situations<'a> {
+    pub full: Vec<&'a Assessed>,
+    pub others: Vec<&'a Assessed>,
+}
+
+impl<'a> Situations<'a> {
+    /// In full those in which a criterion is met worst, or the worst of all where there is no criterion; the worst first.
+    pub fn of(assessment: &'a Assessment, view: &AssessmentView) -> Situations<'a> {
+        let checks = assessment.all_checks();
+        let governing: Vec<usize> = checks.iter().map(|check| check.assessed(assessment).index).collect();
+        let worst = assessment.governing().index;
+        let in_full = |one: &&Assessed| match governing.is_empty() {
+            true => one.index == worst,
+            false => governing.contains(&one.index),
+        };
+        let shown: Vec<usize> = shown(assessment, view).iter().map(|one| one.index).collect();
+        let all = assessment.worst_first().into_iter();
+        let all = all.filter(|one| in_full(one) || shown.contains(&one.index));
+        let (full, others) = all.partition(in_full);
+        Situations { full, others }
+    }
+
+    /// All, those in full first.
+    pub fn all(&self) -> impl Iterator<Item = &'a Assessed> {
+        self.full.iter().chain(&self.others).copied()
+    }
+}
 
 /// The calculation of the situations shown.
-pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &AssessmentView) -> Result<Markup, SheetError> {
+pub fn steps(
+    assessment: &Assessment,
+    situations: &Situations<'_>,
+    inputs: &Inputs,
+    view: &AssessmentView,
+) -> Result<Markup, SheetError> {
     let case = &assessment.case;
     let mut steps = SheetSteps::new("Body", case.extent);
     body::steps(&mut steps, case, inputs);
@@ -31,21 +66,35 @@ pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &AssessmentView) ->
         steps.part("Waves and pressures (Goda, Takahashi)", None);
         waves::steps(&mut steps, case, wave);
     }
-    let shown = shown(assessment, view);
+    let shown: Vec<&Assessed> = situations.all().collect();
+    if !case.combinations.is_empty() {
+        steps.part(
+            if shown.len() > 1 { "Factors of the combinations" } else { "Factors of the combination" },
+            None,
+        );
+        acting::factors(&mut steps, &shown);
+    }
+    let title = |one: &Assessed| situation_title(assessment, one);
     for assessed in &shown {
-        let title = situation_title(assessment, assessed).unwrap_or_else(|| "Loads and response".to_owned());
-        steps.part(&title, Some(assessed.index));
+        steps.part(&title(assessed).unwrap_or_else(|| "Loads and response".to_owned()), Some(assessed.index));
         situation(&mut steps, assessment, assessed, inputs, view)?;
     }
     if shown.len() < assessment.all.len() {
-        steps.part("Other situations", None);
+        steps.part("Situations that are not shown", None);
         steps.note(&format!(
-            "Of {} situations the {} worst are calculated here; all stand in the table of the summary.",
+            "Of {} situations {} are calculated here; all stand in the table of the summary.",
             assessment.all.len(),
             shown.len()
         ));
     }
-    Ok(steps.finish()?)
+    let column = |one: &&Assessed| Column { index: one.index, title: title(one).unwrap_or_default() };
+    let others: Vec<Column> = situations.others.iter().map(column).collect();
+    let what = if case.combinations.is_empty() { "loads" } else { "combinations" };
+    let heading = match others.len() {
+        1 => format!("The other {}", what.trim_end_matches('s')),
+        _ => format!("The other {what}"),
+    };
+    Ok(steps.finish(&others, &heading)?)
 }
 
 fn situation(

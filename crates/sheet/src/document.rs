@@ -3,15 +3,16 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use standfast_cases::assess::figures_of;
 use standfast_cases::key::TITLE_BLOCK;
 use standfast_cases::motion::FirstInstant;
 use standfast_cases::units::Extent;
-use standfast_cases::{AnswerFigure, Assessment, AssessmentView, Case, CaseFile, Document, Key};
+use standfast_cases::{AnswerFigure, Assessment, AssessmentView, CaseFile, Key, Portion};
 use standfast_figures::Figure;
 
-use crate::{
-    Date, SheetError, calculation, in_time, inputs, limits, method, probability, sensitivity, verdict,
-};
+use crate::calculation::Situations;
+use crate::probability::Chance;
+use crate::{Date, SheetError, calculation, in_time, inputs, limits, method, sensitivity, verdict};
 
 /// The case file, and the day.
 pub struct Source<'a> {
@@ -30,8 +31,18 @@ pub struct Source<'a> {
 }
 
 impl Source<'_> {
+    /// True if an entry of the title block is told under any of these keys.
+    fn tells(&self, keys: &[Key]) -> bool {
+        keys.iter().any(|key| self.told(*key).is_some())
+    }
+
+    /// Number of rows of a title block without room for what is not told, less those of other files.
+    pub fn head_rows(&self) -> usize {
+        3 + TITLE_BLOCK.chunks(2).filter(|pair| self.tells(pair)).count()
+    }
+
     /// Entry of the title block under a key, in a line; the command line's before the file's.
-    fn told(&self, key: Key) -> Option<String> {
+    pub fn told(&self, key: Key) -> Option<String> {
         let first =
             self.title_block.iter().rev().find(|(other, _)| *other == key).map(|(_, text)| text.as_str());
         let text = one_line(first.or_else(|| self.case_file.inputs().text(key))?);
@@ -39,7 +50,7 @@ impl Source<'_> {
     }
 }
 
-const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 const STYLE: &str = include_str!("sheet.css");
 
@@ -54,14 +65,18 @@ pub fn render(
     assessment: &Assessment,
     source: &Source<'_>,
     view: &AssessmentView,
+    portion: Portion<'_>,
 ) -> Result<String, SheetError> {
     let case = &assessment.case;
+    let situations = Situations::of(assessment, view);
     let (section, figures): (Vec<_>, Vec<_>) =
-        assessment.figures(view)?.into_iter().partition(|figure| figure.is_section());
+        figures_of(assessment, &situations.full, view.up_to)?.into_iter().partition(AnswerFigure::is_section);
     let sensitivities = sensitivity::table(source.case_file)?;
-    let probability = probability::section(source.case_file)?;
+    let chance = Chance::of(source.case_file, portion)?;
+    let tops = verdict::tops(assessment, chance.as_ref().and_then(Chance::answer));
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
-    let calculation = calculation::steps(assessment, source.case_file.inputs(), view)?;
+    let note = case.note.as_deref().map(one_line);
+    let calculation = calculation::steps(assessment, &situations, source.case_file.inputs(), view)?;
     let inputs = inputs::tables(case, source.case_file);
     let of = match case.extent {
         Extent::PerMetre => "per metre run",
@@ -72,8 +87,13 @@ pub fn render(
     let in_time = in_time.transpose()?;
     // Sections after the motion move on by one, if there is a motion.
     let later = |number: usize| number + usize::from(in_time.is_some());
-    let last = later(7) + usize::from(probability.is_some());
-    let moving = in_time.as_ref().map_or(0, |(_, figures)| figures.len());
+    let last = later(6) + usize::from(chance.is_some());
+    let warned = match in_time.is_some() {
+        true => format!("in sections 5 and {last}"),
+        false => format!("in section {last}"),
+    };
+    let moving: &[AnswerFigure] = in_time.as_ref().map_or(&[], |(_, figures)| figures);
+    let drawn: Vec<&AnswerFigure> = section.iter().chain(moving).chain(&figures).collect();
     let document = html! {
         (DOCTYPE)
         html lang="en" {
@@ -82,16 +102,16 @@ pub fn render(
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="generator" content={ "standfast " (VERSION) };
                 title { (title) " – calculation sheet" }
-                style { (PreEscaped(style(&title, source))) }
+                style { (PreEscaped(style(&title, source) + &printed_widths(&drawn))) }
             }
             body {
                 main {
-                    (title_block(case, &title, source))
-                    (verdict::summary(assessment))
+                    (title_block("Calculation sheet: initiation of motion of a freestanding body", note.as_deref(), &title, source, true))
+                    (verdict::summary(assessment, &tops, chance.as_ref(), &warned))
                     section {
                         h2 { "1 Inputs" }
-                        @for (i, figure) in section.iter().enumerate() { (of_case(i, figure)) }
                         (inputs)
+                        @for (i, figure) in section.iter().enumerate() { (drawing(i, figure)) }
                         @if let Some((file, first)) = source.in_time { (in_time::inputs(file, first)) }
                     }
                     section { h2 { "2 Assumptions and method" } (method::words(assessment)) }
@@ -104,30 +124,31 @@ pub fn render(
                         }
                         (calculation)
                     }
-                    section { h2 { "4 Verdict" } (verdict::full(assessment, view)) }
+                    section { h2 { "4 Verdict" } (verdict::full(assessment, &situations)) }
                     @if let Some((in_time, figures)) = &in_time {
                         section {
                             h2 { "5 Motion in time" }
                             (in_time::motions(in_time, case))
-                            @for (i, figure) in figures.iter().enumerate() {
-                                (drawing(section.len() + i, false, &figure.figure, &figure.words))
-                            }
+                            @for (i, figure) in figures.iter().enumerate() { (drawing(section.len() + i, figure)) }
                         }
                     }
+                    section { h2 { (later(5)) " Sensitivity" } (sensitivities) }
+                    @if let Some(chance) = &chance {
+                        section { h2 { (later(6)) " Probability" } (chance.section()) }
+                    }
+                    // On paper the last words stand with the signatures.
+                    div.closing {
+                        section {
+                            h2 { (last) " What is not covered" }
+                            (limits::words(case, in_time.is_some()))
+                            @if in_time.is_some() { (in_time::limits()) }
+                        }
+                        section.signatures { h2 { (last + 1) " Signatures" } (signatures(source)) }
+                    }
                     section {
-                        h2 { (later(5)) " Figures" }
-                        @for (i, figure) in figures.iter().enumerate() { (of_case(section.len() + moving + i, figure)) }
+                        h2 { (last + 2) " Figures" }
+                        @for (i, figure) in figures.iter().enumerate() { (drawing(section.len() + moving.len() + i, figure)) }
                     }
-                    section { h2 { (later(6)) " Sensitivity" } (sensitivities) }
-                    @if let Some(probability) = &probability {
-                        section { h2 { (later(7)) " Probability" } (probability) }
-                    }
-                    section {
-                        h2 { (last) " What is not covered" }
-                        (limits::words(case, in_time.is_some()))
-                        @if in_time.is_some() { (in_time::limits()) }
-                    }
-                    section.signatures { h2 { (last + 1) " Signatures" } (signatures(source)) }
                 }
             }
         }
@@ -135,7 +156,7 @@ pub fn render(
     Ok(document.into_string())
 }
 
-fn one_line(text: &str) -> String {
+pub fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
@@ -143,16 +164,17 @@ fn day(source: &Source<'_>) -> String {
     source.date.map_or("undated".to_owned(), |date| date.to_string())
 }
 
-fn title_block(case: &Case, title: &str, source: &Source<'_>) -> Markup {
+/// The head of a sheet, of some kind, with the note under its title; with room for what is not told, or without.
+pub fn title_block(kind: &str, note: Option<&str>, title: &str, source: &Source<'_>, room: bool) -> Markup {
     html! {
         header.title {
-            p.kind { "Calculation sheet: initiation of motion of a freestanding body" }
+            p.kind { (kind) }
             h1 { (title) }
-            @if let Some(note) = &case.note { p.source { (one_line(note)) } }
+            @if let Some(note) = note { p.source { (note) } }
             table.block {
                 tbody {
-                    @for pair in TITLE_BLOCK.chunks(2) {
-                        tr.sign[pair.contains(&Key::Author)] {
+                    @for pair in TITLE_BLOCK.chunks(2).filter(|pair| room || source.tells(pair)) {
+                        tr {
                             @for key in pair { th scope="row" { (heading(*key)) } td { (source.told(*key).unwrap_or_default()) } }
                         }
                     }
@@ -179,6 +201,7 @@ fn heading(key: Key) -> String {
     calculation::capital(key.name())
 }
 
+/// Room for signatures, and what the checker confirms.
 fn signatures(source: &Source<'_>) -> Markup {
     html! {
         table.block.sign {
@@ -197,25 +220,48 @@ fn signatures(source: &Source<'_>) -> Markup {
     }
 }
 
-/// A figure of the case.
-fn of_case(index: usize, figure: &AnswerFigure) -> Markup {
-    drawing(index, figure.is_section(), &figure.figure, &figure.words)
-}
-
 /// A figure, its glyphs renamed so that those of several do not clash.
-fn drawing(index: usize, is_section: bool, figure: &Figure, words: &str) -> Markup {
+pub fn drawing(index: usize, figure: &AnswerFigure) -> Markup {
     let own = format!("f{}-", index + 1);
-    let svg = figure.svg_on_paper().replace("\"sf-", &format!("\"{own}")).replace("#sf-", &format!("#{own}"));
+    let svg = figure.figure.svg_on_paper();
+    let svg = svg.replace("\"sf-", &format!("\"{own}")).replace("#sf-", &format!("#{own}"));
     html! {
-        figure.section[is_section] {
+        figure.section[figure.is_section()] id={ "figure-" (index + 1) } {
             (PreEscaped(svg))
-            figcaption { "Figure " (index + 1) ". " (words) "." }
+            figcaption { "Figure " (index + 1) ". " (figure.words) "." }
         }
     }
 }
 
+/// Width of the text on A4, and the least size of type in a figure: 6 pt. In pixels, of which 96 make an inch.
+pub const TEXT_WIDTH: f64 = 178.0 / 25.4 * 96.0;
+pub const LEAST_TYPE: f64 = 8.0;
+/// Scale at which a figure is printed whose type stays legible.
+const PRINTED: f64 = 0.67;
+
+/// Rules for the widths at which figures are printed.
+fn printed_widths(figures: &[&AnswerFigure]) -> String {
+    let rule = |(i, figure): (usize, &&AnswerFigure)| {
+        format!("#figure-{} svg{{width:{:.0}px}}", i + 1, printed_width(&figure.figure).floor())
+    };
+    format!("@media print{{{}}}\n", figures.iter().enumerate().map(rule).collect::<String>())
+}
+
+/// Width at which a figure is printed: smaller than on the screen, as far as its smallest letters allow.
+fn printed_width(figure: &Figure) -> f64 {
+    let (width, _) = figure.size();
+    let scale = PRINTED.max(LEAST_TYPE / least_type(figure.svg())).min(1.0);
+    (scale * width).min(TEXT_WIDTH)
+}
+
+/// Size of the smallest letters of a figure, which are outlines in thousandths of it.
+pub fn least_type(svg: &str) -> f64 {
+    let scales = svg.split(") scale(").skip(1).filter_map(|rest| rest.split(' ').next()?.parse::<f64>().ok());
+    scales.fold(f64::INFINITY, |least, scale| least.min(1000.0 * scale))
+}
+
 /// The style with the faces, and what runs along the pages.
-fn style(title: &str, source: &Source<'_>) -> String {
+pub fn style(title: &str, source: &Source<'_>) -> String {
     let mut style = String::new();
     for (family, weight, bytes) in FACES {
         style += &format!(

@@ -92,6 +92,75 @@ impl Formula {
         }
     }
 
+    /// Number of letters side by side in the widest part within which a line does not end: a factor of a term.
+    pub fn breadth(&self) -> usize {
+        let widest = |parts: &mut dyn Iterator<Item = usize>| parts.max().unwrap_or(0);
+        match self {
+            Formula::Sum(terms) => widest(&mut terms.iter().map(|(_, term)| term.breadth())),
+            Formula::Product(factors) => widest(&mut factors.iter().map(Formula::letters)),
+            other => other.letters(),
+        }
+    }
+
+    /// Number of letters side by side.
+    fn letters(&self) -> usize {
+        let all = |parts: &mut dyn Iterator<Item = usize>| parts.map(|letters| letters + 2).sum::<usize>();
+        match self {
+            Formula::Number(text) | Formula::Name(text) => text.chars().count(),
+            Formula::Value(value) => value.letters(),
+            Formula::Negative(inner) | Formula::Group(inner) | Formula::Absolute(inner) => {
+                inner.letters() + 2
+            }
+            Formula::Sum(terms) => all(&mut terms.iter().map(|(_, term)| term.letters())),
+            Formula::Product(factors) => all(&mut factors.iter().map(Formula::letters)),
+            Formula::Fraction(above, below) => above.letters().max(below.letters()),
+            Formula::Ratio(one, other) => one.letters() + other.letters() + 1,
+            Formula::Power(base, exponent) => base.letters() + exponent.letters() + 2,
+            Formula::Call(function, arguments) => {
+                function.chars().count() + all(&mut arguments.iter().map(Formula::letters))
+            }
+        }
+    }
+
+    /// The formula on one line: fractions with a slash, and parentheses where a bar needed none.
+    pub fn on_a_line(&self) -> Formula {
+        let all = |parts: &[Formula]| parts.iter().map(Formula::on_a_line).collect::<Vec<_>>();
+        let one = |part: &Formula| Box::new(part.on_a_line());
+        let grouped = |part: &Formula| match part.bare().on_a_line() {
+            part @ (Formula::Sum(_) | Formula::Product(_) | Formula::Ratio(..) | Formula::Negative(_)) => {
+                Formula::Group(Box::new(part))
+            }
+            part => part,
+        };
+        match self {
+            Formula::Fraction(above, below) | Formula::Ratio(above, below) => {
+                let above = match above.bare().on_a_line() {
+                    sum @ (Formula::Sum(_) | Formula::Ratio(..)) => Formula::Group(Box::new(sum)),
+                    above => above,
+                };
+                Formula::Ratio(Box::new(above), Box::new(grouped(below)))
+            }
+            Formula::Product(factors) => {
+                // A factor behind a slash would seem to stand below it.
+                let last = factors.len() - 1;
+                let factors = factors.iter().enumerate().map(|(i, factor)| match factor.on_a_line() {
+                    ratio @ Formula::Ratio(..) if i < last => Formula::Group(Box::new(ratio)),
+                    factor => factor,
+                });
+                Formula::Product(factors.collect())
+            }
+            Formula::Number(_) | Formula::Name(_) | Formula::Value(_) => self.clone(),
+            Formula::Negative(inner) => Formula::Negative(one(inner)),
+            Formula::Sum(terms) => {
+                Formula::Sum(terms.iter().map(|(minus, term)| (*minus, term.on_a_line())).collect())
+            }
+            Formula::Power(base, exponent) => Formula::Power(one(base), one(exponent)),
+            Formula::Call(function, arguments) => Formula::Call(function.clone(), all(arguments)),
+            Formula::Group(inner) => Formula::Group(one(inner)),
+            Formula::Absolute(inner) => Formula::Absolute(one(inner)),
+        }
+    }
+
     /// The formula with numbers in place of all names but π.
     ///
     /// # Errors

@@ -27,9 +27,16 @@ pub fn tables(case: &Case, file: &CaseFile) -> Markup {
         table.numbers data-table="inputs" {
             thead { tr { th { "Input" } th { "Symbol" } th { "As written" } th.n { "As taken" } th { "Source" } } }
             @for group in entries.chunk_by(|one, two| table(one) == table(two)) {
+                @let name = group.iter().find(|entry| entry.id.key.entry() == "name");
                 tbody {
-                    tr.group { th colspan="5" scope="rowgroup" { (heading(group[0].id)) } }
-                    @for entry in group { (row(file, entry)) }
+                    tr.group {
+                        th colspan=(if name.is_some() { 4 } else { 5 }) scope="rowgroup" {
+                            (heading(group[0].id))
+                            @if let Some(name) = name { " " (file.written(name).trim_matches('"')) }
+                        }
+                        @if let Some(name) = name { td.source { (file.comment(name).unwrap_or_default()) } }
+                    }
+                    @for entry in group.iter().filter(|entry| entry.id.key.entry() != "name") { (row(file, entry)) }
                 }
             }
             @if !defaults.is_empty() {
@@ -107,13 +114,15 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
         tr data-symbol=[(count == 1).then_some(symbol)] {
             td { (words.join(", ")) " " code { (key.entry()) } }
             td { (sign(key, index, tables)) }
-            td.written { (written) }
-            td.n {
-                @for (i, &value) in numbers.iter().enumerate() {
-                    @if i > 0 { ", " }
-                    data value=(value / size) { (number(value / size)) }
-                    @if key.entry().ends_with("_deg") { "°" }
-                    @if !unit.is_empty() && i + 1 == count { "\u{a0}" span.unit { (unit) } }
+            td.written colspan=[(count == 0).then_some(2)] { (written) }
+            @if count > 0 {
+                td.n {
+                    @for (i, &value) in numbers.iter().enumerate() {
+                        @if i > 0 { ", " }
+                        data value=(value / size) { (number(value / size)) }
+                        @if key.entry().ends_with("_deg") { "°" }
+                        @if !unit.is_empty() && i + 1 == count { "\u{a0}" span.unit { (unit) } }
+                    }
                 }
             }
             td.source { (file.comment(entry).unwrap_or_default()) }

@@ -12,9 +12,10 @@
 //!
 //! | question | module |
 //! |---|---|
-//! | What stands on the sheet, in which order? | `document` |
+//! | What stands on the sheet, in which order? | `document`; on the one of a page `short` |
 //! | What stands behind it, and what is not covered? | `method`, `references`, `limits` |
 //! | What is computed, step by step? | `calculation` |
+//! | How do several combinations share their formulas? | `together` |
 //! | What becomes of the body in time? | `in_time` |
 //! | How does a formula become symbols and numbers? | `formula`, `mathml`, `steps`, `symbols` |
 //! | What keeps a sheet from being made with a gap? | `fault` |
@@ -40,14 +41,16 @@ mod method;
 mod probability;
 mod references;
 mod sensitivity;
+mod short;
 mod steps;
 mod symbols;
+mod together;
 mod verdict;
 
 use sha2::{Digest, Sha256};
 use standfast::InputError;
 use standfast_cases::motion::{Factors, FirstInstant, Follow, StrengthAsked};
-use standfast_cases::{Assessment, AssessmentView, CaseError, CaseFile, Explained, Key};
+use standfast_cases::{Assessment, AssessmentView, CaseError, CaseFile, Explained, Key, Portion, Stopped};
 use thiserror::Error;
 
 pub use browser::{Paper, PaperError, PrintError};
@@ -65,12 +68,14 @@ pub struct SheetOptions {
     pub date: Option<Date>,
     /// Multiple of the full load to which a rising load is followed.
     pub up_to: f64,
+    /// True for one page: the verdict, the section, the inputs that decide, each criterion, signatures.
+    pub short: bool,
 }
 
 impl Default for SheetOptions {
-    /// Undated, loads followed up to twice their value.
+    /// Undated and in full, loads followed up to twice their value.
     fn default() -> SheetOptions {
-        SheetOptions { title_block: Vec::new(), date: None, up_to: 2.0 }
+        SheetOptions { title_block: Vec::new(), date: None, up_to: 2.0, short: false }
     }
 }
 
@@ -81,6 +86,9 @@ pub enum SheetError {
     /// The case file is wrong.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// Whoever watches the work has stopped it.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// The case cannot be computed.
     #[error(transparent)]
     Mechanics(#[from] InputError),
@@ -114,6 +122,7 @@ impl Explained for SheetError {
 pub struct Sheet {
     html: String,
     date: Option<Date>,
+    short: bool,
 }
 
 impl Sheet {
@@ -122,20 +131,28 @@ impl Sheet {
     /// # Errors
     /// If the case makes no sense, or anything on the sheet cannot be drawn: there is no sheet with a gap.
     pub fn of(name: &str, text: &str, options: &SheetOptions) -> Result<Sheet, SheetError> {
-        Sheet::of_file(&CaseFile::parse(name, text)?, options)
+        Sheet::of_file(&CaseFile::parse(name, text)?, options, Portion::UNSEEN)
     }
 
-    /// The sheet of a case file; of one in time that of its first instant, with its motion.
+    /// The sheet of a case file, as a portion of work that somebody may watch; of one in time that of its first instant, with its motion.
     ///
     /// # Errors
-    /// As [`of`](Sheet::of), and if the motion cannot be followed.
-    pub fn of_file(case_file: &CaseFile, options: &SheetOptions) -> Result<Sheet, SheetError> {
+    /// As [`of`](Sheet::of), and if the motion cannot be followed, or the work is stopped.
+    pub fn of_file(
+        case_file: &CaseFile,
+        options: &SheetOptions,
+        portion: Portion<'_>,
+    ) -> Result<Sheet, SheetError> {
         let strength = StrengthAsked::IfShort(Factors::Rungs);
         let follow = Follow { series: true, divergence: true, strength };
-        let assessment = Assessment::following(case_file, Some(&follow))?;
+        let [of_answer, of_chances] =
+            portion.parts([1.0, if case_file.random().is_some() { 9.0 } else { 0.0 }]);
+        let assessment = Assessment::following(case_file, Some(&follow), of_answer)?;
         match case_file.first_instant()? {
-            Some(first) => Sheet::made(&assessment, &first.file, Some((case_file, &first)), options),
-            None => Sheet::made(&assessment, case_file, None, options),
+            Some(first) => {
+                Sheet::made(&assessment, &first.file, Some((case_file, &first)), options, of_chances)
+            }
+            None => Sheet::made(&assessment, case_file, None, options, of_chances),
         }
     }
 
@@ -144,6 +161,7 @@ impl Sheet {
         case_file: &CaseFile,
         in_time: Option<(&CaseFile, &FirstInstant)>,
         options: &SheetOptions,
+        portion: Portion<'_>,
     ) -> Result<Sheet, SheetError> {
         let name = case_file.name();
         let source = document::Source {
@@ -160,7 +178,12 @@ impl Sheet {
             title_block: &options.title_block,
         };
         let view = AssessmentView { up_to: options.up_to, ..AssessmentView::default() };
-        Ok(Sheet { html: document::render(assessment, &source, &view)?, date: options.date })
+        let html = match options.short {
+            true => short::render(assessment, &source, &view, portion)?,
+            false => document::render(assessment, &source, &view, portion)?,
+        };
+        portion.reached(1.0);
+        Ok(Sheet { html, date: options.date, short: options.short })
     }
 
     /// The sheet as an HTML document.
@@ -174,7 +197,7 @@ impl Sheet {
     /// # Errors
     /// If there is no such browser, or it does not print.
     pub fn pdf(&self, paper: Paper) -> Result<Vec<u8>, PrintError> {
-        browser::print(&self.html, paper, self.date)
+        browser::print(&self.html, paper, self.short, self.date)
     }
 }
 

@@ -92,10 +92,12 @@ impl Measured {
     /// The number at full precision for machines, rounded for people, with its unit. `name` says which number of the case it
     /// is, as the program's JSON calls it.
     pub fn html(&self, name: &str) -> Markup {
-        html! {
-            data value=(self.value) data-quantity=[(!name.is_empty()).then_some(name)] { (self.text()) }
-            (self.unit_html())
-        }
+        html! { (self.number_html(name)) (self.unit_html()) }
+    }
+
+    /// The number without its unit.
+    pub fn number_html(&self, name: &str) -> Markup {
+        html! { data value=(self.value) data-quantity=[(!name.is_empty()).then_some(name)] { (self.text()) } }
     }
 
     /// The digits shown.
@@ -105,6 +107,13 @@ impl Measured {
 
     fn text(&self) -> Markup {
         if self.value == f64::INFINITY { number(self.value) } else { shown(self.digits()) }
+    }
+
+    /// Number of letters of the number with its unit.
+    pub fn letters(&self) -> usize {
+        let Significant { mantissa, exponent } = self.digits();
+        let power = if exponent.is_some() { 5 } else { 0 };
+        mantissa.chars().count() + power + 1 + self.unit.text.chars().count()
     }
 
     /// The unit behind a number.

@@ -1,18 +1,65 @@
 //! Probability of each mode where some numbers are random: laws, method, probabilities, what matters, what is asked.
 
 use maud::{Markup, html};
-use standfast_cases::CaseFile;
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
-    ChanceRequest, Chances, Estimate, Happening, Method, Probability, ProbabilityError, Rate,
+    ChanceRequest, Chances, Estimate, Happening, Method, Probability, ProbabilityError, Random, Rate, period,
 };
+use standfast_cases::{CaseFile, Portion};
 
 use crate::SheetError;
 
-/// The section of a case with `[random]`; `None` of any other.
-pub fn section(file: &CaseFile) -> Result<Option<Markup>, SheetError> {
-    let Some(random) = file.random() else { return Ok(None) };
-    let laws = html! {
+/// Answer to a case with `[random]`.
+pub struct Chance<'a> {
+    random: &'a Random,
+    /// The probabilities, or why there are none.
+    answer: Result<Probability, String>,
+}
+
+impl<'a> Chance<'a> {
+    /// Answer to a case with `[random]`; `None` of any other.
+    pub fn of(file: &'a CaseFile, portion: Portion<'_>) -> Result<Option<Chance<'a>>, SheetError> {
+        let Some(random) = file.random() else { return Ok(None) };
+        let answer = match Probability::under(file, ChanceRequest::default(), None, &[], portion) {
+            Ok(answer) => Ok(answer),
+            Err(ProbabilityError::Case(error)) => return Err(error.into()),
+            Err(ProbabilityError::Stopped(stopped)) => return Err(stopped.into()),
+            Err(other) => Err(other.to_string()),
+        };
+        Ok(Some(Chance { random, answer }))
+    }
+
+    /// The probabilities, where there are some.
+    pub fn answer(&self) -> Option<&Probability> {
+        self.answer.as_ref().ok()
+    }
+
+    /// Reason why there are no probabilities.
+    pub fn why_not(&self) -> Option<&str> {
+        self.answer.as_ref().err().map(String::as_str)
+    }
+
+    /// The section of the sheet.
+    pub fn section(&self) -> Markup {
+        html! {
+            (laws(self.random))
+            @match &self.answer {
+                // The laws stand there, and why nothing follows from them.
+                Err(why) => p.warning { "No probability is found: " (why) "." },
+                Ok(answer) => {
+                    (method(answer))
+                    @for (place, chances) in answer.situations.iter().enumerate() { (situation(answer, chances, place)) }
+                    (together(answer))
+                    (sliding(answer))
+                    (left_out(answer))
+                }
+            }
+        }
+    }
+}
+
+fn laws(random: &Random) -> Markup {
+    html! {
         p.note {
             "Random are the numbers under [random] in the case file, and no others. Deviations, bounds and correlations are the \
              author’s; the source of each has to be shown with the inputs."
@@ -36,23 +83,7 @@ pub fn section(file: &CaseFile) -> Result<Option<Markup>, SheetError> {
             p { "Correlation of " code { (random.named[*first].name) } " and " code { (random.named[*second].name) } ": "
                 (digits(measure.value())) " (" (measure.name()) ")." }
         }
-    };
-    let answer = match Probability::of(file, ChanceRequest::default()) {
-        Ok(answer) => answer,
-        Err(ProbabilityError::Case(error)) => return Err(error.into()),
-        // The laws stand there, and why nothing follows from them.
-        Err(other) => {
-            return Ok(Some(html! { (laws) p.warning { "No probability is found: " (other) "." } }));
-        }
-    };
-    Ok(Some(html! {
-        (laws)
-        (method(&answer))
-        @for (place, chances) in answer.situations.iter().enumerate() { (situation(&answer, chances, place)) }
-        (together(&answer))
-        (sliding(&answer))
-        (left_out(&answer))
-    }))
+    }
 }
 
 fn method(answer: &Probability) -> Markup {
@@ -92,14 +123,20 @@ fn words(happening: Happening) -> String {
     happening.words().map_or(name.clone(), |words| format!("{words} ({name})"))
 }
 
-fn modes(modes: &[(Happening, Estimate)], not_rest: Estimate, floor: f64, name: &str) -> Markup {
+/// The modes with their probabilities within a period.
+fn modes(
+    modes: &[(Happening, Estimate)],
+    not_rest: Estimate,
+    floor: f64,
+    (name, period): (&str, &str),
+) -> Markup {
     let shown = modes.iter().filter(|(_, e)| e.value >= floor);
     let below: Vec<_> = modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
     let bound = below.iter().map(|(_, e)| e.high).fold(0.0, f64::max);
     let symbols: Vec<String> = below.iter().map(|(happening, _)| happening.name()).collect();
     html! {
         table.numbers data-table=(name) {
-            thead { tr { th { "The body" } th.n { "Probability" } th.n { "Interval" } } }
+            thead { tr { th { "The body" } th.n { "Probability " (period) } th.n { "Interval" } } }
             tbody {
                 @for (happening, e) in shown {
                     tr { td { (words(*happening)) } td.n { (chance(*e)) } td.n { (interval(*e)) } }
@@ -118,14 +155,15 @@ fn situation(answer: &Probability, chances: &Chances, place: usize) -> Markup {
         @if let Some(name) = &chances.situation {
             h3 { "Under " (name) @if several && place == 0 { ", the least safe" } }
         }
-        (modes(&chances.modes, chances.not_rest, floor, "modes"))
+        (modes(&chances.modes, chances.not_rest, floor, ("modes", period(answer))))
         @if !chances.precise {
             p.warning { "Not every probability above " (digits(floor)) " is as precise as " (digits(100.0 * answer.request.effort.precision)) " %." }
         }
         @if place == 0 { (index(chances)) (matters(answer, chances)) }
         @if let Some(life) = &chances.life {
             h3 { "At least once in " (digits(life.years)) " years" }
-            (modes(&life.modes.iter().copied().filter(|(h, _)| *h != Happening::REST).collect::<Vec<_>>(), life.not_rest, floor, "life"))
+            @let moving: Vec<_> = life.modes.iter().copied().filter(|(h, _)| *h != Happening::REST).collect();
+            (modes(&moving, life.not_rest, floor, ("life", &format!("in {} years", digits(life.years)))))
         }
     }
 }
@@ -159,7 +197,7 @@ fn matters(answer: &Probability, chances: &Chances) -> Markup {
     html! {
         h3 { "Which input matters" }
         table.numbers data-table="importance" {
-            thead { tr { th { "Input" } th.n { "α²" } th.n { "P if it were known" } th.n { "At the design point" } } }
+            thead { tr { th { "Input" } th.n { "α²" } th.n { "P " (period(answer)) " if it were known" } th.n { "At the design point" } } }
             tbody {
                 @for place in order {
                     tr {
@@ -180,13 +218,13 @@ fn together(answer: &Probability) -> Markup {
     html! {
         @if let Some(joined) = answer.joined {
             p {
-                "Under any of these " (joined.count) ", all with the same numbers drawn, the body does not stay at rest: "
+                "Under any of these " (joined.count) ", all with the same numbers drawn, the body does not stay at rest " (period(answer)) ": "
                 (chance(joined.not_rest)) " (" (interval(joined.not_rest)) ")."
             }
         }
         @if let Some(criterion) = answer.criterion {
             p {
-                "Criterion " code { "p_not_rest" } " ≤ " (digits(criterion.required)) ": the upper end of the interval is "
+                "Criterion " code { "p_not_rest" } " " (period(answer)) " ≤ " (digits(criterion.required)) ": the upper end of the interval is "
                 data value=(criterion.counted()) { (digits(criterion.counted())) } "; "
                 span.yes[criterion.is_met()].no[!criterion.is_met()] { (if criterion.is_met() { "met" } else { "not met" }) } "."
             }
@@ -204,7 +242,7 @@ fn sliding(answer: &Probability) -> Markup {
     html! {
         h3 { "Slides over " (digits(sliding.years)) " years of storms" }
         table.numbers data-table="sliding" {
-            thead { tr { th { "Slide" } th.n { "Value" } th.n { "Interval" } } }
+            thead { tr { th { "Slide in " (digits(sliding.years)) " years" } th.n { "Value" } th.n { "Interval" } } }
             tbody {
                 (row("mean".to_owned(), sliding.mean, " m"))
                 (row("chance of any slide".to_owned(), sliding.ever, ""))

@@ -49,7 +49,8 @@ pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
     })
 }
 
-fn value(row: &Sensitivity) -> Markup {
+/// The value of an input, with its unit.
+pub fn value(row: &Sensitivity) -> Markup {
     html! {
         data value=(row.value) { (number(row.value)) }
         @if let Some(dimension) = row.variable.dimension() {
@@ -58,7 +59,8 @@ fn value(row: &Sensitivity) -> Markup {
     }
 }
 
-fn signed(change: SensitivityChange) -> Markup {
+/// A change with its sign, or the word for one that is no number.
+pub fn signed(change: SensitivityChange) -> Markup {
     let text = |change: f64| match format!("{change:+.5}").replace('-', "−") {
         zero if zero.ends_with("0.00000") => "0".to_owned(),
         text => text,

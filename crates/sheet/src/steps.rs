@@ -8,6 +8,7 @@ use crate::fault::SheetFault;
 use crate::formula::{Formula, FormulaError, Scope};
 use crate::mathml::{FormulaContent, line, prose, symbol};
 use crate::measured::{Measured, NONE, SheetUnit, sides};
+use crate::together::{self, Brief, Column, Item, Row};
 
 /// The calculation as far as it is written, and the quantities that later steps may use.
 ///
@@ -16,30 +17,35 @@ use crate::measured::{Measured, NONE, SheetUnit, sides};
 pub struct SheetSteps {
     extent: Extent,
     scope: Scope,
-    done: Vec<Markup>,
+    done: Vec<Part>,
     part: Part,
     /// The reference of the last step: one without words of its own belongs to it.
     reference: String,
+    /// Subject of the steps: what the last one with words of its own is about.
+    subject: String,
     fault: Option<SheetFault>,
 }
+
+/// Number of letters of a formula that has no room beside the words on its subject, on paper.
+const WIDE: usize = 50;
 
 /// A part of the calculation under a title; `load` says of which load, counted from 0.
 struct Part {
     title: String,
     load: Option<usize>,
-    html: Vec<Markup>,
+    items: Vec<Item>,
 }
 
 impl Part {
     fn of(title: &str, load: Option<usize>) -> Part {
-        Part { title: title.to_owned(), load, html: Vec::new() }
+        Part { title: title.to_owned(), load, items: Vec::new() }
     }
 
     fn html(&self) -> Markup {
         html! {
             section.part data-load=[self.load] {
                 h3.part { (self.title) }
-                @for markup in &self.html { (markup) }
+                @for item in &self.items { (item.full) }
             }
         }
     }
@@ -70,6 +76,7 @@ impl SheetSteps {
             done: Vec::new(),
             part: Part::of(title, None),
             reference: String::new(),
+            subject: String::new(),
             fault: None,
         }
     }
@@ -77,35 +84,80 @@ impl SheetSteps {
     /// Begins the next part. Quantities stay known.
     pub fn part(&mut self, title: &str, load: Option<usize>) {
         let part = std::mem::replace(&mut self.part, Part::of(title, load));
-        self.done.push(part.html());
+        self.done.push(part);
+        self.subject.clear();
     }
 
-    /// Everything that was asked for.
+    /// Everything that was asked for; the situations in `others` together in a table, which is called `title`.
     ///
     /// # Errors
     /// If any of it could not be drawn.
-    pub fn finish(self) -> Result<Markup, SheetFault> {
-        match self.fault {
-            Some(fault) => Err(fault),
-            None => Ok(html! { @for part in self.done { (part) } (self.part.html()) }),
+    pub fn finish(mut self, others: &[Column], title: &str) -> Result<Markup, SheetFault> {
+        if let Some(fault) = self.fault {
+            return Err(fault);
         }
+        self.done.push(self.part);
+        let is_other = |part: &Part| part.load.is_some_and(|load| others.iter().any(|one| one.index == load));
+        let (apart, one_by_one): (Vec<_>, Vec<_>) = self.done.into_iter().partition(is_other);
+        let last = one_by_one.iter().rposition(|part| part.load.is_some());
+        let full: Vec<_> = one_by_one.iter().filter(|part| part.load.is_some()).collect();
+        let model: Vec<_> = full.iter().map(|part| part.title.as_str()).collect();
+        let full: Vec<_> = full.iter().map(|part| part.items.as_slice()).collect();
+        let apart: Vec<_> = apart.iter().map(|part| part.items.as_slice()).collect();
+        Ok(html! {
+            @for (i, part) in one_by_one.iter().enumerate() {
+                (part.html())
+                @if Some(i) == last && !apart.is_empty() {
+                    section.part {
+                        h3.part { (title) }
+                        (together::table(&full, &apart, others, &model.join("; ")))
+                    }
+                }
+            }
+        })
     }
 
     /// A value of the case, SI, in the unit it is shown in.
-    fn measured(&self, si: f64, unit: SheetUnit) -> Measured {
+    pub fn measured(&self, si: f64, unit: SheetUnit) -> Measured {
         Measured::of(si, unit).in_extent(self.extent)
+    }
+
+    /// A quantity that later formulas may use, and that stands among the inputs under its symbol.
+    pub fn know_input(&mut self, name: &str, si: f64, unit: SheetUnit) {
+        let known = self.measured(si, unit);
+        self.scope.insert(name.to_owned(), known);
     }
 
     /// A quantity that later formulas may use.
     pub fn know(&mut self, name: &str, si: f64, unit: SheetUnit) {
         let known = self.measured(si, unit);
         self.scope.insert(name.to_owned(), known);
+        let row = self.row(name, "known", html! {}, html! { (PreEscaped(symbol(name))) }, known, "");
+        self.part.items.push(Item { full: html! {}, brief: Brief::Known(row, known.value) });
+    }
+
+    /// Begins the steps of a subject, before the first of them.
+    pub fn subject(&mut self, about: &str) {
+        about.clone_into(&mut self.subject);
+    }
+
+    /// The row of a quantity under the present subject; `how` tells it from others of the same name.
+    fn row(&self, name: &str, how: &str, about: Markup, head: Markup, value: Measured, key: &str) -> Row {
+        let met = [": met", ": not met"].iter().find_map(|end| self.subject.strip_suffix(end));
+        Row {
+            name: name.to_owned(),
+            key: [met.unwrap_or(&self.subject), name, how].join("\n"),
+            about,
+            head,
+            unit: value.unit_html(),
+            cell: value.number_html(key),
+        }
     }
 
     /// Writes what could be drawn, or keeps why it could not.
-    pub fn write(&mut self, drawn: Result<Markup, SheetFault>) {
+    fn write(&mut self, drawn: Result<Item, SheetFault>) {
         match drawn {
-            Ok(markup) => self.part.html.push(markup),
+            Ok(item) => self.part.items.push(item),
             Err(fault) => {
                 self.fault.get_or_insert(fault);
             }
@@ -114,21 +166,28 @@ impl SheetSteps {
 
     /// Writes a step.
     pub fn step(&mut self, step: &SheetStep<'_>) {
+        if !step.about.is_empty() {
+            self.subject(step.about);
+        }
         let drawn = self.draw(step);
         self.write(drawn);
         step.reference.clone_into(&mut self.reference);
         self.scope.insert(step.name.to_owned(), step.result.in_extent(self.extent));
     }
 
-    fn draw(&self, step: &SheetStep<'_>) -> Result<Markup, SheetFault> {
+    fn draw(&self, step: &SheetStep<'_>) -> Result<Item, SheetFault> {
         let SheetStep { about, reference, name, formula, result, key } = *step;
         let result = result.in_extent(self.extent);
         let place = format!("the step for `{name}`");
         let shown = if about.is_empty() && reference == self.reference { "" } else { reference };
         let symbols = read(&place, formula)?;
         let numbers = self.numbers(&place, formula, &symbols)?;
-        Ok(html! {
-            div.step data-symbol=(name) {
+        let short = html! {
+            (PreEscaped(symbol(name))) " " (PreEscaped(line(&symbols.on_a_line(), "=", FormulaContent::Symbols)))
+        };
+        let row = self.row(name, formula, prose(about)?, short, result, key);
+        let full = html! {
+            div.step.wide[numbers.breadth() > WIDE] data-symbol=(name) {
                 (head(about, shown)?)
                 div.lines {
                     span.left { (PreEscaped(symbol(name))) }
@@ -140,7 +199,8 @@ impl SheetSteps {
                 }
                 p.result { "= " (result.html(key)) }
             }
-        })
+        };
+        Ok(Item { full, brief: Brief::Rows(vec![row]) })
     }
 
     /// The formula, written as `text`, with numbers put in.
@@ -166,9 +226,12 @@ impl SheetSteps {
 
     /// Writes a result that no formula on a line gives, with words in place of it.
     pub fn told(&mut self, about: &str, name: &str, si: f64, unit: SheetUnit, words: &str, key: &str) {
+        if !about.is_empty() {
+            self.subject(about);
+        }
         let result = self.measured(si, unit);
-        self.write(head(about, "").map(|head| {
-            html! {
+        let drawn = head(about, "").and_then(|head| {
+            let full = html! {
                 div.step data-symbol=(name) {
                     (head)
                     div.lines {
@@ -177,8 +240,12 @@ impl SheetSteps {
                     }
                     p.result { "= " (result.html(key)) }
                 }
-            }
-        }));
+            };
+            let short = html! { (PreEscaped(symbol(name))) ": " (words) };
+            let row = self.row(name, words, prose(about)?, short, result, key);
+            Ok(Item { full, brief: Brief::Rows(vec![row]) })
+        });
+        self.write(drawn);
         self.scope.insert(name.to_owned(), result);
     }
 
@@ -188,7 +255,7 @@ impl SheetSteps {
         self.write(drawn);
     }
 
-    fn draw_relation(&self, relation: &Relation) -> Result<Markup, SheetFault> {
+    fn draw_relation(&self, relation: &Relation) -> Result<Item, SheetFault> {
         let Relation { equation, quantity, left, sign, bound, right, holds } = *relation;
         let place = format!("the inequality ({equation})");
         let (from, to) = (read(&place, quantity)?, read(&place, bound)?);
@@ -196,7 +263,23 @@ impl SheetSteps {
         let sign = sign.to_string();
         let one_number = matches!(to, Formula::Number(_));
         let [shown_left, shown_right] = sides(left, right);
-        Ok(html! {
+        let margin = Measured::of(relation.margin().abs(), NONE);
+        let row = Row {
+            name: String::new(),
+            key: [&self.subject, equation, quantity, &sign, bound].join("\n"),
+            about: html! { "(" (equation) ")" },
+            head: html! {
+                (PreEscaped(line(&from, "", FormulaContent::Symbols))) " "
+                (PreEscaped(line(&to.on_a_line(), &sign, FormulaContent::Symbols)))
+            },
+            unit: html! {},
+            cell: html! {
+                data value=(left) data-side="left" { (shown_left) } " " (PreEscaped(line_sign(&sign))) " "
+                data value=(right) data-side="right" { (shown_right) } br;
+                @if holds { span.yes { "holds" } } @else { span.no { "fails" } } " by " (margin.html("margin"))
+            },
+        };
+        let full = html! {
             div.step.relation {
                 (head("", equation)?)
                 div.lines {
@@ -213,25 +296,48 @@ impl SheetSteps {
                 }
                 p.result {
                     @if holds { span.yes { "holds" } } @else { span.no { "fails" } }
-                    " by " (Measured::of(relation.margin().abs(), NONE).html("margin"))
+                    " by " (margin.html("margin"))
                 }
             }
-        })
+        };
+        Ok(Item { full, brief: Brief::Rows(vec![row]) })
     }
 
     /// Writes a sentence.
     pub fn note(&mut self, text: &str) {
-        self.write(prose(text).map(|text| html! { p.note { (text) } }));
+        let brief = Brief::Note(text.to_owned());
+        self.write(prose(text).map(|text| Item { full: html! { p.note { (text) } }, brief }));
     }
 
     /// Writes a heading.
     pub fn heading(&mut self, text: &str) {
-        self.push(html! { h3 { (text) } });
+        self.subject.clear();
+        self.push(html! { h3 { (text) } }, Brief::Heading(text.to_owned()));
     }
 
-    /// Writes anything else.
-    pub fn push(&mut self, markup: Markup) {
-        self.part.html.push(markup);
+    /// Writes anything else, and what it is where several situations stand in a table.
+    pub fn push(&mut self, full: Markup, brief: Brief) {
+        self.part.items.push(Item { full, brief });
+    }
+
+    /// Writes a table of quantities, which are rows where several situations stand together.
+    pub fn quantities(&mut self, drawn: Result<(Markup, Vec<Row>), SheetFault>) {
+        self.write(drawn.map(|(full, rows)| Item { full, brief: Brief::Rows(rows) }));
+    }
+
+    /// Writes a question with its answer; the inequalities that follow belong to it.
+    pub fn question(&mut self, words: &str, holds: bool) {
+        let cell = html! { @if holds { span.yes { "Yes" } } @else { span.no { "No" } } };
+        self.subject(words);
+        let row = Row {
+            name: String::new(),
+            key: words.to_owned(),
+            about: html! {},
+            head: html! { (words) },
+            unit: html! {},
+            cell: cell.clone(),
+        };
+        self.push(html! { h4 { (words) " " (cell) } }, Brief::Rows(vec![row]));
     }
 }
 
@@ -275,7 +381,7 @@ mod tests {
         wrong(&mut steps);
         steps.part("Next part", Some(0));
         steps.add("", "", ["c", "a + b"], 4.5, METRE, "");
-        steps.finish().map(Markup::into_string)
+        steps.finish(&[], "").map(Markup::into_string)
     }
 
     fn relation(quantity: &'static str, bound: &'static str) -> Relation {

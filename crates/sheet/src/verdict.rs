@@ -2,46 +2,105 @@
 
 use maud::{Markup, html};
 use standfast::{Departure, Verdict};
-use standfast_cases::assess::{AnyCheck, criteria_met, shown, verdict};
+use standfast_cases::assess::{AnyCheck, verdict};
 use standfast_cases::layout::percent;
-use standfast_cases::{Assessed, Assessment, AssessmentView, Document};
+use standfast_cases::random::Probability;
+use standfast_cases::{Assessed, Assessment, Document, Summary};
 
-use crate::calculation::TARGET;
+use crate::calculation::{Situations, TARGET};
 use crate::measured::{FACTOR, Measured};
+use crate::probability::Chance;
 
 fn name(assessment: &Assessment, assessed: &Assessed) -> String {
     assessment.name(assessed).unwrap_or_else(|| "all loads".to_owned())
 }
 
-/// The verdict in short.
-pub fn summary(assessment: &Assessment) -> Markup {
-    let several = is_named(assessment);
+/// Top of an answer, and what stands before it.
+pub struct Top {
+    lead: Option<&'static str>,
+    summary: Summary,
+}
+
+/// Tops of the answers on a sheet, in the order they are read: probability, motion, and the case with its numbers as they are.
+pub fn tops(assessment: &Assessment, chance: Option<&Probability>) -> Vec<Top> {
+    let motion = assessment.in_time.as_ref().and_then(|in_time| in_time.motions.summary());
+    let given = match (chance.is_some(), motion.is_some()) {
+        (_, true) => Some("At the first instant, as if the peaks stayed:"),
+        (true, false) => Some("With every number as the case file has it:"),
+        (false, false) => None,
+    };
+    let chance = chance.and_then(Document::summary).map(|summary| Top { lead: None, summary });
+    let motion = motion.map(|summary| {
+        let lead = chance.is_some().then_some("With every number as the case file has it:");
+        Top { lead, summary }
+    });
+    let assessed = assessment.summary().map(|summary| Top { lead: given, summary });
+    [chance, motion, assessed].into_iter().flatten().collect()
+}
+
+impl Top {
+    /// Whether the criteria are met and which governs, what happens, and how near another answer is.
+    fn lines(&self) -> Markup {
+        let Top { lead, summary: Summary { criteria, answer, met, near, .. } } = self;
+        html! {
+            @if let Some(lead) = lead { p.note { (lead) } }
+            @if let Some(criteria) = criteria {
+                p.verdict data-met=(met.unwrap_or(true)) { strong { (sentence(criteria)) } }
+            }
+            p.verdict { (sentence(answer)) }
+            @if let Some(near) = near { p.near { (sentence(near)) } }
+        }
+    }
+}
+
+/// A sentence with what stands between backticks as code.
+fn sentence(text: &str) -> Markup {
+    html! {
+        @for (i, part) in text.split('`').enumerate() {
+            @if i % 2 == 0 { (part) } @else { code { (part) } }
+        }
+    }
+}
+
+/// The sentences of some answers, for measuring them.
+pub fn words(tops: &[Top]) -> Vec<String> {
+    let of = |top: &Top| {
+        let Summary { criteria, answer, near, .. } = &top.summary;
+        let lead = top.lead.map(str::to_owned);
+        [lead, criteria.clone(), Some(answer.clone()), near.clone()].into_iter().flatten().collect::<Vec<_>>()
+    };
+    tops.iter().flat_map(of).collect()
+}
+
+/// The three lines of each answer, and the names of the warnings; `warned` says where their words are.
+pub fn lines(tops: &[Top], warned: &str) -> Markup {
+    let mut warnings: Vec<&str> = Vec::new();
+    for name in tops.iter().flat_map(|top| &top.summary.warnings) {
+        if !warnings.contains(name) {
+            warnings.push(name);
+        }
+    }
+    html! {
+        @for top in tops { (top.lines()) }
+        @if !warnings.is_empty() {
+            p.note data-warnings {
+                "Warnings, in words " (warned) ": "
+                @for (i, name) in warnings.iter().enumerate() { @if i > 0 { ", " } code { (name) } }
+                "."
+            }
+        }
+    }
+}
+
+/// The verdict in short; `warned` says where the words of the warnings are.
+pub fn summary(assessment: &Assessment, tops: &[Top], chance: Option<&Chance<'_>>, warned: &str) -> Markup {
     html! {
         section.summary {
             h2 { "Summary" }
-            @if let Some(in_time) = assessment.in_time.as_ref().filter(|in_time| !in_time.motions.is_empty()) {
-                @if let Some(top) = in_time.motions.summary() {
-                    p.verdict { strong { (top.answer) } }
-                    @if let Some(near) = &top.near { p.note { (near) } }
-                }
-                p.note { "At the first instant, as if the peaks stayed:" }
-            }
-            @for assessed in shown(assessment, &AssessmentView::default()) {
-                p.verdict data-mode=(assessed.verdict().map_or("none", Verdict::symbol)) {
-                    @if several { (name(assessment, assessed)) ": " }
-                    @match assessed.verdict() {
-                        Some(begun) => {
-                            "The body " strong { (begun.words()) } " (" (begun) ")"
-                            @if let Some(factor) = verdict::factor_at_rest(assessed) { ", " (factor) }
-                            "."
-                        }
-                        None => "The body has no consistent mode.",
-                    }
-                    @if !assessed.outcome.full.is_unique() { " The answer is not unique; see the verdict." }
-                }
-            }
+            @if let Some(why) = chance.and_then(Chance::why_not) { p.note { "No probability is found: " (why) "." } }
+            (lines(tops, warned))
             @if assessment.all_checks().is_empty() {
-                (table(assessment))
+                (table(assessment, usize::MAX))
                 p.note {
                     "The case file has no [criteria]."
                     @if assessment.case.wave.is_some() {
@@ -50,14 +109,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
                 }
             } @else {
                 (criteria(assessment))
-                (table(assessment))
-            }
-            @if !assessment.case.warnings().is_empty() {
-                @let moves = assessment.in_time.as_ref().is_some_and(|in_time| !in_time.motions.is_empty());
-                p.note {
-                    "There are warnings about numbers that are unusual or outside the range of the formulas; see section "
-                    (7 + usize::from(moves)) "."
-                }
+                (table(assessment, usize::MAX))
             }
         }
     }
@@ -77,7 +129,6 @@ fn criteria(assessment: &Assessment) -> Markup {
     let checks = assessment.all_checks();
     let shaken = checks.iter().any(AnyCheck::is_of_another_shaking);
     html! {
-        p.verdict data-met=(assessment.met().unwrap_or(true)) { (criteria_met(assessment)) }
         table.numbers data-table="criteria" {
             thead {
                 tr {
@@ -119,7 +170,8 @@ const COLUMNS: [&str; 6] = [
 /// Columns that hold numbers.
 const NUMBERS: std::ops::RangeInclusive<usize> = 1..=3;
 
-fn table(assessment: &Assessment) -> Markup {
+/// The table of the situations, the worst first, of at most so many.
+pub fn table(assessment: &Assessment, most: usize) -> Markup {
     let several = is_named(assessment);
     html! {
         table.numbers data-table="summary" {
@@ -130,7 +182,7 @@ fn table(assessment: &Assessment) -> Markup {
                 }
             }
             tbody {
-                @for assessed in assessment.worst_first() {
+                @for assessed in assessment.worst_first().into_iter().take(most) {
                     @let (full, stability) = (&assessed.outcome.full, &assessed.outcome.stability);
                     @let factors = [stability.sliding, stability.overturning()];
                     tr {
@@ -161,14 +213,14 @@ fn departure(departure: &Departure) -> Markup {
 }
 
 /// The verdict in full.
-pub fn full(assessment: &Assessment, view: &AssessmentView) -> Markup {
+pub fn full(assessment: &Assessment, situations: &Situations<'_>) -> Markup {
     html! {
-        @for assessed in shown(assessment, view) {
-            @if is_named(assessment) { h3 { (name(assessment, assessed)) } }
-            @for sentence in verdict::full_load(assessed) { p { (sentence) } }
-            @for sentence in verdict::path(assessed) { p { (sentence) } }
+        @for assessed in situations.all() {
+            p {
+                @if is_named(assessment) { strong { (name(assessment, assessed)) ":" } " " }
+                @for sentence in verdict::full_load(assessed).into_iter().chain(verdict::path(assessed)) { (sentence) " " }
+            }
         }
-        (table(assessment))
-        p.note { "The margins of every inequality stand at its step in section 3." }
+        p.note { "The table of the summary has the factors of every situation; the margins of every inequality stand at its step in section 3." }
     }
 }

@@ -2,8 +2,8 @@
 
 mod common;
 
-use standfast_cases::CaseFile;
 use standfast_cases::random::{ChanceRequest, Probability};
+use standfast_cases::{CaseFile, Document};
 use standfast_sheet::{Sheet, SheetOptions};
 
 const BLOCK: &str = "[body]\nwidth = 12\nheight = 3\nmass = 60e3\nfriction = 0.5\n[[load]]\nname = \"push\"\nforce = 230e3\n\
@@ -26,8 +26,8 @@ fn the_section_has_the_numbers_of_the_answer() {
         page.select(&selector).map(|found| found.text().collect::<String>()).collect::<Vec<_>>()
     };
     assert!(
-        select("h2").contains(&"7 Probability".to_owned())
-            && select("h2").contains(&"9 Signatures".to_owned())
+        select("h2").contains(&"6 Probability".to_owned())
+            && select("h2").contains(&"8 Signatures".to_owned())
     );
     let selector = scraper::Selector::parse("data").unwrap();
     let shown: Vec<f64> =
@@ -47,8 +47,48 @@ fn the_section_has_the_numbers_of_the_answer() {
     assert!(words.contains("ranks, Spearman's") && words.contains("only approximates the probability above"));
 }
 
+/// Page 1 says what was asked for with its period, in the words of the top of `standfast probability`; the section has the period at
+/// every table.
+#[test]
+fn page_one_leads_with_the_probability_and_its_period() {
+    let life = format!("{BLOCK}[criteria]\np_not_rest = 0.01\n{RANDOM}")
+        .replace("[random]\n", "[random]\nyears = 50\n");
+    let life =
+        life.replace("{ lognormal = { cov = 0.15 } }", "{ lognormal = { cov = 0.15 }, every = \"year\" }");
+    let event = format!("{BLOCK}{RANDOM}");
+    for (text, period, asked) in [
+        (&event, "in one event", "does not stay at rest in one event is "),
+        (&life, "in one year", "At least once in 50 years: "),
+    ] {
+        let file = CaseFile::parse("case.toml", text).unwrap();
+        let top = Probability::of(&file, ChanceRequest::default()).unwrap().summary().unwrap();
+        assert!(top.answer.contains(period) && top.answer.contains(asked), "{}", top.answer);
+        let page = scraper::Html::parse_document(&html(text));
+        let text_of = |css: &str| {
+            let selector = scraper::Selector::parse(css).unwrap();
+            page.select(&selector).map(|found| found.text().collect::<String>()).collect::<Vec<_>>()
+        };
+        let lines = text_of(".summary p.verdict, .summary p.near");
+        let expected: Vec<String> =
+            [top.criteria, Some(top.answer), top.near].into_iter().flatten().collect();
+        assert_eq!(lines[..expected.len()], expected);
+        // Behind it the case with its numbers as they are, in the words of `standfast assess`.
+        let top = standfast_cases::Assessment::of_file(&file).unwrap().summary().unwrap();
+        let given: Vec<String> = [top.criteria, Some(top.answer), top.near].into_iter().flatten().collect();
+        assert_eq!(lines[expected.len()..], given);
+        let heads = text_of("[data-table=modes] th, [data-table=importance] th").join("|");
+        assert!(
+            heads.contains(&format!("Probability {period}")) && heads.contains(&format!("P {period} if")),
+            "{heads}"
+        );
+        let lives = text_of("[data-table=life] th").join("|");
+        assert_eq!(lives.contains("Probability in 50 years"), text.contains("years = 50"), "{lives}");
+        assert!(text_of("p").iter().any(|p| p.contains(&format!("does not stay at rest {period}: "))));
+    }
+}
+
 #[test]
 fn nothing_random_has_no_section() {
     let page = html(BLOCK);
-    assert!(!page.contains("Probability</h2>") && page.contains("8 Signatures"));
+    assert!(!page.contains("Probability</h2>") && page.contains("7 Signatures"));
 }

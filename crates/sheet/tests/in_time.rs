@@ -1,12 +1,17 @@
 //! The sheet of a case in time: what the program answers stands there.
 
 use scraper::{Html, Selector};
-use standfast_cases::CaseFile;
 use standfast_cases::layout::{digits, significant};
-use standfast_cases::motion::{Follow, FollowedMotion};
+use standfast_cases::motion::{Factors, Follow, FollowedMotion, StrengthAsked};
+use standfast_cases::{Assessment, CaseFile, Document, Portion};
 use standfast_sheet::{Sheet, SheetOptions};
 
 const CAISSON: &str = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
+
+/// What a sheet asks of a motion.
+fn follow() -> Follow {
+    Follow { series: true, divergence: true, strength: StrengthAsked::IfShort(Factors::Rungs) }
+}
 
 /// The cells of a table of the sheet, row by row.
 fn table(page: &Html, name: &str) -> Vec<Vec<String>> {
@@ -24,8 +29,8 @@ fn number(text: &str) -> f64 {
 fn the_sheet_has_what_becomes_of_the_body() {
     let text = format!("{CAISSON}\n[criteria]\nslide = \"8 cm\"\noverturned = false\n");
     let file = CaseFile::parse("case.toml", &text).unwrap();
-    let html = Sheet::of_file(&file, &SheetOptions::default()).unwrap().html().to_owned();
-    assert_eq!(Sheet::of_file(&file, &SheetOptions::default()).unwrap().html(), html);
+    let html = Sheet::of_file(&file, &SheetOptions::default(), Portion::UNSEEN).unwrap().html().to_owned();
+    assert_eq!(Sheet::of_file(&file, &SheetOptions::default(), Portion::UNSEEN).unwrap().html(), html);
     let page = Html::parse_document(&html);
     let answers = FollowedMotion::of_file(&file, &Follow::default()).unwrap();
     let outcome = &answers[0].outcome;
@@ -83,6 +88,17 @@ fn the_sheet_has_what_becomes_of_the_body() {
     let numbered: Vec<&str> =
         headings.iter().filter_map(|h| h.split_once(' ')).map(|(n, _)| n).filter(|n| n.len() == 1).collect();
     assert_eq!(numbered, ["1", "2", "3", "4", "5", "6", "7", "8", "9"]);
+    // Page 1 has the lines of `standfast simulate`, and behind them those of the first instant.
+    let lines: Vec<String> = page
+        .select(&Selector::parse(".summary p.verdict, .summary p.near").unwrap())
+        .map(|line| line.text().collect::<String>())
+        .collect();
+    let assessment = Assessment::following(&file, Some(&follow()), Portion::UNSEEN).unwrap();
+    let motion = assessment.in_time.as_ref().unwrap().motions.summary().unwrap();
+    let tops = [motion, assessment.summary().unwrap()];
+    let expected: Vec<String> =
+        tops.into_iter().flat_map(|top| [top.criteria, Some(top.answer), top.near]).flatten().collect();
+    assert_eq!(lines, expected);
     assert!(headings.contains(&"5 Motion in time".to_owned()));
     let captions: Vec<String> = page
         .select(&Selector::parse("figcaption").unwrap())

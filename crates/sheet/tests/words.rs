@@ -16,6 +16,17 @@ const RACK: &str = "title = \"Server rack\"\n[body]\nwidth = 0.6\nheight = 2\nma
     [earthquake]\nhorizontal = \"0.25 g\"\n[[load]]\nname = \"push\"\nforce = 300\nelevation = 1.5\ntogether = true\n\
     [criteria]\nSF_sliding = 1.2\n";
 
+/// Number of formulas with numbers of a quantity in a situation: at steps, or in its column beside others.
+fn with_formula(html: &Html, situation: usize, symbol: &str) -> usize {
+    let at_steps = format!("[data-load=\"{situation}\"] .step[data-symbol=\"{symbol}\"] .numbers");
+    let rows = select(html, &format!("[data-table=together] tr[data-symbol=\"{symbol}\"]"));
+    let of = scraper::Selector::parse(&format!("td[data-load=\"{situation}\"] data")).unwrap();
+    let formula = scraper::Selector::parse("td.symbols math").unwrap();
+    let in_column =
+        rows.iter().filter(|row| row.select(&of).count() == 1 && row.select(&formula).count() > 1);
+    select(html, &at_steps).len() + in_column.count()
+}
+
 fn text(html: &Html) -> String {
     select(html, "main")[0].text().collect::<Vec<_>>().join(" ")
 }
@@ -102,11 +113,7 @@ fn departure_and_friction_are_steps_with_formulas() {
         let assessment = Assessment::of(&case).unwrap();
         let html = document(&name, &text);
         for assessed in shown(&assessment, &AssessmentView::default()) {
-            let of = |symbol: &str| {
-                let selector =
-                    format!("[data-load=\"{}\"] .step[data-symbol=\"{symbol}\"] .numbers", assessed.index);
-                select(&html, &selector).len()
-            };
+            let of = |symbol: &str| with_formula(&html, assessed.index, symbol);
             let departs = matches!(assessed.departure(), Departure::At { .. });
             assert_eq!(of("λ_d"), usize::from(departs), "{name}");
             departures += usize::from(departs);
@@ -134,11 +141,7 @@ fn what_the_base_bears_has_formulas() {
             let Some(ground) = assessed.ground.as_ref().filter(|ground| ground.reaction.is_some()) else {
                 continue;
             };
-            let of = |symbol: &str| {
-                let selector =
-                    format!("[data-load=\"{}\"] .step[data-symbol=\"{symbol}\"] .numbers", assessed.index);
-                select(&html, &selector).len()
-            };
+            let of = |symbol: &str| with_formula(&html, assessed.index, symbol);
             let real = |factor: f64| factor > 0.0 && factor.is_finite();
             let factor = ground.load_factors.is_some_and(|factors| real(factors.given));
             let impact = ground.elastic.as_ref().and_then(|elastic| elastic.impact.as_ref());

@@ -58,7 +58,8 @@ def short(text: str) -> str:
 
 
 def shown(value: object) -> str:
-    return "None" if value is None else f"{short(repr(value))}, a {type(value).__name__}"
+    kind = type(value).__name__
+    return "None" if value is None else f"{short(repr(value))}, {'an' if kind[0] in 'aeiouAEIOU' else 'a'} {kind}"
 
 
 def is_plain(text: str) -> bool:
@@ -75,7 +76,7 @@ OF_ONE = ("explain", "contact_conditions", "Diagram")
 #: Functions of a case and a table.
 _OF_CASES = ("assess_table", "varied")
 #: Functions of arrays that are not answers for each of their values.
-_OF_WHOLE = ("simulate",)
+_OF_WHOLE = ("simulate", "spectrum", "probability")
 
 
 class Advice(NamedTuple):
@@ -117,7 +118,7 @@ class Advice(NamedTuple):
             # Which unit a number is in is said once, by the name.
             return f'numbers, with the unit behind the name: "{name} [{unit.words}]" and value.{unit.number}'
         if self.function in _OF_WHOLE:
-            return f"its .{unit.number}" + (", and unit='m/s2'" if name.startswith("base") else ", in seconds")
+            return f"its .{unit.number}" + (", and unit='m/s2'" if name.startswith("base") else ", in seconds" if name == "dt" else ", in SI units")
         return "a ratio, which has no unit"
 
     def refuse_lazy(self, value: Any, name: str) -> None:

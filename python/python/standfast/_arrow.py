@@ -129,6 +129,7 @@ class ArrowArray(NDArrayOperatorsMixin):
         import pandas as pd
 
         from ._frames import Pandas
+        from ._pandas import categories
 
         values, missing, words = self._native.parts()
         if words is None:
@@ -136,7 +137,7 @@ class ArrowArray(NDArrayOperatorsMixin):
         places = values.astype(np.int64) if missing is None else np.where(missing, -1, values.astype(np.int64))
         if self.type == "string":
             return pd.Series(np.array([*words, None], dtype=object)[places], name=self.name)
-        return pd.Series(pd.Categorical.from_codes(places, categories=words), name=self.name)
+        return pd.Series(categories(places, words), name=self.name)
 
     def min(self) -> Any:
         """The least value; NaN where one is null."""

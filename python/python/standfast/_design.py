@@ -13,6 +13,8 @@ from . import _standfast
 from ._advice import is_plain
 from ._answer import Rendered
 from ._assess import case_text
+from ._progress import shown
+from ._types import Progress
 from .designs import BoundaryDocument, DesignDocument
 
 
@@ -95,6 +97,7 @@ def design(
     greatest: bool = False,
     lower: float | str | None = None,
     upper: float | str | None = None,
+    progress: Progress = None,
 ) -> Design: ...
 @overload
 def design(
@@ -108,6 +111,7 @@ def design(
     and_: str,
     and_lower: float | str | None = None,
     and_upper: float | str | None = None,
+    progress: Progress = None,
 ) -> Boundary: ...
 def design(
     case: Case,
@@ -120,6 +124,7 @@ def design(
     and_: str | None = None,
     and_lower: float | str | None = None,
     and_upper: float | str | None = None,
+    progress: Progress = None,
 ) -> Design | Boundary:
     """Find the least, or greatest, value of a quantity that meets a target in every situation of a case.
 
@@ -136,6 +141,10 @@ def design(
             five times the present value if not given.
         and_: another quantity: the answer for each of many values of it, as a curve.
         and_lower, and_upper: its range; half and twice the present value if not given.
+        progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
+            A target that asks for a chance or a motion, and a curve, may take minutes.
+
+    Ctrl-C ends the call at once.
 
     Returns:
         A :class:`Design`; with ``and_`` a :class:`Boundary`.
@@ -165,11 +174,13 @@ def design(
     file = case_text(case)
     ends = _end(lower, "lower"), _end(upper, "upper")
     and_ends = _end(and_lower, "and_lower"), _end(and_upper, "and_upper")
-    if and_ is not None:
-        return Boundary(*_standfast.boundary(file, vary, target, bool(greatest), ends, (and_, and_ends)))
-    if and_ends != (None, None):
+    if and_ is None and and_ends != (None, None):
         raise TypeError("and_lower and and_upper are ends of the range of and_, which is not given")
-    return Design(*_standfast.design(file, vary, target, bool(greatest), ends))
+    wanted = target, bool(greatest)
+    with shown(progress, None) as told:
+        if and_ is None:
+            return Design(*_standfast.design(file, vary, wanted, ends, told))
+        return Boundary(*_standfast.boundary(file, vary, wanted, ends, (and_, and_ends), told))
 
 
 def _end(value: Any, name: str) -> str | None:

@@ -174,6 +174,16 @@ class Diagram:
         wide._shown = self._outlines(marked)
         return wide
 
+    def _given(self) -> tuple[object, ...]:
+        return self._gamma, self._k_prime, *self._base.values(), self.window
+
+    def __eq__(self, other: object) -> bool:
+        """Whether it is of the same body, force and base, in the same window."""
+        return self._given() == other._given() if isinstance(other, Diagram) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._given())
+
     @property
     def gamma(self) -> float:
         """Slenderness H/B."""

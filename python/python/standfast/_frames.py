@@ -227,8 +227,10 @@ class Pandas(Form):
         pd = sys.modules["pandas"]
         values, missing = _parted(values, missing)
         if symbols:
+            from ._pandas import categories
+
             codes = values.astype(np.int8) if missing is None else np.where(missing, -1, values.astype(np.int8))
-            return pd.Categorical.from_codes(codes, categories=SYMBOLS.tolist())
+            return categories(codes, SYMBOLS.tolist())
         if values.dtype.kind in "ub":
             mask = np.zeros(values.shape, dtype=np.bool_) if missing is None else missing
             made = pd.arrays.BooleanArray if values.dtype.kind == "b" else pd.arrays.IntegerArray

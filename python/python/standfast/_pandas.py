@@ -1,17 +1,17 @@
-"""Codes of modes in columns of pandas: numbers like all others, which compare with the symbols of modes as well.
+"""Modes in columns of pandas: codes, numbers like all others, and symbols, categories like all others, which compare with each other and with modes.
 
 Imported only where a program has pandas.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import pandas as pd  # type: ignore[import-untyped,unused-ignore]
 
-from ._modes import Mode, Modes, codes_of
+from ._modes import BY_SYMBOL, SYMBOLS, Mode, Modes, codes_of
 
 
 class ModeDtype(pd.UInt8Dtype):  # type: ignore[misc,unused-ignore]
@@ -51,6 +51,59 @@ class ModeColumn(pd.arrays.IntegerArray):  # type: ignore[misc,unused-ignore]
         if isinstance(mapper, Mapping) and any(isinstance(key, str) for key in mapper):
             mapper = {_codes(key): value for key, value in mapper.items()}
         return super().map(mapper, na_action)
+
+
+class ModeWords(pd.Categorical):  # type: ignore[misc,unused-ignore]
+    """Symbols of modes as categories, which may be missing. Where they are compared and looked for, modes and codes stand for their symbols."""
+
+    def __eq__(self, other: object) -> Any:
+        return super().__eq__(_words(other))
+
+    def __ne__(self, other: object) -> Any:
+        return super().__ne__(_words(other))
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @classmethod
+    def _concat_same_type(cls, to_concat: Any, *axis: Any, **options: Any) -> Any:
+        # pandas itself would make plain categories of them.
+        joined = super()._concat_same_type(to_concat, *axis, **options)
+        return cls.from_codes(joined.codes, dtype=joined.dtype) if joined.ndim == 1 else joined
+
+    def __contains__(self, mode: object) -> bool:
+        return bool(super().__contains__(_words(mode)))
+
+    def isin(self, values: Any) -> Any:
+        return super().isin([_words(value) for value in values])
+
+    def map(self, mapper: Any, na_action: Any = None) -> Any:
+        """What a dict says of modes and codes it says of their symbols."""
+        if isinstance(mapper, Mapping):
+            mapper = {_words(key): value for key, value in mapper.items()}
+        return super().map(mapper, na_action)
+
+
+def categories(places: Any, words: Sequence[str]) -> Any:
+    """A column of words, of which each row has the place; those that are modes know it."""
+    kind = ModeWords if len(words) and all(word in BY_SYMBOL for word in words) else pd.Categorical
+    return kind.from_codes(places, categories=words)
+
+
+def _words(other: Any) -> Any:
+    """A mode's symbol for it or its code, alone or in what holds many.
+
+    Raises:
+        ValueError: for a word that names no mode.
+        TypeError: for a set of modes.
+    """
+    if isinstance(other, (str, Mode, Modes)):
+        return str(SYMBOLS[codes_of(other)])
+    if isinstance(other, (int, np.integer)) and not isinstance(other, bool):
+        return str(SYMBOLS[other]) if 0 <= other < len(SYMBOLS) else other
+    if isinstance(other, (list, tuple, np.ndarray)):
+        items = np.asarray(other, dtype=object)
+        return np.array([_words(item) for item in items.flat], dtype=object).reshape(items.shape)
+    return other
 
 
 def _codes(other: Any) -> Any:

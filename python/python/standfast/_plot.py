@@ -20,7 +20,7 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.path import Path
-from matplotlib.transforms import Bbox, IdentityTransform
+from matplotlib.transforms import Bbox, IdentityTransform, TransformedBbox
 
 from ._diagram import _BEHIND, _FAINT, _INK, _MARK, Curve, Diagram, _mathtext
 from ._labels import Board, Place, Rows, area_of, grid_of, length_of, outwards, point_along, spread
@@ -68,6 +68,8 @@ class _Drawing:
         self.labels: list[Artist] = []
         self.values: list[Artist] = []
         self.pads = (ax.yaxis.labelpad, ax.xaxis.labelpad)
+        #: What the axes show, and a strip left of and below it.
+        self.beside_axes = TransformedBbox(Bbox.from_extents(-0.05, -0.05, 1, 1), ax.transAxes)
         self.roomy = False
 
     def draw(self, formulas: bool) -> None:
@@ -279,7 +281,9 @@ class _Drawing:
             # Of points that lie at the end of a drawn line.
             if np.abs((ends - (k, mu)) / self.diagram.window).max(axis=1).min() > 1e-6:
                 continue
-            self.labels += self.ax.plot(k, mu, "o", color=_INK, ms=4 * self.dot, mew=0, zorder=4, clip_on=k > 0 < mu)
+            self.labels += self.ax.plot(k, mu, "o", color=_INK, ms=4 * self.dot, mew=0, zorder=4)
+            # A point on an axis is whole, unless the limits leave it out.
+            self.labels[-1].set_clip_box(self.beside_axes)
             text, size, at = _mathtext(markup), 1.25 * self.size, self._pixel(k, mu)
             extent = self._extent(text, size)
             place = board.beside(at, extent, 4 * self.dot) or board.near(at, extent, 3 * self.dot)
@@ -336,12 +340,15 @@ class _Drawing:
 
     def _make_room(self, left: float = 0, bottom: float = 0, right: float = 0) -> None:
         """Makes the axes smaller by pixels, if nothing lays out the figure."""
-        if self.figure.get_layout_engine() is None and max(left, bottom, right) > 0:
-            box, page = self.ax.get_position(), self.figure.bbox
-            left, bottom, right = max(left, 0) / page.width, max(bottom, 0) / page.height, max(right, 0) / page.width
-            width, height = max(box.width - left - right, 0.3 * box.width), max(box.height - bottom, 0.3 * box.height)
-            self.ax.set_position((box.x0 + left, box.y0 + bottom, width, height))
-            self.ax.set_in_layout(True)
+        if self.figure.get_layout_engine() is not None or max(left, bottom, right) <= 0:
+            return
+        inches = [max(pixels, 0) / self.figure.dpi for pixels in (left, bottom, right)]
+        within: Any = self.ax.get_axes_locator()
+        if not isinstance(within, _Within):
+            within = _Within(self.ax)
+            self.ax.set_axes_locator(within)
+        within.room = [before + more for before, more in zip(within.room, inches)]
+        self.ax.apply_aspect(within(self.ax, None))
 
     def _symbols(self, board: Board) -> None:
         for region in self.diagram.regions:
@@ -431,6 +438,28 @@ class _Drawing:
         box: Bbox = label.get_window_extent()
         label.remove()
         return box.width, box.height
+
+
+class _Within:
+    """Where axes stand that leave room for what stands beside them: within their place in the figure, wherever that is moved to."""
+
+    def __init__(self, ax: Axes) -> None:
+        self._spec = ax.get_subplotspec()
+        self._place = ax.get_position(original=True)
+        #: Inches at the left, below, at the right.
+        self.room = [0.0, 0.0, 0.0]
+
+    def get_subplotspec(self) -> Any:
+        """The place in a grid; ``tight_layout`` asks for it."""
+        return self._spec
+
+    def __call__(self, ax: Axes, renderer: Any) -> Bbox:
+        figure = root_of(ax)
+        box = self._place if self._spec is None else self._spec.get_position(figure)
+        wide, high = figure.get_size_inches()
+        left, bottom, right = self.room[0] / wide, self.room[1] / high, self.room[2] / wide
+        width, height = max(box.width - left - right, 0.3 * box.width), max(box.height - bottom, 0.3 * box.height)
+        return Bbox.from_bounds(box.x0 + left, box.y0 + bottom, width, height)
 
 
 def _readable(figure: Figure) -> str:

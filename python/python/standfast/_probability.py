@@ -11,20 +11,24 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from . import _standfast
+from ._advice import Advice
 from ._advice import shown as said
 from ._answer import Rendered
 from ._arrow import ArrowTable
 from ._assess import Figure, case_text
 from ._modes import SYMBOLS
-from ._run import run
+from ._progress import shown
+from ._ranges import Over, over_of
+from ._run import Told, run
 from ._simulate import Records, check_unit, records_of
-from ._types import Array
+from ._types import Array, Progress
 from .chances import ProbabilityDocument
 
 _SEED, _PRECISION, _FLOOR, _SAMPLES = _standfast.plain_effort()
 #: An acceleration of the base: an array, or arrays under "horizontal", "vertical" and "dt".
 Record: TypeAlias = "Array | Mapping[str, Any]"
 
+_ADVICE = Advice("probability")
 #: The code of no mode.
 _NO_MODE = np.iinfo(np.uint8).max
 
@@ -95,6 +99,7 @@ class _Asked(NamedTuple):
     over: str | None
     follow: bool
     threads: int | None
+    progress: Told | None
 
 
 def probability(
@@ -106,12 +111,13 @@ def probability(
     floor: float = _FLOOR,
     samples: int = _SAMPLES,
     years: float | None = None,
-    over: str | None = None,
+    over: Over | None = None,
     records: Sequence[Record] | None = None,
     dt: float | Array | None = None,
     unit: Literal["m/s2", "g", "cm/s2"] | None = None,
     rotations: Literal["count", "simulate"] = "count",
     threads: int | None = None,
+    progress: Progress = None,
 ) -> Probability:
     """How likely is each mode, where some numbers of a case are random?
 
@@ -127,7 +133,8 @@ def probability(
         samples: the most points that are drawn, but for 32 at least, or 16384 by ``"monte-carlo"``; a motion that is followed counts as 1024 of them.
         years: of a life, before those of the case.
         over: the same along a number of the case, with what goes with it: ``"width=12 m..20 m:9"``, its name, the first and the last
-            value as a case file has them, and how many. The answer is ``fragility``, with a lognormal curve. ``"pga=0.2 g..1 g:9"`` of a
+            value as a case file has them, and how many; or ``{"width": [12, 14, 18]}``, a dict of its name with values, rising: numbers in
+            SI units, a list, a tuple, an array, a Series, or texts with units. The answer is ``fragility``, with a lognormal curve. ``"pga=0.2 g..1 g:9"`` of a
             case whose base moves follows bodies in time: ``overturning``.
         records: of ``over="pga=…"``, accelerations of the base in place of those of the case, each as likely, and scaled to each peak to the
             sides: arrays, or dicts of arrays under ``"horizontal"`` and ``"vertical"``, with ``"dt"`` where that is their own. The vertical
@@ -135,6 +142,10 @@ def probability(
         dt, unit: of the records, as for :func:`simulate`.
         rotations: what becomes of waves of a storm that begin a rotation: ``"count"`` them apart, or ``"simulate"`` each in time.
         threads: how many threads to use; ``None`` for as many as there are processors.
+        progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
+            Storms and records take some ten seconds.
+
+    Ctrl-C ends the call at once.
 
     Raises:
         CaseError: for a case, law or correlation that is not understood; the message shows where, and what is expected.
@@ -161,16 +172,17 @@ def probability(
             raise ValueError(f"{name} is {share!r}; expected a share, above zero and below 1")
     if years is not None and (not _is_number(years) or not 0 < years < float("inf")):
         raise ValueError(f"years is {years!r}; expected a number above zero")
-    if over is not None and not isinstance(over, str):
-        raise TypeError(f"over is {over!r}; expected a text such as 'width=12 m..20 m:9'")
+    along = None if over is None else over_of(over, "width=12 m..20 m:9", _ADVICE)
     if rotations not in ("count", "simulate"):
         raise ValueError(f"rotations is {rotations!r}; expected 'count' or 'simulate'")
     how = run(threads)
-    asked = _Asked(
-        method, _whole(seed, "seed", 0), float(precision), float(floor), _whole(samples, "samples", 1),
-        None if years is None else float(years), over, rotations == "simulate", how.threads,
-    )  # fmt: skip
-    found = _standfast.probability(case_text(case), asked, _given(records, dt, unit, over))
+    file, bases = case_text(case), _given(records, dt, unit, along)
+    with shown(progress, None) as told:
+        asked = _Asked(
+            method, _whole(seed, "seed", 0), float(precision), float(floor), _whole(samples, "samples", 1),
+            None if years is None else float(years), along, rotations == "simulate", how.threads, told,
+        )  # fmt: skip
+        found = _standfast.probability(file, asked, bases)
     title = case.get("title") if isinstance(case, Mapping) else None
     drawn = functools.partial(_drawn, found)
     return Probability(found.text(), found.json(), drawn, None if title is None else str(title))

@@ -10,8 +10,12 @@ from ._run import Told
 from ._types import Progress
 
 
-def shown(progress: Progress, unit: str = "rows") -> AbstractContextManager[Told | None]:
+def shown(progress: Progress, unit: str | None = "rows") -> AbstractContextManager[Told | None]:
     """What the native module is to call with what is done and all there is; ``None`` for nothing.
+
+    Args:
+        progress: what the caller of a function has asked for.
+        unit: of what is done, in a bar; ``None`` where only its share of the whole says anything.
 
     Raises:
         ImportError: for a bar without tqdm.
@@ -37,12 +41,16 @@ def _shown_by_bar(bar: Any) -> Iterator[Told]:
         bar.close()
 
 
-def _bar(unit: str) -> Any:
+#: What a bar shows of work that is told in shares.
+_SHARES = "{l_bar}{bar}| [{elapsed}<{remaining}]"
+
+
+def _bar(unit: str | None) -> Any:
     try:
         from tqdm.auto import tqdm  # type: ignore[import-untyped,import-not-found,unused-ignore]
     except ImportError:
         raise ImportError('progress=True needs tqdm: pip install "standfast[progress]"') from None
-    return tqdm(unit=f" {unit}", unit_scale=True)
+    return tqdm(bar_format=_SHARES) if unit is None else tqdm(unit=f" {unit}", unit_scale=True)
 
 
 def _advance(bar: Any, done: int, total: int | None) -> None:

@@ -12,12 +12,15 @@ from typing import Literal
 
 from . import _standfast
 from ._assess import case_text
+from ._progress import shown
+from ._types import Progress
 
 
 def sheet(
     case: str | os.PathLike[str] | Mapping[str, object],
     path: str | os.PathLike[str] | None = None,
     *,
+    short: bool = False,
     date: str | datetime.date | None = None,
     up_to: float = 2.0,
     paper: Literal["a4", "letter"] = "a4",
@@ -27,6 +30,7 @@ def sheet(
     revision: str | None = None,
     author: str | None = None,
     checker: str | None = None,
+    progress: Progress = None,
 ) -> str:
     """The calculation sheet of a case: what ``standfast sheet`` writes, one HTML file that loads nothing.
 
@@ -37,15 +41,18 @@ def sheet(
         case: the path of a case file, or a dict with the same keys, as in :func:`assess`.
         path: where to write the sheet, whole or not at all, if it is to be written: ``.html``, or ``.pdf`` to have it printed by
             Chromium or Chrome; the variable ``STANDFAST_BROWSER`` names another.
+        short: whether to write one page only: the verdict, the section, the inputs that decide, each criterion in each combination,
+            signatures.
         date: the day the sheet bears, as ``"2026-11-21"`` or a date; without it the sheet says that it is undated.
         up_to: how far the path of a rising load is followed, in multiples of the load, from 1 to a million.
         paper: the size of a PDF's pages.
         project, client, sheet, revision, author, checker: what goes into the title block before what the case says.
+        progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
 
     Returns:
         The HTML document. ``IPython.display.HTML`` shows it in a notebook.
 
-    Ctrl-C ends the call at once; what it had begun goes on in the background to its end, and nothing is written.
+    Ctrl-C ends the call at once, and nothing is written.
 
     Raises:
         ValueError: for a case that is not understood, and for a wrong date, paper or extension.
@@ -55,6 +62,8 @@ def sheet(
     >>> html = sheet("examples/goda-2000.toml", date="2026-11-21", author="N. N.")
     >>> html[:15], "2026-11-21" in html
     ('<!DOCTYPE html>', True)
+    >>> "Inputs that decide" in sheet("examples/goda-2000.toml", short=True)
+    True
     """
     arguments = locals()
     told = {key: arguments[key] for key in _standfast.title_block()}
@@ -76,7 +85,10 @@ def sheet(
     if day is not None and not isinstance(day, str):
         raise TypeError(f"date is {date!r}; expected a text like '2026-11-21' or a date")
     given = [(key, text) for key, text in told.items() if text is not None]
-    html, pdf = _standfast.sheet(case_text(case), day, up_to, given, paper, extension == ".pdf")
+    file = case_text(case)
+    with shown(progress, None) as told_of:
+        print_as = (paper, extension == ".pdf", bool(short))
+        html, pdf = _standfast.sheet(file, day, up_to, given, print_as, told_of)
     if target is not None:
         _write(target, html.encode() if pdf is None else pdf)
     return html

@@ -22,7 +22,9 @@ from ._arrow import ArrowTable
 from ._assess import Figure, case_text
 from ._columns import column_of
 from ._modes import SYMBOLS
-from ._types import Array
+from ._progress import shown
+from ._run import Told
+from ._types import Array, Progress
 from .motions import MotionDocument
 
 _ADVICE = Advice("simulate")
@@ -77,9 +79,10 @@ class Simulation(Lazy, MotionDocument):
     _given: _Given
     _answer: _standfast.MotionAnswer
 
-    def __init__(self, *given: Any) -> None:
+    def __init__(self, *given: Any, told: Told | None = None) -> None:
         asked = _Given(*given)
-        found = _standfast.simulate((asked.name, asked.text, asked.folder, asked.files), asked.base, (asked.strength, asked.all))
+        case = asked.name, asked.text, asked.folder, asked.files
+        found = _standfast.simulate(case, asked.base, (asked.strength, asked.all), told)
         check_unit(asked.base, asked.unit, found.is_si())
         vars(self).update(_given=asked._replace(files=found.files()), _answer=found)
 
@@ -161,6 +164,7 @@ def simulate(
     strength: bool | None = None,
     all: bool = False,
     sensitivity: bool = False,
+    progress: Progress = None,
 ) -> Simulation:
     """Follows the motion of a body in time: from rest through sliding, rocking, impacts and flight to its end.
 
@@ -177,6 +181,9 @@ def simulate(
             left to itself where no record is as long as 20,000 points. False where many motions are followed one by one.
         all: whether the text lists every event, of more than 24 too.
         sensitivity: changes nothing: ``divergence``, of which ``sensitivity`` has the value, is always there.
+        progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
+
+    Ctrl-C ends the call at once.
 
     Raises:
         ValueError: for a case that is not understood, a record that is none, and values that no motion has; the message shows where,
@@ -201,7 +208,9 @@ def simulate(
     if sensitivity:
         warnings.warn("sensitivity changes nothing; the divergence of a motion is always there", DeprecationWarning, stacklevel=2)
     records = records_of(base, dt, unit)
-    return Simulation(*case_text(case), folder_of(case), {}, records, unit, None if strength is None else bool(strength), bool(all))
+    given: tuple[Any, ...] = *case_text(case), folder_of(case), {}, records, unit, None if strength is None else bool(strength), bool(all)
+    with shown(progress, None) as told:
+        return Simulation(*given, told=told)
 
 
 def folder_of(case: str | os.PathLike[str] | Mapping[str, object]) -> str:

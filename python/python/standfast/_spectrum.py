@@ -10,16 +10,18 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from . import _standfast
-from ._advice import shown as said
+from ._advice import Advice
 from ._answer import Rendered
 from ._arrow import ArrowTable
 from ._assess import case_text
 from ._progress import shown
+from ._ranges import Range, values_of
 from ._run import Told, run
 from ._simulate import check_unit, folder_of, records_of
 from ._types import Array, Progress
 from .motions import SpectrumDocument
 
+_ADVICE = Advice("spectrum")
 #: What each kind goes over.
 _OVER = {"rocking": ("size", "slenderness"), "newmark": ("ratio",), "overturning": ("scale",)}
 _UNITS = {"size": "m", "left": "m", "right": "m", "max_slide": "m", "slide": "m", "max_theta": "rad"}
@@ -78,10 +80,10 @@ class _Asked(NamedTuple):
     """What the native module is asked beside the case."""
 
     kind: str
-    size: str | None
-    slenderness: str | None
-    ratio: str | None
-    scale: str | None
+    size: str | list[float] | None
+    slenderness: str | list[float] | None
+    ratio: str | list[float] | None
+    scale: str | list[float] | None
     threads: int | None
     progress: Told | None
 
@@ -90,10 +92,10 @@ def spectrum(
     case: str | os.PathLike[str] | Mapping[str, object],
     kind: Literal["rocking", "newmark", "overturning"] = "rocking",
     *,
-    size: str | None = None,
-    slenderness: str | None = None,
-    ratio: str | None = None,
-    scale: str | None = None,
+    size: Range | None = None,
+    slenderness: Range | None = None,
+    ratio: Range | None = None,
+    scale: Range | None = None,
     base: Array | Mapping[Literal["horizontal", "vertical"], Array] | None = None,
     dt: float | Array | None = None,
     unit: Literal["m/s2", "g", "cm/s2"] | None = None,
@@ -107,12 +109,12 @@ def spectrum(
         kind: ``"rocking"``, uniform blocks over size and slenderness; ``"newmark"``, a block that can only slide, over its yield
             acceleration; ``"overturning"``, the body of the case over the strength of the shaking, which need not be monotone.
         size, slenderness: of a rocking spectrum half diagonals (m), at equal factors, and heights over widths: ``"1..8:41"``, from, to, and
-            how many, or ``"1..8"``.
+            how many, or ``"1..8"``; or the values one by one, rising: a list, a tuple, an array, a Series.
         ratio: of Newmark's yield accelerations over the peak of the shaking.
         scale: of an overturning curve factors on the shaking.
         base, dt, unit: as for :func:`simulate`.
         threads: how many threads to use; ``None`` for as many as there are processors. The answer is the same.
-        progress: ``True`` for a bar (needs tqdm), or a function that is told how many motions are done.
+        progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
 
     Raises:
         ValueError, TypeError, OSError: as :func:`simulate`; and for a range that is none, or does not belong to the kind.
@@ -130,14 +132,12 @@ def spectrum(
             raise TypeError(f"{name} does not belong to a spectrum of kind {kind!r}, which goes over {' and '.join(_OVER[kind])}")
     texts = {name: _range(given, name) for name, given in ranges.items()}
     records = records_of(base, dt, unit)
-    with shown(progress, "motions") as told:
+    with shown(progress, None) as told:
         asked = _Asked(kind, **texts, threads=run(threads).threads, progress=told)
         found = _standfast.spectrum((*case_text(case), folder_of(case), {}), records, asked)
     check_unit(records, unit, found[-1])
     return Spectrum(*found)
 
 
-def _range(given: object, name: str) -> str | None:
-    if given is None or isinstance(given, str):
-        return given
-    raise TypeError(f"{name} is {said(given)}; expected a text as '0.5..2:41', from, to, and how many")
+def _range(given: Range | None, name: str) -> str | list[float] | None:
+    return None if given is None else values_of(given, name, "a text as '0.5..2:41', from, to, and how many", _ADVICE)

@@ -135,6 +135,7 @@ def refuse_column(name: str, column: str, found: Sequence[str], names: Sequence[
 _Rows = list[tuple[int, NDArray[np.float64]]]
 _Wrong = tuple[int, str, str] | None
 _Ends = tuple[str | None, str | None]
+_Progress = Callable[[int, int | None], object] | None
 _Relation = tuple[str, str, float, str, float, bool, float]
 
 def limit_state_names() -> list[str]: ...
@@ -152,14 +153,24 @@ def contact_rows(
 def contact_conditions(row: Sequence[float], code: int | None) -> list[_Relation]: ...
 def explain(gamma: float, k_prime: float, k: float, mu: float, omega: float, right: bool) -> tuple[str, str]: ...
 def design(
-    file: tuple[str, str], vary: str, target: str, greatest: bool, ends: _Ends
+    file: tuple[str, str], vary: str, wanted: tuple[str, bool], ends: _Ends, progress: _Progress
 ) -> tuple[str, str]: ...
 def boundary(
-    file: tuple[str, str], vary: str, target: str, greatest: bool, ends: _Ends, and_: tuple[str, _Ends]
+    file: tuple[str, str],
+    vary: str,
+    wanted: tuple[str, bool],
+    ends: _Ends,
+    and_: tuple[str, _Ends],
+    progress: _Progress,
 ) -> tuple[str, str, str, str | None]: ...
 def title_block() -> list[str]: ...
 def sheet(
-    file: tuple[str, str], date: str | None, up_to: float, told: Sequence[tuple[str, str]], paper: str, is_pdf: bool
+    file: tuple[str, str],
+    date: str | None,
+    up_to: float,
+    told: Sequence[tuple[str, str]],
+    print: tuple[str, bool, bool],
+    progress: _Progress,
 ) -> tuple[str, bytes | None]: ...
 
 _RecordOf = tuple[NDArray[np.float64], NDArray[np.float64]] | None
@@ -191,7 +202,9 @@ class MotionAnswer:
 
 _MotionCase = tuple[str, str, str, dict[str, str]]
 
-def simulate(case: _MotionCase, base: tuple[_RecordOf, _RecordOf], options: tuple[bool | None, bool]) -> MotionAnswer: ...
+def simulate(
+    case: _MotionCase, base: tuple[_RecordOf, _RecordOf], options: tuple[bool | None, bool], progress: _Progress
+) -> MotionAnswer: ...
 
 class _Spectrum(Protocol):
     """`_spectrum._Asked`."""
@@ -199,13 +212,13 @@ class _Spectrum(Protocol):
     @property
     def kind(self) -> str: ...
     @property
-    def size(self) -> str | None: ...
+    def size(self) -> str | list[float] | None: ...
     @property
-    def slenderness(self) -> str | None: ...
+    def slenderness(self) -> str | list[float] | None: ...
     @property
-    def ratio(self) -> str | None: ...
+    def ratio(self) -> str | list[float] | None: ...
     @property
-    def scale(self) -> str | None: ...
+    def scale(self) -> str | list[float] | None: ...
     @property
     def threads(self) -> int | None: ...
     @property
@@ -232,6 +245,8 @@ class _Asked(Protocol):
     def years(self) -> float | None: ...
     @property
     def threads(self) -> int | None: ...
+    @property
+    def progress(self) -> _Progress: ...
 
 @final
 class ChanceAnswer:

@@ -421,13 +421,15 @@ def _numpy(column: _Result, shape: tuple[int, ...], missing: Missing) -> NDArray
 
 
 def _pandas(answer: list[_Result], index: Any) -> Any:
+    from ._pandas import categories
+
     pd = sys.modules["pandas"]
     made = {}
     for name, values, more in answer:
         if more is None:
             made[name] = values
         elif isinstance(more, list):
-            words = pd.Categorical.from_codes(values, categories=more)
+            words = categories(values, more)
             made[name] = words.astype(object) if name == "problem" else words
         else:
             made[name] = pd.arrays.BooleanArray(values, more)

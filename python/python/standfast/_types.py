@@ -22,7 +22,7 @@ Nested: TypeAlias = "Sequence[Number | NDArray[Any] | Nested]"
 Array: TypeAlias = "Number | NDArray[Any] | Nested"
 #: Which column of a table holds what, or the number that holds for all rows.
 Map: TypeAlias = "Mapping[str, str | Number] | Mapping[str, str] | Mapping[str, Number]"
-#: Told how many points are done and how many there are, ``None`` if that is not known; ``True`` for a bar.
+#: Told how many points, rows or thousandths of the work are done and how many there are, ``None`` if that is not known; ``True`` for a bar.
 Progress: TypeAlias = "bool | Callable[[int, int | None], object] | None"
 
 #: Where a force points.

@@ -7,7 +7,7 @@ use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushMap;
 use standfast_cases::design::{BoundaryRequest, DesignBoundary, DesignRequest, Extreme, Spelling};
 use standfast_cases::motion::{Follow, FollowedMotion, MotionView, Spectrum, SpectrumKind, SpectrumRequest};
-use standfast_cases::{AnswerFigure, Assessment, AssessmentView, CaseFile, Document};
+use standfast_cases::{AnswerFigure, Assessment, AssessmentView, CaseFile, Document, Portion};
 use standfast_figures::{DiagramContent, Figure, FigureId, KMuPlane, diagram_with, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
 
@@ -145,7 +145,7 @@ fn motions(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         }
         if name == "block-base-pulse" {
             for kind in [SpectrumKind::Rocking, SpectrumKind::Overturning] {
-                let spectrum = Spectrum::of(&worst.case, &SpectrumRequest::new(kind), &|_| ());
+                let spectrum = Spectrum::of(&worst.case, &SpectrumRequest::new(kind), Portion::UNSEEN);
                 for figure in spectrum.map_err(io::Error::other)?.figures(&()).map_err(io::Error::other)? {
                     let path = format!("gallery/motion-{name}{}.svg", figure.suffix);
                     files.push((path, figure.figure.svg().to_owned()));
@@ -171,7 +171,7 @@ fn boundary(root: &Path, example: &str) -> io::Result<String> {
         spelling: &Spelling::PROGRAM,
     };
     let request = BoundaryRequest { design, and: "friction".to_owned(), from: None, to: None };
-    let boundary = DesignBoundary::of(&file, request).map_err(io::Error::other)?;
+    let boundary = DesignBoundary::of(&file, request, Portion::UNSEEN).map_err(io::Error::other)?;
     let figure = boundary.figures(&()).map_err(io::Error::other)?.pop();
     Ok(figure.map(|drawn| drawn.figure.svg().to_owned()).unwrap_or_default())
 }

@@ -11,6 +11,7 @@ use crate::assess::Assessment;
 use crate::couple::Variable;
 use crate::rounded::{Decimal, Towards};
 use standfast_model::CaseFile;
+use standfast_watch::{Portion, Stopped};
 
 /// Number of parts that the range of a column is cut into.
 const PARTS: u32 = 200;
@@ -73,11 +74,15 @@ impl Column {
 }
 
 impl DesignBoundary {
-    /// Finds the boundary for the case of a file.
+    /// Finds the boundary for the case of a file, as a portion of work that somebody may watch.
     ///
     /// # Errors
-    /// If the case makes no sense or lacks a quantity, both are the same, or no values meet the target.
-    pub fn of(file: &CaseFile, request: BoundaryRequest) -> Result<DesignBoundary, DesignError> {
+    /// If the case makes no sense or lacks a quantity, both are the same, or no values meet the target; if the work is stopped.
+    pub fn of(
+        file: &CaseFile,
+        request: BoundaryRequest,
+        portion: Portion<'_>,
+    ) -> Result<DesignBoundary, DesignError> {
         let BoundaryRequest { design, and, from, to } = request;
         let subject = Subject::of(file)?;
         let follows = subject.follows(design.target)?;
@@ -98,8 +103,12 @@ impl DesignBoundary {
         {
             return Err(DesignError::NothingRises { target: design.target });
         }
-        let mut columns: Vec<_> = values.into_iter().map(|value| grid.column(value)).collect();
-        grid.refine(&mut columns);
+        let [of_values, of_others] = portion.parts([1.0, 1.0]);
+        let count = values.len();
+        let column = |(place, value)| grid.column(value, of_values.part(place, count));
+        let mut columns = values.into_iter().enumerate().map(column).collect::<Result<Vec<_>, _>>()?;
+        grid.refine(&mut columns, of_others)?;
+        portion.reached(1.0);
         if columns.iter().all(|column| column.stretches.is_empty()) {
             return Err(grid.unmet(spelling));
         }
@@ -156,28 +165,32 @@ impl Grid<'_> {
         if self.target.asks_for_chance(&self.subject.case) { CHANCE_PARTS } else { PARTS }
     }
 
-    fn column(&self, at: f64) -> Column {
+    fn column(&self, at: f64, portion: Portion<'_>) -> Result<Column, Stopped> {
         self.at(at, |search| {
-            let stretches = search.stretches();
+            let stretches = search.stretches(portion)?;
             let none = if stretches.is_empty() { search.nearest() } else { None };
-            Column { at, stretches, none }
+            Ok(Column { at, stretches, none })
         })
     }
 
     /// Searches between neighbours of which other stretches are met, or at whose ends something else binds, until they are
     /// neighbours to a few digits.
-    fn refine(&self, columns: &mut Vec<Column>) {
+    fn refine(&self, columns: &mut Vec<Column>, portion: Portion<'_>) -> Result<(), Stopped> {
         let mut place = 1;
         while place < columns.len() && columns.len() < MOST {
+            portion.check()?;
             let [left, right] = [&columns[place - 1], &columns[place]];
             let middle = Decimal::of((left.at + right.at) / 2.0, DIGITS, Towards::Less).value();
             if left.binding() == right.binding() || middle <= left.at || right.at <= middle {
                 place += 1;
+                portion.reached(place as f64 / columns.len() as f64);
             } else {
-                // The pair with the new column is looked at next.
-                columns.insert(place, self.column(middle));
+                // The pair with the new column is looked at next. Where it lies is no share of what is left.
+                let within = portion.part(place - 1, columns.len()).parts([0.0, 1.0])[0];
+                columns.insert(place, self.column(middle, within)?);
             }
         }
+        Ok(())
     }
 
     /// Reason why no values meet the target.

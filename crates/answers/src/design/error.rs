@@ -1,5 +1,6 @@
 //! Reasons why there is no design, in words.
 
+use standfast_watch::Stopped;
 use thiserror::Error;
 
 use super::{Extreme, Spelling, Target};
@@ -15,6 +16,9 @@ pub enum DesignError {
     /// The case file is wrong.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// Whoever watches the work has stopped it.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// The target asks for the motion of a case that has none.
     #[error("the target {name} asks for the motion in time, of which the case says nothing")]
     NotInTime {

@@ -12,6 +12,7 @@ use crate::couple::Variable;
 use crate::error::CaseError;
 use crate::key::{Key, Table};
 use standfast_model::CaseFile;
+use standfast_watch::{Portion, Stopped};
 
 /// By how much, relatively, a number grows.
 const STEP: f64 = 0.01;
@@ -75,21 +76,37 @@ pub struct Sensitivity {
 pub fn sensitivities(file: &CaseFile) -> Result<Vec<Sensitivity>, CaseError> {
     let subject = Subject::of(file)?;
     let present = Assessment::of(&subject.case).ok();
-    Ok(all(&Varied { subject: &subject, follows: false, held: None }, present.as_ref()))
+    let varied = Varied { subject: &subject, follows: false, held: None };
+    Ok(all(&varied, present.as_ref(), Portion::UNSEEN).expect("nobody stops what nobody watches"))
 }
 
 /// The sensitivity to every number but zeros, which have no percent, beside the present answer.
-pub(super) fn all(varied: &Varied<'_>, present: Option<&Assessment>) -> Vec<Sensitivity> {
+///
+/// # Errors
+/// If the portion is stopped.
+pub(super) fn all(
+    varied: &Varied<'_>,
+    present: Option<&Assessment>,
+    portion: Portion<'_>,
+) -> Result<Vec<Sensitivity>, Stopped> {
     // The caisson's width is the body's.
     let variables = Variable::all(varied.inputs())
         .filter(|id| id.key != Key::CaissonWidth)
         .map(|id| Variable::of(id, varied.inputs()));
-    let rows = variables.filter_map(|variable| of(varied, present, variable));
+    let variables: Vec<Variable> = variables.collect();
+    let steps = portion.steps(variables.len());
+    let row = |variable| {
+        portion.check()?;
+        let row = of(varied, present, variable);
+        steps.advance();
+        Ok(row)
+    };
+    let rows = variables.into_iter().map(row).collect::<Result<Vec<_>, Stopped>>()?;
     // A part alone seldom changes without leaving a gap or an overlap.
-    rows.filter(|row| {
+    let is_told = |row: &Sensitivity| {
         row.variable.id().key.info().table != Table::Part || row.sliding != SensitivityChange::NoCase
-    })
-    .collect()
+    };
+    Ok(rows.into_iter().flatten().filter(is_told).collect())
 }
 
 fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> Option<Sensitivity> {

@@ -11,6 +11,7 @@ use crate::assess::{Assessed, Assessment};
 use crate::digits::digits;
 use crate::error::CaseError;
 use crate::rounded::{Decimal, Towards};
+use standfast_watch::{Portion, Stopped};
 
 /// Relative distance of an end from a value that does not meet the target.
 const NEAR: f64 = 1e-12;
@@ -20,6 +21,9 @@ const NEAR_OF_CHANCE: f64 = 1e-8;
 
 /// Number of digits that a number has at most if it is no shorter than it has to be.
 const ALL_DIGITS: usize = 17;
+
+/// Values that are tried, about, until both ends of a stretch are found.
+const HALVINGS: f64 = 80.0;
 
 /// Search for the values that meet a target.
 pub(super) struct Search<'a> {
@@ -111,26 +115,42 @@ struct ExactEnd {
 
 impl Search<'_> {
     /// The stretches, from the least values on.
-    pub(super) fn stretches(&self) -> Vec<Stretch> {
+    ///
+    /// # Errors
+    /// If the portion is stopped.
+    pub(super) fn stretches(&self, portion: Portion<'_>) -> Result<Vec<Stretch>, Stopped> {
         let samples = self.samples();
-        let met: Vec<bool> = samples.iter().map(|value| self.attempt(*value).met).collect();
+        let [of_samples, of_ends] = portion.parts([samples.len() as f64, HALVINGS]);
+        let steps = of_samples.steps(samples.len());
+        let is_met = |value: &f64| {
+            portion.check()?;
+            let met = self.attempt(*value).met;
+            steps.advance();
+            Ok(met)
+        };
+        let met: Vec<bool> = samples.iter().map(is_met).collect::<Result<_, Stopped>>()?;
         let runs = met.chunk_by(|one, next| one == next);
         let ends = runs.scan(0, |begin, run| {
             let here = *begin..*begin + run.len();
             *begin = here.end;
             Some((run[0], here))
         });
-        let stretch = |here: std::ops::Range<usize>| {
+        let stretch = |here: std::ops::Range<usize>, portion: Portion<'_>| {
+            let [of_least, of_greatest] = portion.parts([1.0, 1.0]);
             let before = here.start.checked_sub(1).map(|before| samples[before]);
-            let least = self.boundary(before, samples[here.start]);
-            let greatest = self.boundary(samples.get(here.end).copied(), samples[here.end - 1]);
+            let least = self.boundary(before, samples[here.start], of_least)?;
+            let greatest =
+                self.boundary(samples.get(here.end).copied(), samples[here.end - 1], of_greatest)?;
             let (from, to) = (least.meets, greatest.meets);
-            Stretch {
+            Ok(Stretch {
                 least: self.end(&least, Towards::More, to),
                 greatest: self.end(&greatest, Towards::Less, from),
-            }
+            })
         };
-        ends.filter(|(met, _)| *met).map(|(_, here)| stretch(here)).collect()
+        let ends: Vec<_> = ends.filter(|(met, _)| *met).collect();
+        let count = ends.len();
+        let places = ends.into_iter().enumerate();
+        places.map(|(place, (_, here))| stretch(here, of_ends.part(place, count))).collect()
     }
 
     /// The values tried first, rising; among them the present one, where it is in the range.
@@ -153,17 +173,31 @@ impl Search<'_> {
     }
 
     /// Brings a value that fails, if there is one, and one that meets the target together.
-    fn boundary(&self, fails: Option<f64>, mut meets: f64) -> ExactEnd {
-        let Some(mut fails) = fails else { return ExactEnd { meets, fails } };
+    fn boundary(
+        &self,
+        fails: Option<f64>,
+        mut meets: f64,
+        portion: Portion<'_>,
+    ) -> Result<ExactEnd, Stopped> {
+        let Some(mut fails) = fails else { return Ok(ExactEnd { meets, fails }) };
         // Near zero, what counts is the size of the range.
         let [from, to] = self.quantity.range;
         let size = 1e-3 * from.abs().max(to.abs());
         let near = if self.target.asks_for_chance(self.varied.case()) { NEAR_OF_CHANCE } else { NEAR };
-        while (meets - fails).abs() > near * meets.abs().max(size) {
+        let near = near * meets.abs().max(size);
+        let halvings = ((meets - fails).abs() / near).log2().ceil().max(1.0);
+        let steps = portion.steps(halvings as usize);
+        while (meets - fails).abs() > near {
+            portion.check()?;
             let middle = fails + (meets - fails) / 2.0;
-            if self.attempt(middle).met { meets = middle } else { fails = middle }
+            if self.attempt(middle).met {
+                meets = middle
+            } else {
+                fails = middle
+            }
+            steps.advance();
         }
-        ExactEnd { meets, fails: Some(fails) }
+        Ok(ExactEnd { meets, fails: Some(fails) })
     }
 
     /// An end rounded `inwards`, not beyond the other end of its stretch, in as few digits from four on as it takes to meet the

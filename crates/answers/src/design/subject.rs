@@ -7,6 +7,7 @@ use crate::error::{CaseError, Fault};
 use crate::inputs::Inputs;
 use crate::motion::{Follow, FollowedMotion};
 use standfast_model::{CaseFile, MotionCriterion, at_first_instant, motions};
+use standfast_watch::Portion;
 
 use super::Target;
 use super::error::DesignError;
@@ -111,7 +112,7 @@ impl Subject {
         let mut answer = Assessment::owning(case).map_err(|error| self.file.refused(error))?;
         if let (true, Some(moving), Some(time)) = (follows, moving, &self.time) {
             let cases = motions(&moving).map_err(|fault| time.file.error(fault))?;
-            let motions = FollowedMotion::of_all(cases, &Follow::default());
+            let motions = FollowedMotion::of_all(cases, &Follow::default(), Portion::UNSEEN);
             let motions = motions.map_err(|error| time.file.motion_refused(error))?;
             answer.in_time =
                 Some(MotionAssessment { note: time.note.clone(), criteria: time.criteria.clone(), motions });

@@ -10,6 +10,8 @@ use standfast_model::{CaseFile, motions};
 use standfast_motion::{End, MotionOutcome};
 use thiserror::Error;
 
+use standfast_watch::Portion;
+
 use super::{Follow, FollowedMotion};
 use crate::case::Case;
 use crate::couple::{Variable, vary};
@@ -260,7 +262,8 @@ impl MotionRows {
     pub fn answer(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Vec<String>, String> {
         let inputs = self.with(cells, file)?;
         let cases = motions(&inputs).map_err(|fault| fault.to_string())?;
-        let answers = FollowedMotion::of_all(cases, &Follow::default()).map_err(|error| error.to_string())?;
+        let answers = FollowedMotion::of_all(cases, &Follow::default(), Portion::UNSEEN)
+            .map_err(|error| error.to_string())?;
         let Some(followed) = answers.first() else { return Err("no situation".to_owned()) };
         let outcome: &MotionOutcome = &followed.outcome;
         let checks = followed.checks();

@@ -12,6 +12,7 @@ use standfast_motion::MotionError;
 use standfast_motion::spectrum::{
     NewmarkSpectrum, OverturningCurve, Rocked, RockingSpectrum, Slid, overturning_stretches,
 };
+use standfast_watch::{Portion, Stopped};
 use thiserror::Error;
 
 use crate::suggest::closest;
@@ -76,6 +77,42 @@ impl FromStr for SpectrumSteps {
     }
 }
 
+/// Values of a quantity: by equal steps, or by equal factors where that is how they are read, or as they are.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SpectrumValues {
+    /// From one to another.
+    Steps(SpectrumSteps),
+    /// These, rising and above zero.
+    These(Vec<f64>),
+}
+
+impl From<SpectrumSteps> for SpectrumValues {
+    fn from(steps: SpectrumSteps) -> SpectrumValues {
+        SpectrumValues::Steps(steps)
+    }
+}
+
+impl SpectrumValues {
+    /// Values one by one.
+    ///
+    /// # Errors
+    /// In words what is wrong with the first, if they do not rise from above zero, or are fewer than two.
+    pub fn these(values: Vec<f64>) -> Result<SpectrumValues, String> {
+        if !(2..=MOST).contains(&values.len()) {
+            let count =
+                if values.len() == 1 { "one value".to_owned() } else { format!("{} values", values.len()) };
+            return Err(format!("{count}; expected two or more, {MOST} at most"));
+        }
+        let is_above = |(i, value): (usize, &f64)| *value > if i == 0 { 0.0 } else { values[i - 1] };
+        match values.iter().enumerate().find(|at| !is_above(*at) || *at.1 >= 1e50) {
+            None => Ok(SpectrumValues::These(values)),
+            Some((i, value)) => {
+                Err(format!("{} at index {i}; expected rising values, all above zero", exact(*value)))
+            }
+        }
+    }
+}
+
 /// Kind of spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpectrumKind {
@@ -115,18 +152,18 @@ impl FromStr for SpectrumKind {
 }
 
 /// Request for a spectrum.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SpectrumRequest {
     /// Kind of the spectrum.
     pub kind: SpectrumKind,
     /// The half diagonals of a rocking spectrum; from a quarter of that of the case to its eightfold if left out.
-    pub size: Option<SpectrumSteps>,
+    pub size: Option<SpectrumValues>,
     /// The slendernesses of a rocking spectrum, heights over widths; 2 to 8 if left out.
-    pub slenderness: Option<SpectrumSteps>,
+    pub slenderness: Option<SpectrumValues>,
     /// The yield accelerations over the peak of a Newmark spectrum; 0.02 to 0.98 if left out.
-    pub ratio: Option<SpectrumSteps>,
+    pub ratio: Option<SpectrumValues>,
     /// The factors on the shaking of an overturning curve; 0.05 to 5 if left out.
-    pub scale: Option<SpectrumSteps>,
+    pub scale: Option<SpectrumValues>,
     /// True if the edges between classes of a rocking spectrum are located, for its figure; it takes at most half as many motions again.
     pub edges: bool,
     /// Number of threads that work; the answer does not depend on it.
@@ -184,6 +221,9 @@ pub enum SpectrumError {
         /// Number of motions.
         count: usize,
     },
+    /// Whoever watches the work has stopped it.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// A motion that is refused.
     #[error("at {name} {}: {error}", exact(*.value))]
     Motion {
@@ -285,28 +325,31 @@ pub enum SpectrumPoints {
 }
 
 impl Spectrum {
-    /// Finds a spectrum of a case; `progress` is told how many motions there are, and of each that is done.
+    /// Finds a spectrum of a case, as a portion of work that somebody may watch.
     ///
     /// # Errors
-    /// If the case has no such spectrum, or a motion is refused.
+    /// If the case has no such spectrum, a motion is refused, or the work is stopped.
     pub fn of(
         case: &BlockCase,
         request: &SpectrumRequest,
-        progress: &(dyn Fn(Progressed) + Sync),
+        portion: Portion<'_>,
     ) -> Result<Spectrum, SpectrumError> {
         let Some(base) = &case.problem.base.horizontal else { return Err(SpectrumError::NoShaking) };
         foreign(request)?;
         let points = match request.kind {
-            SpectrumKind::Rocking => rocking(case, request, progress)?,
+            SpectrumKind::Rocking => rocking(case, request, portion)?,
             SpectrumKind::Newmark => {
-                let ratios = steps(request.ratio, SpectrumSteps { from: 0.02, to: 0.98, count: 49 }).even();
+                let ratios = values(
+                    &request.ratio,
+                    SpectrumSteps { from: 0.02, to: 0.98, count: 49 },
+                    SpectrumSteps::even,
+                );
                 let spectrum = NewmarkSpectrum::new(base.clone());
-                let slides = each(&ratios, request.threads, progress, |ratio| spectrum.at(*ratio)).map_err(
-                    |(ratio, error)| SpectrumError::Motion { name: "yield ratio", value: *ratio, error },
-                )?;
+                let at = |ratio: &f64| spectrum.at(*ratio);
+                let slides = each(&ratios, request.threads, portion, "yield ratio", |ratio| *ratio, at)?;
                 SpectrumPoints::Newmark { ratios, slides }
             }
-            SpectrumKind::Overturning => overturning(case, request, progress)?,
+            SpectrumKind::Overturning => overturning(case, request, portion)?,
         };
         Ok(Spectrum {
             kind: request.kind,
@@ -323,7 +366,7 @@ impl Spectrum {
 fn rocking(
     case: &BlockCase,
     request: &SpectrumRequest,
-    progress: &(dyn Fn(Progressed) + Sync),
+    portion: Portion<'_>,
 ) -> Result<SpectrumPoints, SpectrumError> {
     let problem = &case.problem;
     if !problem.loads.is_empty() {
@@ -334,9 +377,10 @@ fn rocking(
     }
     let block = &problem.block;
     let radius = block.b1.max(block.b2).hypot(block.d);
-    let sizes =
-        steps(request.size, SpectrumSteps { from: 0.25 * radius, to: 8.0 * radius, count: 41 }).factors();
-    let slendernesses = steps(request.slenderness, SpectrumSteps { from: 2.0, to: 8.0, count: 31 }).even();
+    let of_sizes = SpectrumSteps { from: 0.25 * radius, to: 8.0 * radius, count: 41 };
+    let sizes = values(&request.size, of_sizes, SpectrumSteps::factors);
+    let of_slendernesses = SpectrumSteps { from: 2.0, to: 8.0, count: 31 };
+    let slendernesses = values(&request.slenderness, of_slendernesses, SpectrumSteps::even);
     let count = sizes.len().saturating_mul(slendernesses.len());
     if count > MOST {
         return Err(SpectrumError::Many { count });
@@ -349,69 +393,84 @@ fn rocking(
     };
     let pairs: Vec<[f64; 2]> =
         sizes.iter().flat_map(|size| slendernesses.iter().map(move |slender| [*size, *slender])).collect();
-    let follow = |pairs: &[[f64; 2]]| {
-        each(pairs, request.threads, progress, |[size, slender]| spectrum.at(*size, *slender))
-            .map_err(|([size, _], error)| SpectrumError::Motion { name: "size", value: *size, error })
+    let [of_grid, of_edges] = portion.parts([1.0, if request.edges { 0.5 } else { 0.0 }]);
+    let follow = |pairs: &[[f64; 2]], portion: Portion<'_>| {
+        let at = |[size, slender]: &[f64; 2]| spectrum.at(*size, *slender);
+        each(pairs, request.threads, portion, "size", |[size, _]| *size, at)
     };
-    let blocks = follow(&pairs)?;
-    let edges = request.edges.then(|| edges(&sizes, &slendernesses, &blocks, follow)).transpose()?;
+    let blocks = follow(&pairs, of_grid)?;
+    let edges =
+        request.edges.then(|| edges([&sizes, &slendernesses], &blocks, of_edges, follow)).transpose()?;
+    portion.reached(1.0);
     Ok(SpectrumPoints::Rocking { sizes, slendernesses, blocks, edges })
 }
 
 /// Areas of the classes between and beside the blocks of a grid.
 fn edges(
-    sizes: &[f64],
-    slendernesses: &[f64],
+    [sizes, slendernesses]: [&[f64]; 2],
     blocks: &[Rocked],
-    mut follow: impl FnMut(&[[f64; 2]]) -> Result<Vec<Rocked>, SpectrumError>,
+    portion: Portion<'_>,
+    follow: impl Fn(&[[f64; 2]], Portion<'_>) -> Result<Vec<Rocked>, SpectrumError>,
 ) -> Result<RockingEdges, SpectrumError> {
-    // The grid's lines are at equal factors and at equal steps.
-    let share = |values: &[f64], cells: f64| cells / (values.len() - 1) as f64;
-    let (first, last) = (sizes[0], sizes[sizes.len() - 1]);
-    let (low, high) = (slendernesses[0], slendernesses[slendernesses.len() - 1]);
-    let size = |cells: f64| first * (last / first).powf(share(sizes, cells));
-    let slender = |cells: f64| low + (high - low) * share(slendernesses, cells);
+    // Between two lines of the grid sizes grow by factors, and slendernesses by steps.
+    let between = |values: &[f64], cells: f64| {
+        let line = (cells.max(0.0) as usize).min(values.len() - 2);
+        (values[line], values[line + 1], cells - line as f64)
+    };
+    let size = |cells: f64| {
+        let (low, high, share) = between(sizes, cells);
+        low * (high / low).powf(share)
+    };
+    let slender = |cells: f64| {
+        let (low, high, share) = between(slendernesses, cells);
+        low + (high - low) * share
+    };
     let values: Vec<f64> = blocks.iter().map(rotation).collect();
+    let budget = blocks.len() / 2;
     let mut motions = 0;
     let ask = |places: &[areas::Place]| {
+        let rest = budget.saturating_sub(motions + places.len());
+        let [_, now, _] = portion.parts([motions, places.len(), rest].map(|count| count as f64));
         motions += places.len();
         let place = |(x, y): &areas::Place| areas::cells((f64::from(*x), f64::from(*y)));
         let pairs: Vec<[f64; 2]> = places.iter().map(place).map(|(x, y)| [size(x), slender(y)]).collect();
-        Ok(follow(&pairs)?.iter().map(rotation).collect())
+        Ok::<_, SpectrumError>(follow(&pairs, now)?.iter().map(rotation).collect())
     };
     let grid = (sizes.len(), slendernesses.len());
-    let found = areas::areas(grid, &values, &ROCKING_LEVELS, blocks.len() / 2, ask)?;
+    let found = areas::areas(grid, &values, &ROCKING_LEVELS, budget, ask)?;
     let place = |place: &(f64, f64)| {
         let (x, y) = areas::cells(*place);
         (size(x), slender(y))
     };
     let outlines =
         |loops: &Vec<areas::Loop>| loops.iter().map(|each| each.iter().map(place).collect()).collect();
-    let [overturning, others] = found
-        .located
-        .map(|cells| RockingDistance { factor: size(cells) / first, step: slender(cells) - low });
+    let widest = sizes.windows(2).map(|pair| pair[1] / pair[0]).fold(1.0, f64::max);
+    let highest = slendernesses.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    let [overturning, others] =
+        found.located.map(|cells| RockingDistance { factor: widest.powf(cells), step: highest * cells });
     Ok(RockingEdges { above: found.above.iter().map(outlines).collect(), overturning, others, motions })
 }
 
 fn overturning(
     case: &BlockCase,
     request: &SpectrumRequest,
-    progress: &(dyn Fn(Progressed) + Sync),
+    portion: Portion<'_>,
 ) -> Result<SpectrumPoints, SpectrumError> {
-    let scales = steps(request.scale, SpectrumSteps { from: 0.05, to: 5.0, count: 199 }).even();
+    let of_scales = SpectrumSteps { from: 0.05, to: 5.0, count: 199 };
+    let scales = values(&request.scale, of_scales, SpectrumSteps::even);
     if let Some((t_max, end)) = case.problem.cut_short() {
         return Err(SpectrumError::CutShort { t_max, end });
     }
     let curve = OverturningCurve::new(&case.problem);
-    let at = |name, value: f64| move |error| SpectrumError::Motion { name, value, error };
-    let bodies = each(&scales, request.threads, progress, |scale| curve.at(*scale))
-        .map_err(|(scale, error)| at("scale", *scale)(error))?;
+    // A turn is halved some fifty times, and a curve has a few.
+    let [of_scan, of_turns] = portion.parts([scales.len() as f64, 200.0]);
+    let bodies = each(&scales, request.threads, of_scan, "scale", |scale| *scale, |scale| curve.at(*scale))?;
     let scan: Vec<(f64, bool)> =
         scales.iter().zip(&bodies).map(|(scale, body)| (*scale, body.overturned)).collect();
     let turns: Vec<[f64; 2]> =
         scan.windows(2).filter(|pair| pair[0].1 != pair[1].1).map(|pair| [pair[0].0, pair[1].0]).collect();
-    let found = each(&turns, request.threads, progress, |[from, to]| curve.turn(*from, *to))
-        .map_err(|([from, _], error)| at("scale", *from)(error))?;
+    let at = |[from, to]: &[f64; 2]| curve.turn(*from, *to);
+    let found = each(&turns, request.threads, of_turns, "scale", |[from, _]| *from, at)?;
     let turn = |from: f64, to: f64| {
         let known = turns.iter().position(|[low, high]| (*low, *high) == (from, to));
         known.map_or(from, |i| found[i])
@@ -420,20 +479,20 @@ fn overturning(
     Ok(SpectrumPoints::Overturning { scales, bodies, stretches })
 }
 
-/// Progress of a spectrum under way.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Progressed {
-    /// So many more motions are to be followed.
-    Expect(usize),
-    /// One is done.
-    Done,
-}
-
-fn steps(given: Option<SpectrumSteps>, silent: SpectrumSteps) -> SpectrumSteps {
-    given.map_or(silent, |steps| SpectrumSteps {
-        count: if steps.count == 0 { silent.count } else { steps.count },
-        ..steps
-    })
+/// The values given, or those where nothing is said; of steps, `parted`, as many as there if their number is left out.
+fn values(
+    given: &Option<SpectrumValues>,
+    silent: SpectrumSteps,
+    parted: fn(&SpectrumSteps) -> Vec<f64>,
+) -> Vec<f64> {
+    match given {
+        None => parted(&silent),
+        Some(SpectrumValues::These(values)) => values.clone(),
+        Some(SpectrumValues::Steps(steps)) => {
+            let count = if steps.count == 0 { silent.count } else { steps.count };
+            parted(&SpectrumSteps { count, ..*steps })
+        }
+    }
 }
 
 /// Refuses an option that does not belong to the kind.
@@ -456,33 +515,39 @@ fn foreign(request: &SpectrumRequest) -> Result<(), SpectrumError> {
     }
 }
 
-/// The work on every item, on so many threads; the first error in the order of the items.
-fn each<'a, I: Sync, T: Send>(
-    items: &'a [I],
+/// The motion of every item, on so many threads; the first error in the order of the items, with the value of `name` at which it is.
+fn each<I: Sync, T: Send>(
+    items: &[I],
     threads: usize,
-    progress: &(dyn Fn(Progressed) + Sync),
+    portion: Portion<'_>,
+    name: &'static str,
+    value: impl Fn(&I) -> f64,
     work: impl Fn(&I) -> Result<T, MotionError> + Sync,
-) -> Result<Vec<T>, (&'a I, MotionError)> {
-    let all = in_order(items, threads, progress, work).into_iter().zip(items);
-    all.map(|(result, item)| result.map_err(|error| (item, error))).collect()
+) -> Result<Vec<T>, SpectrumError> {
+    let all = in_order(items, threads, portion, work)?.into_iter().zip(items);
+    let refused = |item, error| SpectrumError::Motion { name, value: value(item), error };
+    all.map(|(result, item)| result.map_err(|error| refused(item, error))).collect()
 }
 
-/// The work on every item, in their order, on so many threads; `progress` is told of each.
+/// The work on every item, in their order, on so many threads.
+///
+/// # Errors
+/// If the portion is stopped.
 pub fn in_order<I: Sync, T: Send>(
     items: &[I],
     threads: usize,
-    progress: &(dyn Fn(Progressed) + Sync),
+    portion: Portion<'_>,
     work: impl Fn(&I) -> T + Sync,
-) -> Vec<T> {
-    progress(Progressed::Expect(items.len()));
+) -> Result<Vec<T>, Stopped> {
+    let steps = portion.steps(items.len());
     let next = AtomicUsize::new(0);
     let worker = || {
         let mut done = Vec::new();
         loop {
             let i = next.fetch_add(1, Ordering::Relaxed);
-            let Some(item) = items.get(i) else { return done };
+            let Some(item) = items.get(i).filter(|_| !portion.is_stopped()) else { return done };
             done.push((i, work(item)));
-            progress(Progressed::Done);
+            steps.advance();
         }
     };
     let mut all: Vec<(usize, T)> = if threads <= 1 {
@@ -496,13 +561,32 @@ pub fn in_order<I: Sync, T: Send>(
                 .collect()
         })
     };
+    if all.len() < items.len() {
+        return Err(Stopped);
+    }
+    portion.reached(1.0);
     all.sort_by_key(|(i, _)| *i);
-    all.into_iter().map(|(_, result)| result).collect()
+    Ok(all.into_iter().map(|(_, result)| result).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn values_rise_from_above_zero() {
+        assert_eq!(SpectrumValues::these(vec![0.5, 2.0]), Ok(SpectrumValues::These(vec![0.5, 2.0])));
+        for (wrong, at) in [
+            (vec![0.0, 1.0], "0 at index 0"),
+            (vec![1.0, 3.0, 2.0], "2 at index 2"),
+            (vec![1.0, 1.0], "1 at index 1"),
+            (vec![1.0, f64::NAN], "NaN at index 1"),
+            (vec![1.0, f64::INFINITY], "inf at index 1"),
+            (vec![1.0], "one value; expected two or more"),
+        ] {
+            assert!(SpectrumValues::these(wrong.clone()).unwrap_err().starts_with(at), "{wrong:?}");
+        }
+    }
 
     #[test]
     fn steps_are_read_or_refused_with_what_is_expected() {

@@ -3,6 +3,7 @@
 use standfast_model::{BlockCase, MotionCriterion};
 use standfast_motion::strength::{Factors, Strengths, Tried, VerdictStrength, onset};
 use standfast_motion::{MotionError, MotionOutcome};
+use standfast_watch::Portion;
 
 /// When the strength of a motion is looked for: some fifty motions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -15,6 +16,26 @@ pub enum StrengthAsked {
     /// Whatever it takes.
     Always(Factors),
 }
+
+impl StrengthAsked {
+    /// Factors at which a case is tried; `None` where its strength is not asked for.
+    fn factors(self, case: &BlockCase) -> Option<Factors> {
+        let is_long = || case.problem.histories().any(|history| history.times().len() >= LONG);
+        match self {
+            StrengthAsked::No => None,
+            StrengthAsked::IfShort(factors) => Some(factors).filter(|_| !is_long()),
+            StrengthAsked::Always(factors) => Some(factors),
+        }
+    }
+
+    /// Number of motions that it takes, some for the halving of a change.
+    pub(super) fn weight(self, case: &BlockCase) -> f64 {
+        self.factors(case).map_or(0.0, |factors| factors.values().len() as f64 + HALVINGS)
+    }
+}
+
+/// Number of motions, about, that a change of the verdict takes to be found between two factors.
+const HALVINGS: f64 = 14.0;
 
 /// Points of a record from which on its strength is looked for only where it is asked for.
 const LONG: usize = 20_000;
@@ -45,22 +66,17 @@ impl Strength {
         case: &BlockCase,
         outcome: &MotionOutcome,
         asked: StrengthAsked,
+        portion: Portion<'_>,
     ) -> Result<Option<Strength>, MotionError> {
-        let factors = match asked {
-            StrengthAsked::No => return Ok(None),
-            StrengthAsked::IfShort(_)
-                if case.problem.histories().any(|history| history.times().len() >= LONG) =>
-            {
-                return Ok(None);
-            }
-            StrengthAsked::IfShort(factors) | StrengthAsked::Always(factors) => factors,
-        };
+        let Some(factors) = asked.factors(case) else { return Ok(None) };
         let varies = case.problem.histories().any(|history| history.end().is_finite());
         if !varies || !Tried::of(1.0, outcome).ended {
             return Ok(None);
         }
         let problem = &case.problem;
-        let strengths = Strengths::of(problem, outcome, factors)?;
+        let tried = factors.values().len() as f64;
+        let [of_tried, _] = portion.parts([tried, HALVINGS]);
+        let strengths = Strengths::of(problem, outcome, factors, of_tried)?;
         let overturning = strengths.verdict(|tried| tried.overturned)?;
         let [mut slide, mut max_theta] = [None, None];
         for criterion in &case.criteria {

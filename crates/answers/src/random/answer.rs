@@ -6,6 +6,7 @@ use std::str::FromStr;
 use standfast::Verdict;
 use standfast_probability::form::{FormPoint, generalized};
 use standfast_probability::sample::{Effort, Estimate};
+use standfast_watch::Portion;
 
 use super::chances::chances;
 use super::criterion::{ChanceCriterion, bound};
@@ -297,16 +298,17 @@ impl Probability {
         name: &str,
         asked: &ChanceSubject,
         request: ChanceRequest,
+        portion: Portion<'_>,
     ) -> Result<Probability, ProbabilityError> {
         match asked {
             ChanceSubject::Case { file, note, moving } => {
-                Probability::of_case(file, note.clone(), moving.as_deref(), request)
+                Probability::of_case(file, note.clone(), moving.as_deref(), request, portion)
             }
             ChanceSubject::Point(of) => {
                 let problem = of.problem(of.point, request.years)?;
-                Probability::of_problems(name, &[problem], None, request)
+                Probability::of_problems(name, &[problem], None, request, portion)
             }
-            ChanceSubject::Storm(pure) => pure.answer(name, request),
+            ChanceSubject::Storm(pure) => pure.answer(name, request, portion),
         }
     }
 
@@ -315,15 +317,20 @@ impl Probability {
         note: Option<String>,
         moving: Option<&CaseFile>,
         request: ChanceRequest,
+        portion: Portion<'_>,
     ) -> Result<Probability, ProbabilityError> {
         let problems = problems_of(file, request.years, moving)?;
-        let sliding = match storm::storm(file.inputs()).map_err(|fault| file.error(fault))? {
-            Some(storm) => Some(storm::of_case(&storm, &problems, &request)?),
+        let storm = storm::storm(file.inputs()).map_err(|fault| file.error(fault))?;
+        let bound = bound(&file.case()?.criteria);
+        let weights = [if storm.is_some() { 40.0 } else { 0.0 }, 2.0, f64::from(bound.is_some())];
+        let [of_storm, of_problems, of_criterion] = portion.parts(weights);
+        let sliding = match storm {
+            Some(storm) => Some(storm::of_case(&storm, &problems, &request, of_storm)?),
             None => None,
         };
-        let answer = Probability::of_problems(file.name(), &problems, sliding, request)?;
-        let criterion = match bound(&file.case()?.criteria) {
-            Some(bound) => Some(ChanceCriterion::of(bound, &problems, &request)?),
+        let answer = Probability::of_problems(file.name(), &problems, sliding, request, of_problems)?;
+        let criterion = match bound {
+            Some(bound) => Some(ChanceCriterion::of(bound, &problems, &request, of_criterion)?),
             None => None,
         };
         Ok(Probability { criterion, note, ..answer })
@@ -334,9 +341,12 @@ impl Probability {
         problems: &[ChanceProblem],
         sliding: Option<Sliding>,
         request: ChanceRequest,
+        portion: Portion<'_>,
     ) -> Result<Probability, ProbabilityError> {
-        let mut situations: Vec<Chances> =
-            problems.iter().map(|problem| chances(problem, &request)).collect::<Result<_, _>>()?;
+        let several = if problems.len() > 1 { 1.0 } else { 0.0 };
+        let [each, of_joined] = portion.parts([5.0, several]);
+        let of = |(place, problem)| chances(problem, &request, each.part(place, problems.len()));
+        let mut situations: Vec<Chances> = problems.iter().enumerate().map(of).collect::<Result<_, _>>()?;
         situations.sort_by(|a, b| b.not_rest.value.total_cmp(&a.not_rest.value));
         let first = &problems[0];
         let worst = situations.first().and_then(|worst| {
@@ -354,7 +364,7 @@ impl Probability {
             random: first.random().iter().map(RandomNumber::of).collect(),
             line,
             situations,
-            joined: joined(&problems.iter().collect::<Vec<_>>(), &request)?,
+            joined: joined(&problems.iter().collect::<Vec<_>>(), &request, of_joined)?,
             sliding,
             criterion: None,
             overturning: None,

@@ -10,8 +10,9 @@ use standfast_probability::life::lives;
 use standfast_probability::points::MOST_COORDINATES;
 use standfast_probability::problem::{Outcomes, RandomVector};
 use standfast_probability::sample::{
-    Effort, Estimate, Sampled, importance, monte_carlo, sampled_known, sobol,
+    Effort, Estimate, Sampled, Work, importance, monte_carlo, sampled_known, sobol,
 };
+use standfast_watch::Portion;
 
 use super::answer::{ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Method};
 use super::departure::{AT_ONCE, Departures, NEVER};
@@ -39,9 +40,10 @@ fn sets(problem: &ChanceProblem) -> Vec<u64> {
 pub(super) fn event(
     problem: &ChanceProblem,
     request: &ChanceRequest,
+    portion: Portion<'_>,
 ) -> Result<(Vec<(Happening, Estimate)>, Estimate), ProbabilityError> {
     let (problem, points) = placed(problem);
-    let (_, sampled) = sampled(&problem, &points, request)?;
+    let (_, sampled) = sampled(&problem, &points, request, portion)?;
     let count = problem.exclusive().count();
     let modes = problem.exclusive().map(Happening::of).zip(sampled.estimates.iter().copied()).collect();
     Ok((modes, sampled.estimates[count]))
@@ -90,13 +92,13 @@ pub(super) fn by<O: Outcomes>(
     outcomes: &O,
     sets: &[u64],
     about: &[Vec<f64>],
-    effort: &Effort,
+    work: Work<'_>,
 ) -> Sampled {
     match method {
         Method::Integrate => estimates(&integrate(laws, outcomes, sets)),
-        Method::Sobol => sobol(laws, outcomes, sets, effort),
-        Method::Importance => importance(laws, outcomes, sets, about, effort),
-        Method::MonteCarlo => monte_carlo(laws, outcomes, sets, effort),
+        Method::Sobol => sobol(laws, outcomes, sets, work),
+        Method::Importance => importance(laws, outcomes, sets, about, work),
+        Method::MonteCarlo => monte_carlo(laws, outcomes, sets, work),
     }
 }
 
@@ -128,12 +130,15 @@ fn sampled(
     problem: &ChanceProblem,
     points: &[FormPoint],
     request: &ChanceRequest,
+    portion: Portion<'_>,
 ) -> Result<(Method, Sampled), ProbabilityError> {
+    portion.check()?;
     let laws = problem.laws();
     let method = method(laws, request, points)?;
     let about =
         if method == Method::Importance { about(problem, points, request.effort.floor) } else { Vec::new() };
-    let mut sampled = by(method, laws, problem, &sets(problem), &about, &request.effort);
+    let mut sampled = by(method, laws, problem, &sets(problem), &about, request.effort.within(portion));
+    portion.check()?;
     if method == Method::Importance {
         // Points that are weighed do not add up to one where nothing is looked for: rest is what is left.
         let of_moved = sampled.estimates[problem.exclusive().count()];
@@ -153,14 +158,20 @@ fn sampled(
 }
 
 /// The probabilities of one set of loads.
-pub(super) fn chances(problem: &ChanceProblem, request: &ChanceRequest) -> Result<Chances, ProbabilityError> {
+pub(super) fn chances(
+    problem: &ChanceProblem,
+    request: &ChanceRequest,
+    portion: Portion<'_>,
+) -> Result<Chances, ProbabilityError> {
     let (problem, points) = placed(problem);
     let problem = &*problem;
     let laws = problem.laws();
     let numbers = laws.laws().len();
     let few = numbers <= MOST_DIMENSIONS + 1;
     let effort = &request.effort;
-    let (method, sampled) = sampled(problem, &points, request)?;
+    let of_life = if problem.life().is_some() { 2.0 } else { 0.0 };
+    let [of_modes, each_known, of_departure, of_life] = portion.parts([2.0, numbers as f64, 2.0, of_life]);
+    let (method, sampled) = sampled(problem, &points, request, of_modes)?;
     // Rare events are looked for about the points found, whatever else is known.
     let about: Vec<Vec<f64>> = match method {
         Method::Importance => points.iter().map(|point| point.u.clone()).collect(),
@@ -169,14 +180,19 @@ pub(super) fn chances(problem: &ChanceProblem, request: &ChanceRequest) -> Resul
     // What would be gained is worth no more points than what is.
     let of_known = &Effort { points: sampled.points.min(effort.points), ..*effort };
     let known = (0..numbers).map(|number| {
+        let portion = each_known.part(number, numbers);
+        portion.check()?;
         let set = [not_rest()];
         let found = if few {
             estimates(&integrate_known(laws, problem, &set, number))
         } else {
-            sampled_known(laws, problem, &set, number, &about, of_known)
+            sampled_known(laws, problem, &set, number, &about, of_known.within(portion))
         };
-        found.estimates[0]
+        portion.reached(1.0);
+        Ok(found.estimates[0])
     });
+    let known: Vec<Estimate> =
+        if numbers > 1 { known.collect::<Result<_, ProbabilityError>>()? } else { Vec::new() };
     let [modes @ .., not_rest, not_unique, lifted] = &sampled.estimates[..] else {
         unreachable!("as many as sets")
     };
@@ -191,11 +207,11 @@ pub(super) fn chances(problem: &ChanceProblem, request: &ChanceRequest) -> Resul
         not_rest: *not_rest,
         not_unique: *not_unique,
         lifted: *lifted,
-        known: if numbers > 1 { known.collect() } else { Vec::new() },
-        first_departure: first_departure(problem, method, effort, sampled.points),
+        known,
+        first_departure: first_departure(problem, method, effort, sampled.points, of_departure)?,
         design_point: points.into_iter().next(),
         design_points: request.form.then(|| of_each(problem)),
-        life: life(problem, effort)?,
+        life: life(problem, effort, of_life)?,
         course: sampled.course.iter().map(|(points, e)| (*points, e[problem.exclusive().count()])).collect(),
     })
 }
@@ -205,22 +221,32 @@ const UNLIKELY: f64 = 1e-9;
 /// Number of points that may be taken for departures at least, however few the modes need.
 const OF_DEPARTURES: u64 = 1 << 17;
 
-fn first_departure(problem: &ChanceProblem, method: Method, effort: &Effort, points: u64) -> FirstDeparture {
+fn first_departure(
+    problem: &ChanceProblem,
+    method: Method,
+    effort: &Effort,
+    points: u64,
+    portion: Portion<'_>,
+) -> Result<FirstDeparture, ProbabilityError> {
+    portion.check()?;
     let (laws, departures) = (problem.laws(), Departures(problem));
     let codes: Vec<usize> = departures.exclusive().collect();
     let sets: Vec<u64> = codes.iter().map(|outcome| 1 << outcome).collect();
     // A mode that is next to never the first is not worth more points than all that is asked of the full load.
-    let effort = &Effort { points: points.max(OF_DEPARTURES).min(effort.points), ..*effort };
+    let effort = Effort { points: points.max(OF_DEPARTURES).min(effort.points), ..*effort };
+    let work = effort.within(portion);
     let found = match method {
         // The end of rest on a base that gives way has many kinks, and the departures of more numbers would take minutes.
         Method::Integrate if problem.gives_way() && laws.laws().len() > MOST_DIMENSIONS => {
-            sobol(laws, &departures, &sets, effort)
+            sobol(laws, &departures, &sets, work)
         }
         Method::Integrate => estimates(&integrate_above(laws, &departures, &sets, UNLIKELY)),
         // Which mode is first is seldom a rare event, and lies about no one point.
-        Method::Sobol | Method::Importance => sobol(laws, &departures, &sets, effort),
-        Method::MonteCarlo => monte_carlo(laws, &departures, &sets, effort),
+        Method::Sobol | Method::Importance => sobol(laws, &departures, &sets, work),
+        Method::MonteCarlo => monte_carlo(laws, &departures, &sets, work),
     };
+    portion.check()?;
+    portion.reached(1.0);
     let precise = found.precise;
     let of = |outcome: usize| {
         let place = codes.iter().position(|code| *code == outcome);
@@ -228,10 +254,14 @@ fn first_departure(problem: &ChanceProblem, method: Method, effort: &Effort, poi
     };
     let modes = codes.iter().filter(|code| ![NEVER, AT_ONCE].contains(code));
     let modes = modes.map(|code| (Happening::of(*code), of(*code))).collect();
-    FirstDeparture { modes, never: of(NEVER), at_once: of(AT_ONCE), precise }
+    Ok(FirstDeparture { modes, never: of(NEVER), at_once: of(AT_ONCE), precise })
 }
 
-fn life(problem: &ChanceProblem, effort: &Effort) -> Result<Option<LifeChances>, ProbabilityError> {
+fn life(
+    problem: &ChanceProblem,
+    effort: &Effort,
+    portion: Portion<'_>,
+) -> Result<Option<LifeChances>, ProbabilityError> {
     let Some(life) = problem.life() else { return Ok(None) };
     let numbers = problem.random().len();
     let sets: Vec<u64> = problem.exclusive().map(|outcome| 1 << outcome).chain([not_rest()]).collect();
@@ -246,8 +276,10 @@ fn life(problem: &ChanceProblem, effort: &Effort) -> Result<Option<LifeChances>,
         Some(_) if life.years.fract() != 0.0 => {
             return Err(ProbabilityError::PartOfYear { years: life.years });
         }
-        Some(_) => (lives(problem.laws(), problem, &sets, &life, effort), Method::Sobol),
+        Some(_) => (lives(problem.laws(), problem, &sets, &life, effort.within(portion)), Method::Sobol),
     };
+    portion.check()?;
+    portion.reached(1.0);
     let [modes @ .., not_rest] = &found.estimates[..] else { unreachable!("as many as sets") };
     let modes = problem.exclusive().map(Happening::of).zip(modes.iter().copied()).collect();
     let (years, precise) = (life.years, found.precise);

@@ -5,6 +5,7 @@
 //! which moves the body if any of them does.
 
 use standfast_probability::sample::Estimate;
+use standfast_watch::Portion;
 
 use super::answer::ChanceRequest;
 use super::error::ProbabilityError;
@@ -30,8 +31,9 @@ impl ChanceCriterion {
         required: f64,
         problems: &[ChanceProblem],
         request: &ChanceRequest,
+        portion: Portion<'_>,
     ) -> Result<ChanceCriterion, ProbabilityError> {
-        let all = by_acting(problems, request)?.into_iter().map(|(_, not_rest)| not_rest);
+        let all = by_acting(problems, request, portion)?.into_iter().map(|(_, not_rest)| not_rest);
         let worst = all.reduce(|one, two| if two.high > one.high { two } else { one });
         let not_rest = worst.expect("a case has loads");
         Ok(ChanceCriterion { required, not_rest })
@@ -61,6 +63,9 @@ pub(super) fn bound(criteria: &[Criterion]) -> Option<f64> {
 ///
 /// # Errors
 /// As [`Probability::of`](super::Probability::of).
-pub(crate) fn not_rest(file: &CaseFile) -> Result<Vec<(Acting, Estimate)>, ProbabilityError> {
-    by_acting(&problems_of(file, None, None)?, &ChanceRequest::default())
+pub(crate) fn not_rest(
+    file: &CaseFile,
+    portion: Portion<'_>,
+) -> Result<Vec<(Acting, Estimate)>, ProbabilityError> {
+    by_acting(&problems_of(file, None, None)?, &ChanceRequest::default(), portion)
 }

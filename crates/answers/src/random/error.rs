@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use standfast_watch::Stopped;
 use thiserror::Error;
 
 use super::answer::Method;
@@ -16,6 +17,9 @@ pub enum ProbabilityError {
     /// The case is not one, or a law is wrong.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// Whoever watches the work has stopped it.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// Nothing is random.
     #[error("the case file has no [random] table, which says what is random and by which law")]
     NoRandom,

@@ -9,10 +9,12 @@
 //!
 //! of which the nearest is given ([`Lognormal::nearest`]); its largest difference from the probabilities says whether it holds.
 
+use std::cmp::Ordering;
 use std::str::FromStr;
 
 use standfast_probability::lognormal::Lognormal;
 use standfast_probability::sample::Estimate;
+use standfast_watch::Portion;
 
 use super::answer::{ChanceRequest, Happening, Probability};
 use super::chances::event;
@@ -26,14 +28,22 @@ use crate::couple::vary;
 use crate::key::Key;
 use standfast_model::{CaseFile, GivenBase};
 
-/// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`.
+/// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`, or one by one, `NAME=VALUE,VALUE`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ValueRange {
     name: String,
-    from: String,
-    to: String,
-    count: usize,
+    values: Values,
 }
+
+/// Values as they are written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Values {
+    Steps { from: String, to: String, count: usize },
+    These(Vec<String>),
+}
+
+/// At most so many.
+const MOST: usize = 10_000;
 
 impl FromStr for ValueRange {
     type Err = String;
@@ -41,14 +51,20 @@ impl FromStr for ValueRange {
     fn from_str(text: &str) -> Result<ValueRange, String> {
         let parts = || {
             let (name, range) = text.split_once('=')?;
-            let (values, count) = range.rsplit_once(':')?;
-            let (from, to) = values.split_once("..")?;
-            let count = count.trim().parse().ok().filter(|count| (2..=10_000).contains(count))?;
-            let [name, from, to] = [name, from, to].map(|part| part.trim().to_owned());
-            Some(ValueRange { name, from, to, count })
+            let name = name.trim().to_owned();
+            let Some((range, count)) = range.rsplit_once(':') else {
+                let values: Vec<String> = range.split(',').map(|value| value.trim().to_owned()).collect();
+                let several = (2..=MOST).contains(&values.len());
+                return several.then_some(ValueRange { name, values: Values::These(values) });
+            };
+            let (from, to) = range.split_once("..")?;
+            let count = count.trim().parse().ok().filter(|count| (2..=MOST).contains(count))?;
+            let [from, to] = [from, to].map(|part| part.trim().to_owned());
+            Some(ValueRange { name, values: Values::Steps { from, to, count } })
         };
         parts().ok_or_else(|| {
-            "expected NAME=FROM..TO:COUNT with two values or more, as in width=12 m..20 m:9".to_owned()
+            "expected NAME=FROM..TO:COUNT or NAME=VALUE,VALUE with two values or more, as in width=12 m..20 m:9"
+                .to_owned()
         })
     }
 }
@@ -112,18 +128,20 @@ impl Probability {
         request: ChanceRequest,
         over: Option<&ValueRange>,
     ) -> Result<Probability, ProbabilityError> {
-        Probability::under(file, request, over, &[])
+        Probability::under(file, request, over, &[], Portion::UNSEEN)
     }
 
-    /// As [`along`](Probability::along), with records that are given in place of those of the file.
+    /// As [`along`](Probability::along), with records that are given in place of those of the file, as a portion of work that somebody may
+    /// watch.
     ///
     /// # Errors
-    /// As [`along`](Probability::along).
+    /// As [`along`](Probability::along); if the work is stopped.
     pub fn under(
         file: &CaseFile,
         request: ChanceRequest,
         over: Option<&ValueRange>,
         records: &[GivenBase],
+        portion: Portion<'_>,
     ) -> Result<Probability, ProbabilityError> {
         let shaken = records.first().map(|record| file.on_base(record));
         let file = shaken.as_ref().unwrap_or(file);
@@ -134,10 +152,15 @@ impl Probability {
             *moving = moving.take().filter(|_| of_peak.is_some());
         }
         let along = over.filter(|_| of_peak.is_none());
-        let fragility = along.map(|over| over.fragility(&asked, &request)).transpose()?;
-        let answer = Probability { fragility, ..Probability::of_asked(file.name(), &asked, request)? };
+        let weights =
+            [along.map_or(0.0, |over| over.count() as f64), 3.0, if of_peak.is_some() { 30.0 } else { 0.0 }];
+        let [of_values, of_itself, of_motions] = portion.parts(weights);
+        let fragility = along.map(|over| over.fragility(&asked, &request, of_values)).transpose()?;
+        let answer =
+            Probability { fragility, ..Probability::of_asked(file.name(), &asked, request, of_itself)? };
         let overturning =
-            of_peak.map(|over| Overturning::under(file, &request, over, records)).transpose()?;
+            of_peak.map(|over| Overturning::under(file, &request, over, records, of_motions)).transpose()?;
+        portion.reached(1.0);
         let title = file.inputs().text(Key::Title).map(str::to_owned);
         Ok(Probability { title, overturning, ..answer })
     }
@@ -154,18 +177,32 @@ impl ValueRange {
         &self,
         read: impl Fn(&str) -> Result<f64, String>,
     ) -> Result<Vec<f64>, ProbabilityError> {
-        let read = |text: &str| read(text).map_err(|what| self.wrong(what));
-        self.rising(read(&self.from)?, read(&self.to)?)
+        let read = |text: &String| read(text).map_err(|what| self.wrong(what));
+        let (texts, values) = match &self.values {
+            Values::These(texts) => (texts.clone(), texts.iter().map(read).collect::<Result<_, _>>()?),
+            Values::Steps { from, to, .. } => (vec![from.clone(), to.clone()], vec![read(from)?, read(to)?]),
+        };
+        // Twice one value has no curve through it, and a fall is more likely a slip than meant.
+        let rises = |i: usize| values[i - 1].total_cmp(&values[i]) == Ordering::Less && !values[i].is_nan();
+        if let Some(i) = (1..values.len()).find(|i| !rises(*i)) {
+            let (from, to) = (&texts[i - 1], &texts[i]);
+            return Err(self.wrong(format!("it does not rise from {from} to {to}; expected rising values")));
+        }
+        Ok(match &self.values {
+            Values::These(_) => values,
+            Values::Steps { count, .. } => {
+                let (from, to, last) = (values[0], values[1], (count - 1) as f64);
+                (0..*count).map(|i| from + (to - from) * (i as f64 / last)).collect()
+            }
+        })
     }
 
-    fn rising(&self, from: f64, to: f64) -> Result<Vec<f64>, ProbabilityError> {
-        // Twice one value has no curve through it, and a fall is more likely a slip than meant.
-        if from.is_nan() || to.is_nan() || from >= to {
-            let (from, to) = (&self.from, &self.to);
-            return Err(self.wrong(format!("it does not rise from {from} to {to}; expected FROM below TO")));
+    /// Number of values.
+    fn count(&self) -> usize {
+        match &self.values {
+            Values::Steps { count, .. } => *count,
+            Values::These(values) => values.len(),
         }
-        let last = (self.count - 1) as f64;
-        Ok((0..self.count).map(|i| from + (to - from) * (i as f64 / last)).collect())
     }
 
     pub(super) fn wrong(&self, what: impl Into<String>) -> ProbabilityError {
@@ -176,6 +213,7 @@ impl ValueRange {
         &self,
         asked: &ChanceSubject,
         request: &ChanceRequest,
+        portion: Portion<'_>,
     ) -> Result<Fragility, ProbabilityError> {
         let (unit, points) = match asked {
             ChanceSubject::Point(of) => {
@@ -194,10 +232,9 @@ impl ValueRange {
                     moved[coordinate as usize] = value;
                     Ok(vec![of.problem(moved, None)?])
                 };
-                let read = |text: &str| {
-                    text.parse::<f64>().map_err(|_| self.wrong(format!("\"{text}\" is not a number")))
-                };
-                (None, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
+                let read =
+                    |text: &str| text.parse::<f64>().map_err(|_| format!("\"{text}\" is not a number"));
+                (None, self.points(self.values(read)?, (request, portion), at)?)
             }
             ChanceSubject::Storm(_) => return Err(ProbabilityError::NoBody),
             ChanceSubject::Case { file, .. } => {
@@ -213,9 +250,8 @@ impl ValueRange {
                     }
                     _ => self.wrong(unknown),
                 })?;
-                let read = |text: &str| {
-                    variable.read(text, file.inputs()).map_err(|problem| self.wrong(problem.to_string()))
-                };
+                let read =
+                    |text: &str| variable.read(text, file.inputs()).map_err(|problem| problem.to_string());
                 // The problems as they are, for what is random.
                 let random = problems_of(file, None, None)?;
                 let same =
@@ -228,7 +264,7 @@ impl ValueRange {
                     problems_of(&changed, None, None)
                 };
                 let unit = variable.dimension().map(crate::units::Dimension::si);
-                (unit, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
+                (unit, self.points(self.values(read)?, (request, portion), at)?)
             }
         };
         let told: Vec<(f64, f64)> = points.iter().map(|point| (point.value, point.not_rest.value)).collect();
@@ -238,17 +274,19 @@ impl ValueRange {
 
     fn points(
         &self,
-        from: f64,
-        to: f64,
-        request: &ChanceRequest,
+        values: Vec<f64>,
+        (request, portion): (&ChanceRequest, Portion<'_>),
         problems: impl Fn(f64) -> Result<Vec<ChanceProblem>, ProbabilityError>,
     ) -> Result<Vec<FragilityPoint>, ProbabilityError> {
-        self.rising(from, to)?
+        values
             .into_iter()
-            .map(|value| {
+            .enumerate()
+            .map(|(place, value)| {
+                let portion = portion.part(place, self.count());
                 let mut worst: Option<FragilityPoint> = None;
-                for problem in problems(value)? {
-                    let (modes, not_rest) = event(&problem, request)?;
+                let problems = problems(value)?;
+                for (place, problem) in problems.iter().enumerate() {
+                    let (modes, not_rest) = event(problem, request, portion.part(place, problems.len()))?;
                     // Of what is as likely but for rounding, as under a shaking to either side, the first along all values.
                     let above =
                         |worst: &FragilityPoint| not_rest.value > worst.not_rest.value * (1.0 + AS_LIKELY);
@@ -256,6 +294,7 @@ impl ValueRange {
                         worst = Some(FragilityPoint { value, not_rest, modes });
                     }
                 }
+                portion.reached(1.0);
                 worst.ok_or_else(|| self.wrong("the case has no loads"))
             })
             .collect()

@@ -7,6 +7,7 @@
 use standfast_probability::form::local_design_points;
 use standfast_probability::problem::{Outcomes, Pieces};
 use standfast_probability::sample::Estimate;
+use standfast_watch::Portion;
 
 use super::answer::{ChanceRequest, Method};
 use super::chances::{self, event};
@@ -93,13 +94,16 @@ impl Outcomes for AnyOf<'_> {
 pub(super) fn joined(
     problems: &[&ChanceProblem],
     request: &ChanceRequest,
+    portion: Portion<'_>,
 ) -> Result<Option<JointChance>, ProbabilityError> {
     let [first, _, ..] = problems else { return Ok(None) };
     let any = AnyOf(problems.to_vec());
     let points = local_design_points(first.laws(), &any, 1 << MOVES);
     let method = chances::method(first.laws(), request, &points)?;
     let about: Vec<Vec<f64>> = points.into_iter().map(|point| point.u).collect();
-    let sampled = chances::by(method, first.laws(), &any, &[1 << MOVES], &about, &request.effort);
+    let sampled =
+        chances::by(method, first.laws(), &any, &[1 << MOVES], &about, request.effort.within(portion));
+    portion.check()?;
     Ok(Some(JointChance { count: problems.len(), method, not_rest: sampled.estimates[0] }))
 }
 
@@ -111,17 +115,20 @@ pub(super) fn joined(
 pub(super) fn by_acting(
     problems: &[ChanceProblem],
     request: &ChanceRequest,
+    portion: Portion<'_>,
 ) -> Result<Vec<(Acting, Estimate)>, ProbabilityError> {
     let mut found: Vec<(Acting, Estimate)> = Vec::new();
-    for acting in problems.iter().filter_map(ChanceProblem::case).map(|(_, acting)| acting) {
+    let acting = problems.iter().filter_map(ChanceProblem::case).map(|(_, acting)| acting);
+    for (place, acting) in acting.enumerate() {
+        let portion = portion.part(place, problems.len());
         if found.iter().any(|(known, _)| *known == acting) {
             continue;
         }
         let is_same = |problem: &&ChanceProblem| problem.case().is_some_and(|(_, of)| of == acting);
         let same: Vec<&ChanceProblem> = problems.iter().filter(is_same).collect();
-        let not_rest = match joined(&same, request)? {
+        let not_rest = match joined(&same, request, portion)? {
             Some(joined) => joined.not_rest,
-            None => event(same[0], request)?.1,
+            None => event(same[0], request, portion)?.1,
         };
         found.push((acting, not_rest));
     }

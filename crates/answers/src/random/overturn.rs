@@ -20,6 +20,7 @@ use standfast_motion::{
     BaseMotion, History, Keep, LoadInTime, MotionError, MotionProblem, is_own_weight, shaken_water, simulate,
 };
 use standfast_probability::sample::{self, Estimate};
+use standfast_watch::Portion;
 
 use super::answer::ChanceRequest;
 use super::error::ProbabilityError;
@@ -29,6 +30,7 @@ use super::quantity::{Bias, RandomInput};
 use super::subject::problems_of;
 use crate::case::Acting;
 use crate::key::Table;
+use crate::motion::in_order;
 use crate::units::{Dimension, in_gravity};
 use standfast_model::load_words;
 use standfast_model::{CaseFile, GivenBase};
@@ -78,18 +80,20 @@ impl Overturning {
         request: &ChanceRequest,
         over: &ValueRange,
     ) -> Result<Overturning, ProbabilityError> {
-        Overturning::under(file, request, over, &[])
+        Overturning::under(file, request, over, &[], Portion::UNSEEN)
     }
 
-    /// As [`of`](Overturning::of), under records that are given in place of those of the file, whose base moves as in one of them.
+    /// As [`of`](Overturning::of), under records that are given in place of those of the file, whose base moves as in one of them, as a portion
+    /// of work that somebody may watch.
     ///
     /// # Errors
-    /// As [`of`](Overturning::of).
+    /// As [`of`](Overturning::of); if the work is stopped.
     pub fn under(
         file: &CaseFile,
         request: &ChanceRequest,
         over: &ValueRange,
         given: &[GivenBase],
+        portion: Portion<'_>,
     ) -> Result<Overturning, ProbabilityError> {
         let wrong = |what: &str| over.wrong(what);
         let random = file.random().ok_or(ProbabilityError::NoRandom)?;
@@ -127,8 +131,11 @@ impl Overturning {
         sample::draws(problem.laws(), request.effort.seed, bodies, |values| {
             drawn.push(Body::of(problem, values));
         });
-        let followed = follow(&drawn, &bases, &peaks, request.effort.threads)
-            .map_err(|error| over.wrong(format!("a body cannot be followed: {error}")))?;
+        let followed =
+            follow(&drawn, &bases, &peaks, request.effort.threads, portion).map_err(|error| match error {
+                MotionError::Stopped(stopped) => stopped.into(),
+                error => over.wrong(format!("a body cannot be followed: {error}")),
+            })?;
         let chance = |at: &[Vec<[bool; 3]>], which: usize| {
             let of_record = |bodies: &Vec<[bool; 3]>| bodies.iter().map(|became| became[which]).collect();
             Estimate::of_pairs(&at.iter().map(of_record).collect::<Vec<Vec<bool>>>())
@@ -278,9 +285,10 @@ fn follow(
     bases: &[BaseMotion],
     peaks: &[f64],
     threads: usize,
+    portion: Portion<'_>,
 ) -> Result<Vec<Vec<Vec<[bool; 3]>>>, MotionError> {
     let count = peaks.len() * bases.len() * bodies.len();
-    let one = |which: usize| {
+    let one = |which: &usize| {
         let (body, pair) = (which % bodies.len(), which / bodies.len());
         let (base, peak) = (&bases[pair % bases.len()], peaks[pair / bases.len()]);
         match &bodies[body] {
@@ -288,17 +296,8 @@ fn follow(
             None => Ok([false; 3]),
         }
     };
-    let threads = threads.clamp(1, count);
-    let one = &one;
-    // In turn, because those of a strong shaking take longer.
-    let parts: Vec<Result<Vec<[bool; 3]>, MotionError>> = std::thread::scope(|scope| {
-        let work = (0..threads)
-            .map(|thread| scope.spawn(move || (thread..count).step_by(threads).map(one).collect()));
-        let work: Vec<_> = work.collect();
-        work.into_iter().map(|thread| thread.join().expect("no motion panics")).collect()
-    });
-    let parts = parts.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let became: Vec<[bool; 3]> = (0..count).map(|which| parts[which % threads][which / threads]).collect();
+    let all: Vec<usize> = (0..count).collect();
+    let became = in_order(&all, threads, portion, one)?.into_iter().collect::<Result<Vec<_>, _>>()?;
     let of_record = |at: &[[bool; 3]]| at.chunks(bodies.len()).map(<[_]>::to_vec).collect();
     Ok(became.chunks(bodies.len() * bases.len()).map(of_record).collect())
 }

@@ -116,7 +116,7 @@ impl Resolve<'_> {
         match found {
             Ok(variable) => Ok(Quantity::Key(variable)),
             Err(_) if name.starts_with("motion.") => {
-                let known = "of the motion the numbers of [motion.impact] and [motion.initial] are drawn, where it is followed with --over pga";
+                let known = "of the motion the numbers of [motion.impact] and [motion.initial] are drawn, where it is followed over `pga`";
                 let (name, known) = (named.name.clone(), known.to_owned());
                 Err((RandomProblem::NoNumber { name, suggestion: None, known }, named.span.clone()))
             }

@@ -50,8 +50,16 @@ impl Base {
 
 /// The figures of the situations shown, and the section of the case.
 pub(super) fn all(assessment: &Assessment, view: &AssessmentView) -> Result<Vec<AnswerFigure>, InputError> {
+    of(assessment, super::shown(assessment, view), view.up_to)
+}
+
+/// The figures of some situations, loads followed up to a multiple of the full load, and the section of the case.
+pub(super) fn of(
+    assessment: &Assessment,
+    mut shown: Vec<&Assessed>,
+    up_to: f64,
+) -> Result<Vec<AnswerFigure>, InputError> {
     // In the order of the case, as the files are named.
-    let mut shown = super::shown(assessment, view);
     shown.sort_by_key(|assessed| assessed.index);
     let planes = planes(assessment, &shown)?;
     let several = assessment.all.len() > 1;
@@ -63,7 +71,7 @@ pub(super) fn all(assessment: &Assessment, view: &AssessmentView) -> Result<Vec<
         }
         // In air the load factor is k, and the k–μ diagram shows the path.
         if assessed.rises() && assessed.situation.in_air().is_none() {
-            figures.push(path(assessment, assessed, &suffix, view.up_to)?);
+            figures.push(path(assessment, assessed, &suffix, up_to)?);
         }
         figures.extend(rotation(assessment, assessed, &suffix)?);
     }

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use standfast::Mode;
 use standfast_motion::{End, Event, MotionOutcome, Why};
 
-use super::FollowedMotion;
 use super::summary::near;
+use super::{FollowedMotion, MotionView};
 use crate::assess::met_words;
 use crate::layout::{columns, digits, paragraph, row, significant};
 use crate::summary::sentence;
@@ -17,8 +17,8 @@ const SHOWN: usize = 24;
 /// Rows of words, numbers and units.
 pub type Rows = Vec<Vec<String>>;
 
-/// The answer in words, then in numbers, in the units of the case; `all` shows every event. Of one motion alone the words stand in its summary.
-pub(super) fn render(followed: &FollowedMotion, all: bool, alone: bool) -> String {
+/// The answer in words, then in numbers, in the units of the case; the view may show every event. Of one motion alone the words stand in its summary.
+pub(super) fn render(followed: &FollowedMotion, view: &MotionView, alone: bool) -> String {
     let case = &followed.case;
     let mut text = String::new();
     if let Some(situation) = &case.situation {
@@ -28,7 +28,7 @@ pub(super) fn render(followed: &FollowedMotion, all: bool, alone: bool) -> Strin
         let _ = writeln!(text, "{}", paragraph(&verdict(followed), 0));
     }
     text += &columns(&number_rows(followed), 2, &[1]);
-    let _ = write!(text, "\nEvents\n{}", events(followed, all));
+    let _ = write!(text, "\nEvents\n{}", events(followed, view));
     let _ = write!(
         text,
         "\nEnergy per mass{}\n{}",
@@ -200,8 +200,9 @@ pub fn number_rows(followed: &FollowedMotion) -> Rows {
     ]
 }
 
-fn events(followed: &FollowedMotion, all: bool) -> String {
-    columns(&events_shown(followed, all, "; --all shows them"), 2, &[])
+fn events(followed: &FollowedMotion, view: &MotionView) -> String {
+    let how = format!("; {} shows them", view.interface.all());
+    columns(&events_shown(followed, view.all, &how), 2, &[])
 }
 
 /// The events: when, why, and the state that goes on; of more than 24 the first and the last.

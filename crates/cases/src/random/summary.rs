@@ -49,7 +49,7 @@ fn criterion_words(answer: &Probability) -> Option<(bool, String)> {
 }
 
 /// Period that the probabilities of the modes are of.
-pub(super) fn period(answer: &Probability) -> &'static str {
+pub fn period(answer: &Probability) -> &'static str {
     crate::summary::period(answer.random.iter().any(|number| number.yearly))
 }
 

@@ -122,8 +122,7 @@ fn slides(answer: &Probability, sliding: &Sliding) -> String {
         text += &paragraph("Shimosako and Takahashi's formulas are recalled; the original was not read.", 2);
     }
     if !sliding.precise {
-        text +=
-            &paragraph("The mean is not as precise as it is asked to be: --samples takes more points.", 2);
+        text += &paragraph("The mean is not as precise as it is asked to be; more samples make it so.", 2);
     }
     text
 }
@@ -231,7 +230,7 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
 fn imprecise(answer: &Probability) -> String {
     let Effort { precision, floor, .. } = answer.request.effort;
     let words = format!(
-        "Not as precise as asked, {} % of every probability above {}: --samples takes more points.",
+        "Not as precise as asked, {} % of every probability above {}; more samples make it so.",
         digits(100.0 * precision),
         digits(floor)
     );

@@ -14,7 +14,7 @@ use crate::args::{BatchArgs, threads};
 use crate::case_file;
 use crate::error::{CommandError, Result};
 use crate::files_read::{FilePurpose, FilesRead};
-use crate::progress::Motions;
+use crate::progress::watched;
 use crate::write::Pending;
 
 /// Answers the rows of a table that vary a case of motion; returns what to print.
@@ -49,11 +49,8 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     }
     let results = if args.columns.is_empty() { rows.results() } else { results(&args.columns)? };
     let threads = threads(args.threads);
-    let progress = Motions::shown();
-    let answers = in_order(&records, threads, &|progressed| progress.tell(progressed), |record| {
-        rows.answer(&record.iter().collect::<Vec<_>>(), &read)
-    });
-    progress.clear();
+    let answer = |record: &csv::StringRecord| rows.answer(&record.iter().collect::<Vec<_>>(), &read);
+    let answers = watched(|portion| in_order(&records, threads, portion, answer))?;
     let mut head: Vec<&str> = header.iter().map(String::as_str).collect();
     head.extend(results.iter().map(|i| ROW_RESULTS[*i]));
     head.extend(nulls.then_some("problem"));

@@ -9,6 +9,7 @@ mod json;
 mod loads;
 #[path = "../../../tables/tests/common/mutated.rs"]
 mod mutated;
+mod progress;
 mod readme;
 mod robust;
 mod sheet;

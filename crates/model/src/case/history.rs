@@ -1,6 +1,7 @@
 //! From typed inputs to a history: how a load, or the acceleration of the base, goes with time.
 
 use standfast::history::{History, HistoryError, PointFault};
+use standfast::number::significant;
 use standfast_motion::record::{Baseline, Record, RecordUnit};
 
 use super::{Reader, Waves};
@@ -278,12 +279,16 @@ impl Field<'_> {
 
     /// The history of a record, its values times a factor, with what it gives reason to warn of.
     fn of_record(&self, name: &str, record: &Record, factor: f64, start: f64) -> Result<ReadHistory, Fault> {
-        let [velocity, displacement] = record.drift().map(|drift| drift * factor);
+        let [velocity, displacement] = record.drift().map(|drift| significant(drift * factor, 3));
+        let [speed, metres] = match self.of {
+            HistoryOf::Base => [" m/s", " m"],
+            _ => ["", ""],
+        };
         let mut warnings: Vec<MotionWarning> = cut(&record.values, name).into_iter().collect();
         warnings.push(MotionWarning {
             name: "record-drift",
             words: format!(
-                "{name} ends with a velocity of {velocity:.3e} and a displacement of {displacement:.3e} of the ground"
+                "{name} ends with a velocity of {velocity}{speed} and a displacement of {displacement}{metres} of the ground"
             ),
         });
         let history = record.history(factor).and_then(|history| history.starting(start));

@@ -3,34 +3,68 @@
 use maud::{Markup, html};
 use standfast::Verdict;
 use standfast::loads::Earthquake;
-use standfast_cases::assess::verdict;
+use standfast_cases::assess::{Component, verdict};
 use standfast_cases::{Acting, Assessed, Assessment};
 
 use crate::measured::{Measured, NONE, number};
 use crate::steps::SheetSteps;
+use crate::together::Brief;
 
-pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &Assessed) {
-    let case = &assessment.case;
-    if let Acting::Combination(index) = assessed.acting {
-        steps.note(
-            "Factors of the combination. Loads that it does not name act as they are if they are permanent, and not at all if \
-             they are variable.",
-        );
-        let factors = &case.combinations[index].factors;
-        if factors.is_empty() {
-            return steps.note("The combination names no load.");
+/// The factor of each load in each of the combinations, which are shown in this order.
+pub(super) fn factors(steps: &mut SheetSteps, shown: &[&Assessed]) {
+    let components: Vec<_> = shown.iter().map(|assessed| assessed.components()).collect();
+    let mut names: Vec<(&str, bool)> = Vec::new();
+    for Component { name, load, .. } in components.iter().flatten() {
+        if !names.contains(&(name, load.permanent)) {
+            names.push((name, load.permanent));
         }
-        steps.push(html! {
-            table.numbers data-table="factors" {
-                thead { tr { th { "Load" } th.n { "Factor" } } }
-                tbody {
-                    @for (name, factor) in factors {
-                        tr { td { (name) } td.n { data value=(factor) { (number(*factor)) } } }
+    }
+    let factor = |of: &[Component], (name, permanent): (&str, bool)| {
+        let is_it = |one: &&Component| one.name == name && one.load.permanent == permanent;
+        of.iter().find(is_it).map(|component| component.load.factor)
+    };
+    let number_of = |assessed: &Assessed| match assessed.acting {
+        Acting::Combination(index) => index + 1,
+        _ => assessed.index + 1,
+    };
+    steps.note(
+        "Loads that a combination does not name act as they are if they are permanent, and not at all if they are variable. A dash \
+         stands for a load that does not act.",
+    );
+    let full = html! {
+        table.numbers data-table="factors" {
+            thead {
+                tr {
+                    th { "Load" }
+                    th {}
+                    @for assessed in shown {
+                        th.n { @if shown.len() > 1 { "Combination " (number_of(assessed)) } @else { "Factor" } }
                     }
                 }
             }
-        });
-    }
+            tbody {
+                @for &(name, permanent) in &names {
+                    tr {
+                        td { (name) }
+                        td { @if permanent { "permanent" } @else { "variable" } }
+                        @for of in &components {
+                            td.n {
+                                @match factor(of, (name, permanent)) {
+                                    Some(factor) => data value=(factor) { (number(factor)) },
+                                    None => "–",
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    };
+    steps.push(full, Brief::Each);
+}
+
+pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &Assessed) {
+    let case = &assessment.case;
     if assessed.others.is_empty() {
         return;
     }
@@ -44,7 +78,7 @@ pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &
     }
     let tried = assessed.tried().filter_map(|tried| Some((tried.earthquake?, tried)));
     let tried: Vec<_> = tried.collect();
-    steps.push(html! {
+    let full = html! {
         table.numbers data-table="earthquakes" {
             thead {
                 tr {
@@ -70,7 +104,8 @@ pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &
                 }
             }
         }
-    });
+    };
+    steps.push(full, Brief::Each);
 }
 
 fn accelerations(earthquake: &Earthquake) -> Markup {

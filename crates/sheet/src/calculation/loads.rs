@@ -13,6 +13,7 @@ use crate::measured::{
 };
 use crate::steps::{SheetStep, SheetSteps};
 use crate::symbols::{numbered, point};
+use crate::together::Brief;
 
 /// The symbols of a component's parts: X, V and M with its number.
 pub(super) fn parts(index: usize) -> [String; 3] {
@@ -68,7 +69,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, co
 /// The loads one by one, in a table.
 fn table(steps: &mut SheetSteps, extent: Extent, components: &[Component], total: &Wrench) {
     let (force, moment) = (extent.force_unit(), extent.moment_unit());
-    steps.push(html! {
+    let full = html! {
         table.numbers data-table="components" {
             thead { tr { th { "Load" } th { "Share" } th.n { "X" br; (force) } th.n { "V" br; (force) } th.n { "M" br; (moment) } } }
             tbody {
@@ -82,7 +83,9 @@ fn table(steps: &mut SheetSteps, extent: Extent, components: &[Component], total
                 tr.sum { td { "Sum" } td {} (cells(total)) }
             }
         }
-    });
+    };
+    // Where situations stand together the steps of each load are rows.
+    steps.push(full, Brief::Nothing);
 }
 
 fn cells(wrench: &Wrench) -> Markup {
@@ -131,17 +134,26 @@ fn added_mass(steps: &mut SheetSteps, case: &Case) {
     steps.add(about, "same potential", ["z_a", &formula], height, METRE, "");
 }
 
+/// True if a factor stands in the formulas of its load: where it is not 1, and among combinations, so that their formulas are the same.
+pub(super) fn shows_factor(case: &Case, factor: f64) -> bool {
+    factor != 1.0 || case.combinations.len() > 1
+}
+
 /// The wrench of one load.
 fn one(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, i: usize, component: &Component) {
     let Component { name, wrench, .. } = component;
     let [x, v, m] = parts(i);
+    // Backticks would begin a formula.
+    let mut about = format!("{}  {}", i + 1, name.replace('`', "'"));
+    steps.subject(&about);
     given(steps, case, &component.load);
     // A factor of the combination stands before what it multiplies.
     let name_of_factor = format!("γ_F{}", i + 1);
-    let factor = if component.load.factor == 1.0 { String::new() } else { format!("{name_of_factor} ") };
+    let factor = match shows_factor(case, component.load.factor) {
+        true => format!("{name_of_factor} "),
+        false => String::new(),
+    };
     steps.know(&name_of_factor, component.load.factor, NONE);
-    // Backticks would begin a formula.
-    let mut about = format!("{}  {}", i + 1, name.replace('`', "'"));
     let sums = ["Q", "S"].map(|letter| format!("{letter}_{}", i + 1));
     if let Action::Pressure { face, diagram } = &component.load.action
         && component.load.source == LoadSource::Pressure
@@ -218,9 +230,9 @@ fn given(steps: &mut SheetSteps, case: &Case, load: &Load) {
         LoadSource::Force => {
             if let Action::Force { at, right, up } = load.action {
                 let [force, elevation, distance] = force_symbols(case, load);
-                steps.know(&force, if up == 0.0 { right.abs() } else { up.abs() }, KILONEWTON);
-                steps.know(&elevation, at.y, METRE);
-                steps.know(&distance, at.x + case.body.base_edges().left, METRE);
+                steps.know_input(&force, if up == 0.0 { right.abs() } else { up.abs() }, KILONEWTON);
+                steps.know_input(&elevation, at.y, METRE);
+                steps.know_input(&distance, at.x + case.body.base_edges().left, METRE);
             }
         }
         _ => {}

@@ -9,10 +9,11 @@ use standfast_cases::describe;
 use standfast_cases::layout::apart;
 use standfast_cases::{Assessed, Case};
 
-use super::loads::force_symbols;
+use super::loads::{force_symbols, shows_factor};
 use crate::mathml::symbol;
-use crate::measured::{KILONEWTON, Measured, NONE};
+use crate::measured::{KILONEWTON, NONE};
 use crate::steps::SheetSteps;
+use crate::together::{Brief, Row};
 
 /// k and k' of a lone force in air.
 pub(super) fn in_air(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, reduced: &Reduced) {
@@ -22,7 +23,7 @@ pub(super) fn in_air(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, r
         return;
     };
     let [force, elevation, _] = force_symbols(case, load);
-    let factor = if load.factor == 1.0 { String::new() } else { format!("γ_F{} ", i + 1) };
+    let factor = if shows_factor(case, load.factor) { format!("γ_F{} ", i + 1) } else { String::new() };
     steps.heading("Reduction to the report's plane");
     let formula = format!("{factor}{force}/(m g)");
     steps.add("Force, in weights of the body", "", ["k", &formula], point.k(), NONE, "k_eff");
@@ -84,12 +85,10 @@ pub(super) fn decision(steps: &mut SheetSteps, assessed: &Assessed, reduced: &Re
             true => String::new(),
             false => format!(", the mirror image of {}", step.mode),
         };
-        steps.push(html! {
-            h4 {
-                "Does it hold that the body " (mode.words()) " (" (mode) (mirrored) ")? "
-                @if step.holds { span.yes { "Yes" } } @else { span.no { "No" } }
-            }
-        });
+        steps.question(
+            &format!("Does it hold that the body {} ({mode}{mirrored})?", mode.words()),
+            step.holds,
+        );
         for relation in &step.relations {
             steps.relation(&assessed.situation.settled(*relation));
         }
@@ -104,31 +103,51 @@ pub(super) fn decision(steps: &mut SheetSteps, assessed: &Assessed, reduced: &Re
 pub(super) fn changes(steps: &mut SheetSteps, reduced: &Reduced, weight: Option<f64>) {
     let margins = reduced.point.margins();
     steps.heading("Changes of mode");
-    let force = |k: f64| weight.map(|weight| Measured::of(k * weight, KILONEWTON).html(""));
+    // Of a lone force in air the force at k is told as well.
+    let force = |k: f64| weight.map(|weight| steps.measured(k * weight, KILONEWTON).html(""));
     let along_k = if weight.is_some() { &margins.along_k[..] } else { &[] };
-    steps.push(html! {
+    let varied = [("force", "k", along_k), ("friction", "μ", &margins.along_mu)];
+    let full = html! {
         table.numbers data-table="changes" {
-            thead { tr { th { "Varied" } th.n { "Value" } th.n { "F" } th { "Change of mode" } } }
-            tbody {
-                @for (text, crossing) in shown(along_k) {
-                    tr {
-                        td { "force, " (PreEscaped(symbol("k"))) }
-                        td.n { data value=(crossing.at) { (text) } }
-                        td.n { @if let Some(force) = force(crossing.at) { (force) } }
-                        td { (arrow(reduced, crossing)) }
-                    }
+            thead {
+                tr {
+                    th { "Varied" }
+                    th.n { "Value" }
+                    @if weight.is_some() { th.n { (PreEscaped(symbol("F"))) } }
+                    th { "Change of mode" }
                 }
-                @for (text, crossing) in shown(&margins.along_mu) {
-                    tr {
-                        td { "friction, " (PreEscaped(symbol("μ"))) }
-                        td.n { data value=(crossing.at) { (text) } }
-                        td.n {}
-                        td { (arrow(reduced, crossing)) }
+            }
+            tbody {
+                @for (what, name, crossings) in &varied {
+                    @for (text, crossing) in shown(crossings) {
+                        tr {
+                            td { (what) ", " (PreEscaped(symbol(name))) }
+                            td.n { data value=(crossing.at) { (text) } }
+                            @if weight.is_some() {
+                                td.n { @if *name == "k" { @if let Some(force) = force(crossing.at) { (force) } } @else { "–" } }
+                            }
+                            td { (arrow(reduced, crossing)) }
+                        }
                     }
                 }
             }
         }
-    });
+    };
+    let rows =
+        varied.iter().filter(|(_, _, crossings)| !crossings.is_empty()).map(|(what, name, crossings)| Row {
+            name: String::new(),
+            key: format!("changes along {name}"),
+            about: html! {},
+            head: html! { "Changes along the " (what) ", " (PreEscaped(symbol(name))) },
+            unit: html! {},
+            cell: html! {
+                @for (text, crossing) in shown(crossings) {
+                    div { data value=(crossing.at) { (text) } ": " (arrow(reduced, crossing)) }
+                }
+            },
+        });
+    let rows = Brief::Rows(rows.collect());
+    steps.push(full, rows);
     if margins.along_mu.last().is_some_and(|crossing| crossing.to != Mode::Rest) {
         steps.note("Whatever the friction, the body does not stay at rest under this load.");
     }

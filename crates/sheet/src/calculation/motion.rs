@@ -11,10 +11,26 @@ use crate::fault::SheetFault;
 use crate::mathml::{prose, symbol};
 use crate::measured::{ACCELERATION, INERTIA, KILONEWTON, MASS, METRE, ROTATION, number};
 use crate::steps::SheetSteps;
+use crate::together::Row;
 
-/// The motion of the body, without what is zero.
-fn table(case: &Case, motion: &Motion) -> Result<Markup, SheetFault> {
-    Ok(html! {
+/// The motion of the body, without what is zero: as a table, and as rows.
+fn table(case: &Case, motion: &Motion) -> Result<(Markup, Vec<Row>), SheetFault> {
+    let mut rows = Vec::new();
+    for part in MOTION.iter().filter(|part| (part.of)(motion) != 0.0) {
+        let (unit, si) = part.on_paper(case.extent);
+        let value = (part.of)(motion) / si;
+        rows.push(Row {
+            name: part.symbol.to_owned(),
+            key: format!("motion.{}", part.key),
+            about: html! {},
+            head: html! {
+                (PreEscaped(symbol(part.symbol))) ", " (prose(&part.words.replace("f_y", "`f_y`"))?)
+            },
+            unit: html! { span.unit { (unit) } },
+            cell: html! { data value=(value) data-quantity={ "motion." (part.key) } { (number(value)) } },
+        });
+    }
+    let full = html! {
         table.numbers data-table="motion" {
             thead { tr { th {} th { "Quantity" } th.n { "of this body" } th {} } }
             tbody {
@@ -30,7 +46,8 @@ fn table(case: &Case, motion: &Motion) -> Result<Markup, SheetFault> {
                 }
             }
         }
-    })
+    };
+    Ok((full, rows))
 }
 
 /// The motion under the full load.
@@ -43,7 +60,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) {
         false => "Motion and reactions at onset, full load applied at once",
     });
     if !rests || f_x != 0.0 || f_y != 0.0 {
-        steps.write(table(case, motion));
+        steps.quantities(table(case, motion));
     }
     if assessed.earthquake.is_some() {
         steps.note(RELATIVE);

@@ -8,6 +8,7 @@ use standfast_cases::{Assessed, AssessmentView};
 use super::loads::{parts, sum};
 use crate::measured::{FACTOR, KILONEWTON, MOMENT, number};
 use crate::steps::SheetSteps;
+use crate::together::{Brief, Row};
 
 pub(super) fn steps(
     steps: &mut SheetSteps,
@@ -18,7 +19,7 @@ pub(super) fn steps(
     let stages = assessed.path_up_to(view.up_to);
     steps.heading("Load path: the variable loads rise by a factor, the permanent ones stay");
     if !stages.is_empty() {
-        steps.push(html! {
+        let full = html! {
             table.numbers data-table="path" {
                 thead { tr { th.n { "from" } th.n { "to" } th { "Mode" } th { "Also consistent" } } }
                 tbody {
@@ -32,11 +33,33 @@ pub(super) fn steps(
                     }
                 }
             }
-        });
+        };
+        let row = Row {
+            name: String::new(),
+            key: "path".to_owned(),
+            about: html! {},
+            head: html! { "Mode from one load factor to another, and in parentheses what is consistent as well" },
+            unit: html! {},
+            cell: html! {
+                div data-table="path" {
+                    @for stage in &stages {
+                        div {
+                            data value=(stage.from) { (number(stage.from)) } " … "
+                            data value=(stage.to) { (number(stage.to)) } ": "
+                            (stage.verdict.map_or("none", Verdict::symbol))
+                            @let others = stage.others().to_string();
+                            @if !others.is_empty() { " (" (others) ")" }
+                        }
+                    }
+                }
+            },
+        };
+        steps.push(full, Brief::Rows(vec![row]));
     }
     for sentence in verdict::path(assessed) {
-        // Backticks would begin a formula.
-        steps.note(&sentence.replace('`', "'"));
+        // The verdict of the sheet has them of every situation.
+        let words = html! { p.note { (sentence.replace('`', "'")) } };
+        steps.push(words, Brief::Nothing);
     }
     if let Departure::At { factor, .. } = assessed.departure() {
         departure(steps, assessed, components, factor);

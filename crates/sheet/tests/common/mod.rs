@@ -262,6 +262,12 @@ pub fn si(element: ElementRef<'_>, attribute: &str) -> Option<f64> {
     let mut siblings = element.next_siblings().filter_map(ElementRef::wrap);
     let behind = siblings.find(|next| !(list && next.value().name() == "data"));
     let text = behind.filter(|next| next.value().name() == "mtext" || next.attr("class") == Some("unit"));
+    // The unit of a row of several situations stands in its last column.
+    let text = text.or_else(|| {
+        let row =
+            element.ancestors().filter_map(ElementRef::wrap).find(|above| above.value().name() == "tr")?;
+        row.select(&Selector::parse("td.of .unit").unwrap()).next()
+    });
     let degree = element
         .next_sibling()
         .is_some_and(|next| matches!(next.value(), Node::Text(text) if text.starts_with('°')));
@@ -274,7 +280,7 @@ pub fn si(element: ElementRef<'_>, attribute: &str) -> Option<f64> {
 /// True if the number is a force of the table of motions, whose unit stands in the next column.
 fn common_column(element: ElementRef<'_>) -> bool {
     let name = element.attr("data-quantity").unwrap_or_default();
-    matches!(name, "motion.f_x" | "motion.f_y")
+    matches!(name, "motion.f_x" | "motion.f_y") && within(element, "motion")
 }
 
 pub fn within(element: ElementRef<'_>, class: &str) -> bool {
@@ -327,8 +333,35 @@ enum Token {
 
 /// Result of the numbers of a step, and their size. `None` if there are none.
 pub fn evaluate(numbers: ElementRef<'_>) -> Option<(f64, f64)> {
+    let math: Vec<_> = numbers.select(&Selector::parse("math").unwrap()).collect();
+    evaluate_with(&math, &Names::new())
+}
+
+/// Values of symbols, by their letters as they are read.
+pub type Names = BTreeMap<String, f64>;
+
+thread_local! {
+    /// Values of the symbols in the formula that is read.
+    static KNOWN: std::cell::RefCell<Names> = const { std::cell::RefCell::new(Names::new()) };
+}
+
+/// The letters of a symbol; `None` of an element that is no symbol.
+pub fn letters(element: ElementRef<'_>) -> Option<String> {
+    let text: String = element.text().collect();
+    let is_symbol = match element.value().name() {
+        "mi" | "msub" | "msubsup" | "mover" => true,
+        "msup" => text.ends_with('∗'),
+        "mrow" => text.ends_with('′') && !text.contains(['(', '+', '−', '|', '⋅', '\u{2062}']),
+        _ => false,
+    };
+    is_symbol.then_some(text)
+}
+
+/// Result of a formula in which symbols stand for these values, and its size; `None` if it begins with no sign.
+pub fn evaluate_with(math: &[ElementRef<'_>], names: &Names) -> Option<(f64, f64)> {
+    KNOWN.with_borrow_mut(|known| known.clone_from(names));
     let mut tokens = Vec::new();
-    for math in numbers.select(&Selector::parse("math").unwrap()) {
+    for math in math {
         for row in math.children().filter_map(ElementRef::wrap) {
             tokens.extend(tokens_of(row));
         }
@@ -347,7 +380,9 @@ fn tokens_of(row: ElementRef<'_>) -> Vec<Token> {
         let text: String = element.text().collect();
         let children: Vec<_> = element.children().filter_map(ElementRef::wrap).collect();
         let inner = |i: usize| Reader { tokens: &token_of(children[i]) }.whole();
+        let known = letters(element).and_then(|name| KNOWN.with_borrow(|known| known.get(&name).copied()));
         let token = match element.value().name() {
+            _ if known.is_some() => Token::Value(known.unwrap(), known.unwrap().abs()),
             _ if element.attr("data-value").is_some() => {
                 let value = si(element, "data-value").unwrap();
                 Token::Value(value, value.abs())
@@ -361,6 +396,7 @@ fn tokens_of(row: ElementRef<'_>) -> Vec<Token> {
             "mi" => Token::Function(text),
             "mo" => match text.chars().next().unwrap() {
                 '\u{2061}' => continue,
+                '\u{2062}' => Token::Operator('⋅'),
                 sign => Token::Operator(sign),
             },
             "mfrac" => {
@@ -386,6 +422,10 @@ fn tokens_of(row: ElementRef<'_>) -> Vec<Token> {
 
 /// A row as one token, any other element as it is.
 fn token_of(element: ElementRef<'_>) -> Vec<Token> {
+    let known = letters(element).and_then(|name| KNOWN.with_borrow(|known| known.get(&name).copied()));
+    if let Some(value) = known {
+        return vec![Token::Value(value, value.abs())];
+    }
     if element.attr("data-value").is_some() || element.value().name() != "mrow" {
         let value: f64 = match element.attr("data-value") {
             Some(value) => value.parse().unwrap(),

@@ -4,6 +4,7 @@ use standfast_probability::integrate::Life;
 use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::{Effort, Estimate};
 use standfast_probability::sums::{LifeSums, Lives, expected, lives};
+use standfast_watch::Portion;
 use thiserror::Error;
 
 use super::{Slides, Storm, Storms};
@@ -142,7 +143,7 @@ impl Explained for SlidingError {
             SlidingError::Choice { .. } => {
                 "storms are answered for a case whose loads all act together".into()
             }
-            SlidingError::BiasOfMoment { .. } => "leave it out, or --rotations count".into(),
+            SlidingError::BiasOfMoment { .. } => "leave it out, or have rotations counted".into(),
             _ => return None,
         };
         Some(help)
@@ -188,6 +189,7 @@ pub(in crate::random) fn sliding<S: Storms>(
     laws: &RandomVector,
     life: &Life,
     request: &ChanceRequest,
+    portion: Portion<'_>,
 ) -> Result<Sliding, SlidingError> {
     let effort = &request.effort;
     let years = life.years;
@@ -196,14 +198,15 @@ pub(in crate::random) fn sliding<S: Storms>(
     }
     let slides = Slides(storms);
     let smooth = Effort { precision: effort.precision.min(PRECISION), ..*effort };
-    let means = expected(laws, &slides, storm.waves as f64, &smooth);
+    let [of_mean, of_lives] = portion.parts([1.0, 9.0]);
+    let means = expected(laws, &slides, storm.waves as f64, smooth.within(of_mean));
     let [mean, moving, turning] = means.estimates[..] else { unreachable!("three means") };
     let times = |e: Estimate, by: f64| Estimate { value: e.value * by, low: e.low * by, high: e.high * by };
     // As many lives as leave so many waves to be followed in time.
     let to_follow = turning.value * storm.waves as f64 * effort.points as f64;
     let fewer = if request.follow { (to_follow / MOST_FOLLOWED).max(1.0) } else { 1.0 };
     let drawn_effort = Effort { points: (effort.points as f64 / fewer) as u64, ..*effort };
-    let drawn = lives(laws, &slides, storm.waves, life, &drawn_effort);
+    let drawn = lives(laws, &slides, storm.waves, life, drawn_effort.within(of_lives));
     // A body that lies on its side has slid too far.
     let slid = |more: f64| drawn.chance(|life: &LifeSums| life.ended || life.sum + life.other_sum > more);
     Ok(Sliding {

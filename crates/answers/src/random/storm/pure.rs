@@ -23,6 +23,7 @@ use standfast::{Mode, Verdict};
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::Estimate;
+use standfast_watch::Portion;
 
 use super::answer::{SlidingError, sliding};
 use super::read::storm;
@@ -170,12 +171,14 @@ impl PureStorm {
         &self,
         name: &str,
         request: ChanceRequest,
+        portion: Portion<'_>,
     ) -> Result<Probability, ProbabilityError> {
         let life = self.life();
         if request.follow {
             return Err(SlidingError::NoTurns.into());
         }
-        let sliding = sliding(&self.storm, self, &self.laws, &life, &request)?;
+        let sliding = sliding(&self.storm, self, &self.laws, &life, &request, portion)?;
+        portion.check()?;
         let nothing = Estimate { value: 0.0, low: 0.0, high: 0.0 };
         let rests = |e: Estimate| Estimate { value: 1.0 - e.value, low: 1.0 - e.high, high: 1.0 - e.low };
         let all = |slides: Estimate| -> Vec<(Happening, Estimate)> {

@@ -5,6 +5,7 @@ use standfast::wave::Goda;
 use standfast::{Mode, Wrench};
 use standfast_probability::integrate::Life;
 use standfast_probability::sums::OtherEvent;
+use standfast_watch::Portion;
 
 use super::answer::{Sliding, SlidingError, sliding};
 use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level, rotation};
@@ -142,6 +143,7 @@ pub(in crate::random) fn of_case(
     storm: &Storm,
     problems: &[ChanceProblem],
     request: &ChanceRequest,
+    portion: Portion<'_>,
 ) -> Result<Sliding, SlidingError> {
     let [problem] = problems else {
         return Err(SlidingError::Choice {
@@ -169,7 +171,7 @@ pub(in crate::random) fn of_case(
     let plain = Life { years: 1.0, yearly: vec![false; problem.random().len()] };
     let life = problem.life().unwrap_or(plain);
     let storms = SeaStorm { problem, storm, follow: request.follow };
-    sliding(storm, &storms, problem.laws(), &life, request)
+    sliding(storm, &storms, problem.laws(), &life, request, portion)
 }
 
 /// Into how many steps the heights up to the cut are parted in search of changes of mode.

@@ -1,0 +1,366 @@
+//! The sheet on one page: what a client or a checker reads first. Its numbers are those of the full sheet.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use standfast_cases::assess::{AnyCheck, figures_of};
+use standfast_cases::design::{Sensitivity, sensitivities};
+use standfast_cases::layout::{apart, factor};
+use standfast_cases::random::Probability;
+use standfast_cases::{AnswerFigure, Assessed, Assessment, AssessmentView, Key, Portion};
+
+use crate::document::{
+    LEAST_TYPE, Source, TEXT_WIDTH, VERSION, drawing, least_type, one_line, style, title_block,
+};
+use crate::probability::Chance;
+use crate::sensitivity;
+use crate::{SheetError, verdict};
+
+/// Height of the page's text in pixels, of which 96 make an inch, less what estimates may miss.
+const HEIGHT: usize = 985;
+/// Height of a line of text, and of a row of a table of one line.
+const LINE: usize = 15;
+const ROW: usize = 17;
+/// Height of a row of the title block.
+const HEAD: usize = 21;
+/// Letters in a line across the page, and in one of the cells of a criterion and of its situation.
+const LETTERS: usize = 112;
+const CRITERION_LETTERS: usize = 54;
+const PLACE_LETTERS: usize = 36;
+/// Widest section beside which the inputs have room with their values, and with what a change of them does.
+const BESIDE: f64 = 0.68 * TEXT_WIDTH;
+const BESIDE_CHANGES: f64 = 0.45 * TEXT_WIDTH;
+/// Largest number of inputs shown.
+const INPUTS: usize = 10;
+/// Largest number of situations that stand across the table of criteria.
+const ACROSS: usize = 4;
+/// Longest note under the title that is shown whole.
+const NOTE: usize = 3 * LETTERS;
+
+pub fn render(
+    assessment: &Assessment,
+    source: &Source<'_>,
+    view: &AssessmentView,
+    portion: Portion<'_>,
+) -> Result<String, SheetError> {
+    let case = &assessment.case;
+    let section = figures_of(assessment, &[], view.up_to)?.into_iter().find(AnswerFigure::is_section);
+    let chance = Chance::of(source.case_file, portion)?;
+    let answer = chance.as_ref().and_then(Chance::answer);
+    let tops = verdict::tops(assessment, answer);
+    let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
+    let note = case.note.as_deref().map(|note| shortened(&one_line(note)));
+    let inputs = deciding(sensitivities(source.case_file)?);
+    let rows = Asked::all(assessment, answer);
+    let situations = assessment.worst_first();
+    let places: Vec<String> = situations.iter().filter_map(|one| assessment.name(one)).collect();
+    let places: Vec<&str> = places.iter().map(String::as_str).collect();
+    let firsts = (0..rows.len()).filter(|&i| is_first(&rows, i)).map(|i| rows[i].height(true)).sum::<usize>();
+    let across = (2..=ACROSS).contains(&places.len());
+    let needed = match (rows.is_empty(), across) {
+        (true, _) => assessment.all.len() + 1,
+        (false, true) => (2 * ROW + firsts).div_ceil(ROW),
+        (false, false) => {
+            (0..rows.len()).map(|i| rows[i].height(is_first(&rows, i))).sum::<usize>().div_ceil(ROW)
+        }
+    };
+    let room = Room::of(section.as_ref(), source, note.as_deref(), &verdict::words(&tops), needed);
+    let inputs = &inputs[..inputs.len().min(room.inputs)];
+    let (shown, left) = fitting(&rows, room.rows);
+    let drawn = |figure: &AnswerFigure| {
+        let own = format!("@media print{{#figure-1 svg{{width:{:.0}px}}}}\n", room.width.floor());
+        (own, drawing(0, figure))
+    };
+    let (own, figure) = section.as_ref().map_or_else(Default::default, drawn);
+    let document = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content={ "standfast " (VERSION) };
+                title { (title) " – calculation sheet in short" }
+                style { (PreEscaped(style(&title, source) + &own)) }
+            }
+            body.short {
+                main {
+                    (title_block("Calculation sheet in short: initiation of motion of a freestanding body", note.as_deref(), &title, source, false))
+                    section.summary {
+                        @if let Some(why) = chance.as_ref().and_then(Chance::why_not) { p.note { "No probability is found: " (why) "." } }
+                        (verdict::lines(&tops, "on the full sheet"))
+                    }
+                    div.pair.beside[room.beside] {
+                        (figure)
+                        @if !inputs.is_empty() { div { h2 { "Inputs that decide" } (table_of_inputs(inputs, !room.beside || room.width <= BESIDE_CHANGES)) } }
+                    }
+                    h2 { "Criteria and combinations" }
+                    @if rows.is_empty() {
+                        (verdict::table(assessment, room.rows))
+                        @if assessment.all.len() > room.rows { (left_out(assessment.all.len() - room.rows, assessment.all.len())) }
+                        p.note { "The case file has no [criteria]." }
+                    } @else if across && needed <= room.rows {
+                        (table_across(&rows, &places))
+                    } @else {
+                        (table_of_criteria(shown))
+                        @if left > 0 { (left_out(left, rows.len())) }
+                    }
+                    section.signatures { (signed(source)) }
+                }
+            }
+        }
+    };
+    Ok(document.into_string())
+}
+
+/// A note, or as many of its first sentences as have room.
+fn shortened(note: &str) -> String {
+    if note.chars().count() <= NOTE {
+        return note.to_owned();
+    }
+    let end = note.char_indices().nth(NOTE).map_or(note.len(), |(at, _)| at);
+    let sentence = note[..end].rfind(". ").map_or_else(|| note[..end].rfind(' ').unwrap_or(end), |at| at + 1);
+    format!("{} (The note goes on in the case file.)", &note[..sentence])
+}
+
+/// The inputs of which 1 % more changes a safety factor or the load factor, the one that changes it most first.
+fn deciding(mut rows: Vec<Sensitivity>) -> Vec<Sensitivity> {
+    let effect = |row: &Sensitivity| {
+        let changes = [row.sliding, row.overturning, row.load_factor].map(|change| change.number());
+        changes.into_iter().flatten().map(f64::abs).fold(0.0, f64::max)
+    };
+    rows.retain(|row| effect(row) > 0.0);
+    rows.sort_by(|one, other| effect(other).total_cmp(&effect(one)));
+    rows
+}
+
+/// The inputs with their values, and where there is room with the changes of the safety factors.
+fn table_of_inputs(inputs: &[Sensitivity], changes: bool) -> Markup {
+    html! {
+        table.numbers data-table="deciding" {
+            thead {
+                tr {
+                    th { "Input" }
+                    th.n { "Value" }
+                    @if changes { th.n { "1 % more: SF of sliding" } th.n { "of overturning" } }
+                }
+            }
+            tbody {
+                @for row in inputs {
+                    tr {
+                        td { code { (row.variable.name()) } }
+                        td.n { (sensitivity::value(row)) }
+                        @if changes {
+                            @for change in [row.sliding, row.overturning] { td.n { (sensitivity::signed(change)) } }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Room for signatures side by side.
+fn signed(source: &Source<'_>) -> Markup {
+    html! {
+        table.block.sign {
+            thead { tr { th { "Author, date, signature" } th { "Checker, date, signature" } th { "Approved, date, signature" } } }
+            tbody {
+                tr {
+                    @for key in [Key::Author, Key::Checker] { td { (source.told(key).unwrap_or_default()) } }
+                    td {}
+                }
+            }
+        }
+        p.note { "Every step, with numbers put in, stands on the full sheet." }
+    }
+}
+
+/// A criterion in one situation.
+struct Asked {
+    words: &'static str,
+    name: &'static str,
+    /// Required, value, utilisation, and whether it is met.
+    cells: [String; 4],
+    place: String,
+    met: bool,
+    used: f64,
+}
+
+impl Asked {
+    /// Every criterion in every situation, what is not met first, then by utilisation.
+    fn all(assessment: &Assessment, chance: Option<&Probability>) -> Vec<Asked> {
+        let of = |assessed: &Assessed, check: &AnyCheck<'_>| Asked {
+            words: check.words(),
+            name: check.name(),
+            cells: check.cells(),
+            place: assessment.name(assessed).unwrap_or_default(),
+            met: check.is_met(),
+            used: match check {
+                AnyCheck::Instant(check) => check.check.utilisation,
+                AnyCheck::Motion(check, _) => check.utilisation,
+            }
+            .unwrap_or(if check.is_met() { 0.0 } else { f64::INFINITY }),
+        };
+        let all = assessment.worst_first().into_iter();
+        let mut rows: Vec<Asked> = all
+            .flat_map(|assessed| {
+                let checks = assessment.checks_in(assessed);
+                checks.iter().map(|check| of(assessed, check)).collect::<Vec<_>>()
+            })
+            .collect();
+        rows.extend(chance.and_then(|chance| chance.criterion).map(|criterion| {
+            let (value, required) = (criterion.counted(), criterion.required);
+            let shown = apart(&[value, required]);
+            let met = if criterion.is_met() { "met" } else { "not met" };
+            Asked {
+                words: "probability that the body does not stay at rest",
+                name: "p_not_rest",
+                cells: [
+                    format!("≤ {}", shown[1]),
+                    shown[0].clone(),
+                    factor(value / required),
+                    met.to_owned(),
+                ],
+                place: chance.map_or("", standfast_cases::random::period).to_owned(),
+                met: criterion.is_met(),
+                used: value / required,
+            }
+        }));
+        rows.sort_by(|one, other| one.met.cmp(&other.met).then(other.used.total_cmp(&one.used)));
+        rows
+    }
+
+    /// Value, utilisation, and whether it is met.
+    fn cell(&self) -> Markup {
+        let Asked { cells: [_, value, utilisation, met], met: is_met, .. } = self;
+        html! { (value) " · " (utilisation) " " span.yes[*is_met].no[!is_met] { (met) } }
+    }
+
+    /// Height of its row; its words stand where it is `first`.
+    fn height(&self, first: bool) -> usize {
+        let lines = |text: usize, letters: usize| text.div_ceil(letters).max(1);
+        let name = if first { self.words.chars().count() + self.name.len() + 1 } else { self.name.len() };
+        let lines = lines(name, CRITERION_LETTERS).max(lines(self.place.chars().count(), PLACE_LETTERS));
+        ROW + (lines - 1) * LINE
+    }
+}
+
+/// As many rows as have room, and how many are left out.
+fn fitting(rows: &[Asked], room: usize) -> (&[Asked], usize) {
+    let mut height = 0;
+    let count = rows.iter().enumerate().take_while(|(i, row)| {
+        height += row.height(is_first(rows, *i));
+        height <= room * ROW
+    });
+    let count = count.count();
+    (&rows[..count], rows.len() - count)
+}
+
+/// True if no row above is of the same criterion.
+fn is_first(rows: &[Asked], at: usize) -> bool {
+    rows[..at].iter().all(|row| row.name != rows[at].name)
+}
+
+fn table_of_criteria(rows: &[Asked]) -> Markup {
+    let placed = rows.iter().any(|row| !row.place.is_empty());
+    html! {
+        table.numbers data-table="criteria" {
+            thead {
+                tr {
+                    th { "Criterion" } th { "Required" } th.n { "Value" } th.n { "Utilisation" } th {}
+                    @if placed { th { "In" } }
+                }
+            }
+            tbody {
+                @for (i, row) in rows.iter().enumerate() {
+                    @let Asked { words, name, cells: [required, value, utilisation, met], place, met: is_met, .. } = row;
+                    tr {
+                        td.name { @if is_first(rows, i) { (words) " " } code { (name) } }
+                        td data-label="Required" { (required) }
+                        td.n data-label="Value" { (value) }
+                        td.n data-label="Utilisation" { (utilisation) }
+                        td { span.yes[*is_met].no[!is_met] { (met) } }
+                        @if placed { td data-label="In" { (place) } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Criteria downwards and situations across: of a few situations.
+fn table_across(rows: &[Asked], places: &[&str]) -> Markup {
+    html! {
+        table.numbers.across data-table="criteria" {
+            thead {
+                tr { th { "Criterion" } th { "Required" } @for place in places { th.n { (place) ": value, utilisation" } } }
+            }
+            tbody {
+                @for (i, first) in rows.iter().enumerate().filter(|(i, _)| is_first(rows, *i)) {
+                    tr {
+                        td.name { (first.words) " " code { (first.name) } }
+                        td data-label="Required" { (first.cells[0]) }
+                        @if places.contains(&first.place.as_str()) {
+                            @for place in places {
+                                @let here = rows[i..].iter().find(|row| row.name == first.name && row.place == *place);
+                                td.n data-label=(place) { @if let Some(row) = here { (row.cell()) } }
+                            }
+                        } @else {
+                            td.n colspan=(places.len()) data-label=(first.place) { (first.place) " " (first.cell()) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn left_out(left: usize, all: usize) -> Markup {
+    html! {
+        p.note data-left=(left) {
+            "Left out: " (left) " of " (all) " rows, those of which least is used. They stand in section 3 of the full sheet, which "
+            code { "standfast sheet" } " writes without " code { "--short" } "."
+        }
+    }
+}
+
+/// Room of the parts that may be cut.
+struct Room {
+    /// Printed width of the section.
+    width: f64,
+    /// True if the inputs stand beside the section.
+    beside: bool,
+    inputs: usize,
+    /// Rows of one line of the table of criteria.
+    rows: usize,
+}
+
+impl Room {
+    /// Room where `needed` rows of criteria are to be shown, if there is as much.
+    fn of(
+        section: Option<&AnswerFigure>,
+        source: &Source<'_>,
+        note: Option<&str>,
+        words: &[String],
+        needed: usize,
+    ) -> Room {
+        let (width, height) = section.map_or((0.0, 0.0), |figure| {
+            let (width, height) = figure.figure.size();
+            let scale = (LEAST_TYPE / least_type(figure.figure.svg())).min(1.0).min(TEXT_WIDTH / width);
+            (scale * width, scale * height)
+        });
+        let lines = |text: &str| text.chars().count().div_ceil(LETTERS - 12).max(1);
+        let head =
+            3 * LINE + note.map_or(0, lines) * LINE + (source.head_rows() + 2 * source.files.len()) * HEAD;
+        let summary: usize = words.iter().map(|words| lines(words) * (LINE + 2) + 4).sum();
+        // Headings of two tables, their heads, and signatures.
+        let fixed = head + summary + 2 * (LINE + 9) + 2 * ROW + 72;
+        let figure = height.ceil() as usize + LINE;
+        let free = HEIGHT.saturating_sub(fixed + figure) / ROW;
+        let beside = width > 0.0 && width <= BESIDE;
+        if beside {
+            let inputs = (figure / ROW).saturating_sub(3).min(INPUTS);
+            return Room { width, beside, inputs, rows: free.max(2) };
+        }
+        let inputs = free.saturating_sub(needed).clamp(2, INPUTS);
+        Room { width, beside, inputs, rows: free.saturating_sub(inputs).max(2) }
+    }
+}
