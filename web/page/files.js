@@ -76,10 +76,11 @@ export function connectFiles(app) {
   // With the mark by which spreadsheets know the letters.
   on("save-csv", () => save(`\uFEFF${app.explorer.curves_csv()}`, named("-k-mu.csv"), "text/csv;charset=utf-8"));
   on("save-png", async () => {
-    const scale = 3;
     const image = new Image();
     image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(paper())}`;
     await image.decode();
+    // Wide enough for a column of print.
+    const scale = Math.max(3, 1800 / image.naturalWidth);
     const canvas = Object.assign(document.createElement("canvas"), { width: image.naturalWidth * scale, height: image.naturalHeight * scale });
     canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
     canvas.toBlob((blob) => save(blob, named(`-${app.shownPlate}.png`)), "image/png");

@@ -22,7 +22,7 @@ export function connectForm(app) {
   return (said) => {
     if (name !== `${said.name} ${said.title}`) fields.forEach(({ reset }) => reset());
     name = `${said.name} ${said.title}`;
-    if (app.tab !== "inputs") return;
+    if (app.tab !== "inputs" && !app.printing) return;
     build(said.tables.map(({ header, words, numbers }) => [header, words, numbers.map(({ key, words: label, symbol }) => [key, label, symbol])]));
     const numbers = byKey(said);
     for (const [key, field] of fields) if (numbers.has(key)) field.show(numbers.get(key));

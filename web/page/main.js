@@ -56,6 +56,13 @@ async function connect() {
     parts.push(connectPart(app));
   }
   parts.push(await connectLink(app));
+  // On paper stands what the tabs hide.
+  for (const [event, printing] of [["beforeprint", true], ["afterprint", false]]) {
+    addEventListener(event, () => {
+      app.printing = printing;
+      draw();
+    });
+  }
   new ResizeObserver(app.changed).observe(document.querySelector("main"));
   return { app, draw };
 }

@@ -49,5 +49,6 @@ export function connectMenus(app) {
     const title = said.fault ? said.name : (said.title ?? said.name);
     put(byId("case-name"), title);
     document.title = `${title} · standfast explorer`;
+    put(byId("print-head"), `${title} · ${said.name} · ${new Date().toISOString().slice(0, 10)} · standfast explorer`);
   };
 }

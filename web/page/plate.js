@@ -140,7 +140,7 @@ export function connectPlate(app) {
     const pixels = map.clientWidth;
     // On a large screen the drawing is enlarged, on a small one laid out anew.
     const enlarged = pixels > 900 ? pixels / 900 : 1;
-    return { scale: enlarged, width: pixels / enlarged, height: Math.max(280, Math.min(0.62 * pixels, 0.52 * innerHeight, 620)) / enlarged };
+    return { scale: enlarged, width: pixels / enlarged, height: Math.max(236, Math.min(0.64 * pixels, 0.52 * innerHeight, 620)) / enlarged };
   };
   return (said) => {
     app.shownPlate = said.plates.includes(app.plate) ? app.plate : said.plates[0] ?? "";

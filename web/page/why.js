@@ -18,7 +18,7 @@ export function connectWhy(app) {
   const warnings = whenChanged((list) => byId("warning-list").replaceChildren(...list.flatMap(([name, message]) => [element("dt", {}, name), element("dd", {}, message)])));
   return (said) => {
     if (app.tab === "whole") put(byId("whole"), app.explorer.report());
-    if (app.tab !== "why") return;
+    if (app.tab !== "why" && !app.printing) return;
     put(byId("sentences-title"), said.in_time ? "At the first instant" : "Under the full load");
     checks(said.checks);
     sentences(said.sentences);

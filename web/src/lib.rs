@@ -217,7 +217,9 @@ impl Explorer {
 
     /// The curves and named points of the k–μ plane as CSV.
     pub fn curves_csv(&self) -> String {
-        self.page.with_map((600.0, 450.0), text::curves_csv).unwrap_or_default()
+        let Some(point) = self.page.answered().point() else { return String::new() };
+        let csv = |map: &figures::Map<'_>| text::curves_csv(map, self.page.title(), &point);
+        self.page.with_map((600.0, 450.0), csv).unwrap_or_default()
     }
 
     /// The γ–k' map of cases, with the place of the body as its last two numbers, as JSON.

@@ -89,6 +89,12 @@ impl Page {
         &self.now.name
     }
 
+    /// Title of the case that is shown, or the name of its file.
+    pub fn title(&self) -> &str {
+        let rest = self.answered().rest.as_ref();
+        rest.and_then(|rest| rest.case.title.as_deref()).unwrap_or_else(|| self.file.name())
+    }
+
     /// The case of the last text that has an answer.
     pub fn file(&self) -> &CaseFile {
         self.held.as_ref().map_or(&self.file, |held| &held.file)

@@ -5,7 +5,7 @@ use standfast::Diagram;
 use standfast_cases::assess::UP_TO;
 use standfast_cases::assess::screen::{load_plane_on_screen, section_on_screen};
 use standfast_cases::motion::MotionView;
-use standfast_cases::{AssessmentView, Document};
+use standfast_cases::{AnswerFigure, AssessmentView, Document};
 use standfast_figures::{
     DesignPoint, Figure, FreeBody, Map, Picture, Pose, Rect, SectionArrow, View, cases_on_screen, free_body,
 };
@@ -154,13 +154,15 @@ impl Page {
         figures.first().map_or(String::new(), |figure| figure.figure.svg_on_screen())
     }
 
-    fn load_plane(&self, (width, _): (f64, f64)) -> Option<Picture> {
-        const BESIDE: f64 = 118.0;
+    fn load_plane(&self, (width, height): (f64, f64)) -> Option<Picture> {
+        /// What the numbers and names of the axes take, and the friction beside the plot.
+        const AROUND: (f64, f64) = (118.0, 80.0);
         let answered = self.answered();
         let (rest, worst) = answered.rest.as_ref().zip(answered.worst())?;
         let name = rest.name(worst).filter(|_| rest.all.len() > 1);
         let title: Vec<String> = rest.case.title.iter().cloned().chain(name).collect();
-        load_plane_on_screen(worst, &title.join(", "), UP_TO, (width - BESIDE).max(120.0)).ok().flatten()
+        let plot = ((width - AROUND.0).max(120.0), (height - AROUND.1).max(120.0));
+        load_plane_on_screen(worst, &title.join(", "), UP_TO, plot).ok().flatten()
     }
 
     /// The k–μ plane of the case, and the part of it that is seen.
@@ -242,15 +244,17 @@ impl Page {
     /// A plate of the right side in fixed colours, for a file.
     pub fn plane_on_paper(&self, which: &str, size: (f64, f64)) -> String {
         let answered = self.answered();
-        let of_rest = |suffix: &str| {
+        let of_rest = |is_it: fn(&AnswerFigure) -> bool| {
             let figures = answered.rest.as_ref()?.figures(&AssessmentView::default()).ok()?;
-            figures.into_iter().find(|figure| figure.suffix.ends_with(suffix)).map(|figure| figure.figure)
+            figures.into_iter().find(is_it).map(|figure| figure.figure)
         };
         let figure = match which {
-            LOAD => of_rest("-path"),
+            LOAD => of_rest(|figure| figure.suffix.ends_with("-path")),
+            // As the program draws it, with the point in its words; a part of it as it is seen.
+            K_MU if self.view.is_none() => of_rest(|figure| figure.words.contains("iagram")),
             K_MU => answered.point().and_then(|reduced| {
                 let (k, mu, mirrored) = (reduced.point.k(), reduced.point.mu(), reduced.mirrored);
-                let point = DesignPoint { k, mu, label: String::new(), mirrored };
+                let point = DesignPoint { k, mu, label: self.title().to_owned(), mirrored };
                 self.with_map(size, |map| map.on_paper(&point))
             }),
             _ => {
@@ -265,8 +269,7 @@ impl Page {
     pub fn section_on_paper(&self) -> String {
         let figures =
             self.answered().rest.as_ref().and_then(|rest| rest.figures(&AssessmentView::default()).ok());
-        let section =
-            figures.and_then(|figures| figures.into_iter().find(standfast_cases::AnswerFigure::is_section));
+        let section = figures.and_then(|figures| figures.into_iter().find(AnswerFigure::is_section));
         section.map_or(String::new(), |section| section.figure.svg_on_paper())
     }
 

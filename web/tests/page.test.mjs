@@ -218,6 +218,8 @@ test("case, answers and drawings are saved", async () => {
   const drawing = svg.content.toString();
   assert.ok(!drawing.includes("var("), "colours are fixed");
   assert.match(drawing, /<title>All modes/);
+  // Case, values and verdict.
+  assert.match(drawing, /\(1\.7, 0\.05\): SRO₊/);
   const sound = await page.evaluate((source) => new DOMParser().parseFromString(source, "image/svg+xml").querySelector("parsererror") === null, drawing);
   assert.ok(sound);
   const body = await saved(page, "#save-body");
@@ -232,6 +234,7 @@ test("case, answers and drawings are saved", async () => {
   assert.ok(content.startsWith("\uFEFF"), "a mark for spreadsheets");
   const [header, ...rows] = content.slice(1).trim().split("\n");
   assert.equal(header, "what,k,mu");
+  assert.match(rows[0], /^"design point of From a link: SRO\+",1\.[67]\d*,0\.05$/);
   const parsed = rows.map((row) => row.match(/^"([^"]+)",([^,]+),([^,]+)$/) ?? assert.fail(row));
   // μ* = (|a|k − b)/(ck + d) with a = 13 − 27 k', b = 9, c = 9 (1 + k'), d = 37.
   const rising = parsed.filter(([, name]) => name.includes("(|a|k − b)"));
@@ -315,6 +318,44 @@ test("all 26 figures of the report, and the case of the body, stand in the repor
   assert.deepEqual(await page.$$eval("#numbers td:last-child", (cells) => cells.map((cell) => cell.textContent)), ["0.8", "0.9166667", "0.72812", "0.6"]);
   const [spot, map] = [await page.locator("#cases .spot").boundingBox(), await page.locator("#cases svg").boundingBox()];
   assert.ok(spot.x > map.x && spot.x < map.x + map.width && spot.y > map.y && spot.y < map.y + map.height);
+  await page.close();
+});
+
+test("paper is light, A4, and holds the answer, both plates, why and all inputs", async () => {
+  mkdirSync(artefacts, { recursive: true });
+  const page = await open(browser, { colorScheme: "dark", viewport: { width: 688, height: 972 } });
+  await take(page, "goda-on-sand.toml", example("goda-on-sand.toml"));
+  await page.emulateMedia({ media: "print" });
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(253, 253, 251)");
+  assert.match(await page.textContent("#print-head"), /^Goda's caisson on sand · goda-on-sand\.toml · \d{4}-\d\d-\d\d · /);
+  for (const shown of ["#print-head", "#answer", "#section svg", "#map .picture svg", "#checks", "#form"]) assert.ok(await page.locator(shown).isVisible(), shown);
+  for (const hidden of ["header", ".tabs", "#pane", ".zoom"]) assert.ok(!(await page.locator(hidden).isVisible()), hidden);
+  assert.ok((await page.locator("#form input:visible").count()) > 10);
+  const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  assert.equal(over, 0);
+  await page.screenshot({ path: path.join(artefacts, "print.png"), fullPage: true });
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  assert.equal(await page.getAttribute("html", "data-theme"), "dark");
+  await page.close();
+});
+
+test("on a phone the answer, the body and the plane are on the first screen, and labels can be read", async () => {
+  const page = await open(browser, { viewport: { width: 390, height: 844 } });
+  for (const name of ["Caisson in air", "Goda’s caisson", "Server rack", "Statue on its pedestal", "A block"]) {
+    await page.click("#case-menu > summary");
+    await page.click(`[data-case="${name}"]`);
+    await drawn(page);
+    await page.evaluate(() => scrollTo(0, 0));
+    const places = await page.evaluate(() => ["#answer", "#section svg", "#map .picture"].map((one) => document.querySelector(one).getBoundingClientRect().bottom));
+    assert.ok(places.every((bottom, i) => bottom <= 844 && bottom > (places[i - 1] ?? 0)), `${name}: ${places}`);
+    // Labels are drawn 14.5 units high; what is scaled down keeps 12.
+    const scale = await page.evaluate(() => {
+      const svg = document.querySelector("#section svg");
+      return svg.getBoundingClientRect().width / svg.getAttribute("width");
+    });
+    assert.ok(scale * 14.5 >= 12, `${name}: ${scale}`);
+  }
   await page.close();
 });
 

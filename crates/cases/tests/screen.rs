@@ -76,8 +76,9 @@ fn forces_on_faces_are_told_with_their_keys() {
 fn the_full_load_lies_at_one() {
     let (_, assessment) = assessment("goda-2000.toml");
     let assessed = assessment.governing();
-    let picture = load_plane_on_screen(assessed, "Goda", 2.0, 400.0).unwrap().unwrap();
+    let picture = load_plane_on_screen(assessed, "Goda", 2.0, (400.0, 250.0)).unwrap().unwrap();
     assert!((picture.plot.x1 - picture.plot.x0 - 400.0).abs() < 1e-9);
+    assert!((picture.plot.y1 - picture.plot.y0 - 250.0).abs() < 1e-9);
     let (x, y) = picture.place(1.0, 0.6);
     assert!((x - (picture.plot.x0 + 200.0)).abs() < 1e-9);
     let (factor, friction) = picture.values(x, y);

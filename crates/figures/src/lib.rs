@@ -348,9 +348,9 @@ pub fn load_lines(plane: &LoadPlane<'_>) -> Vec<(LoadEdge, outlines::Polyline)> 
     plane::lines(plane)
 }
 
-/// Figure of [`load_plane`] for a screen, with a plot `across` units wide and colours as custom properties of CSS.
-pub fn load_plane_on_screen(plane: &LoadPlane<'_>, across: f64) -> Picture {
-    plane::figure_on_screen(plane, across)
+/// Figure of [`load_plane`] for a screen, with a plot of some width and height and colours as custom properties of CSS.
+pub fn load_plane_on_screen(plane: &LoadPlane<'_>, plot: (f64, f64)) -> Picture {
+    plane::figure_on_screen(plane, plot)
 }
 
 /// The examples of the README are tests.

@@ -102,16 +102,17 @@ pub(crate) fn lines(given: &LoadPlane) -> Vec<(LoadEdge, Polyline)> {
     given.base.map_or_else(Vec::new, |base| ground::lines(base, given.friction))
 }
 
-/// Draws it for a screen, with a plot `across` units wide.
-pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Picture {
-    drawn(&Plan::of(given), Some(across), Scene::themed())
+/// Draws it for a screen, with a plot of some width and height.
+pub(crate) fn figure_on_screen(given: &LoadPlane, plot: (f64, f64)) -> Picture {
+    drawn(&Plan::of(given), Some(plot), Scene::themed())
 }
 
-fn drawn(given: &Plan, across: Option<f64>, scene: Scene) -> Picture {
+fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     let window = window(given);
     let (k, mu) = window.axes();
-    let mut axes = Axes::beside_numbers([k, mu], (LEFT, COLUMN - ROOM), TOP, HEIGHT);
-    if let Some(across) = across {
+    let height = plot.map_or(HEIGHT, |(_, height)| height);
+    let mut axes = Axes::beside_numbers([k, mu], (LEFT, COLUMN - ROOM), TOP, height);
+    if let Some((across, _)) = plot {
         axes.area.x1 = axes.area.x0 + across;
     }
     let areas = areas(&given.regions, &window);

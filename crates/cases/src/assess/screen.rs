@@ -61,8 +61,8 @@ pub fn section_on_screen(assessment: &Assessment, size: (f64, f64)) -> Result<Se
     })
 }
 
-/// The plane of the rising loads of a situation and of its friction, up to a load factor, with a plot `across` units wide; `None` where no
-/// load rises.
+/// The plane of the rising loads of a situation and of its friction, up to a load factor, with a plot of some width and height; `None`
+/// where no load rises.
 ///
 /// # Errors
 /// If a number is out of range.
@@ -70,13 +70,13 @@ pub fn load_plane_on_screen(
     assessed: &Assessed,
     title: &str,
     up_to: f64,
-    across: f64,
+    plot: (f64, f64),
 ) -> Result<Option<Picture>, InputError> {
     assessed
         .rises()
         .then(|| {
             with_load_plane(assessed, title, up_to, |plane| {
-                standfast_figures::load_plane_on_screen(plane, across)
+                standfast_figures::load_plane_on_screen(plane, plot)
             })
         })
         .transpose()
