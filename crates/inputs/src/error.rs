@@ -15,7 +15,6 @@ use crate::key::{Id, Key, Table};
 use crate::random::RandomProblem;
 use crate::units::{Dimension, UnitError};
 
-pub use crate::explained::Explained;
 pub use cure::Cure;
 pub use fault::{CaseError, Fault, Place};
 use help::parts;

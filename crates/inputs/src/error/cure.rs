@@ -3,7 +3,8 @@
 use std::ops::Range as Span;
 
 use super::help::{known_word, line, meant_key};
-use super::{CaseError, Explained, Problem};
+use super::{CaseError, Problem};
+use crate::explained::Explained;
 
 /// An edit of the text that mends what is wrong.
 #[derive(Debug, Clone, PartialEq, Eq)]
