@@ -5,7 +5,7 @@ import { numberField, byKey } from "number";
 
 const stills = matchMedia("(prefers-reduced-motion: reduce)");
 /** Numbers that stand beside the drawing, where the case has them. */
-const LOOSE = [/^body\.(mass|density|friction|buoyant_weight)$/, /^load\[\d+\]\.elevation$/, /^wave\.(deep_water_height|Hmax|period)$/, /^earthquake\.(horizontal|vertical)$/, /^ground\.(strength|friction_angle_deg)$/, /^water\.(level|left|right)$/];
+const LOOSE = [/^block\.(b1|b2|d|mu_s)$/, /^body\.(mass|density|friction|buoyant_weight)$/, /^load\[\d+\]\.elevation$/, /^wave\.(deep_water_height|Hmax|period)$/, /^earthquake\.(horizontal|vertical)$/, /^ground\.(strength|friction_angle_deg)$/, /^water\.(level|left|right)$/];
 const MOST = 7;
 
 export function connectSection(app) {
@@ -184,7 +184,8 @@ export function connectSection(app) {
     const width = Math.max(280, place.parentElement.clientWidth);
     const drawing = JSON.parse(app.explorer.section(width, Math.max(240, Math.min(0.6 * width, 620, innerHeight * 0.5))));
     picture.innerHTML = drawing.svg;
-    put(byId("body-hint"), drawing.svg ? "type over a number, pull a ring" : "a body in pure numbers has no section; its numbers stand in All inputs");
+    put(byId("body-hint"), drawing.body.some((side) => side !== 0) ? "type over a number, pull a ring" : "its positions: a body in pure numbers has no section");
+    document.querySelector(".legend").hidden = drawing.words.length === 0;
     const placed = layOut(drawing, numbers);
     loose(placed, numbers);
     drawLegend(drawing.words);

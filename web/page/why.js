@@ -19,7 +19,7 @@ export function connectWhy(app) {
   return (said) => {
     if (app.tab === "whole") put(byId("whole"), app.explorer.report());
     if (app.tab !== "why" && !app.printing) return;
-    put(byId("sentences-title"), said.in_time ? "At the first instant" : "Under the full load");
+    put(byId("sentences-title"), !said.in_time ? "Under the full load" : said.stages.length > 0 || said.because.length > 0 ? "At the first instant" : "The motion");
     checks(said.checks);
     sentences(said.sentences);
     because(said.because);

@@ -77,7 +77,7 @@ impl Page {
     pub fn section(&mut self, size: (f64, f64)) -> String {
         let drawn = self.answered().rest.as_ref().and_then(|rest| section_on_screen(rest, size).ok());
         let Some(section) = drawn else {
-            return serde_json::to_string(&SectionShown::default()).unwrap_or_default();
+            return serde_json::to_string(&self.positions()).unwrap_or_default();
         };
         let file = self.settled();
         let has = |id: &Id| file.written_number(*id).is_some();
@@ -109,6 +109,17 @@ impl Page {
             self.drawn.scale = Some(section.picture.scale);
         }
         serde_json::to_string(&shown).unwrap_or_default()
+    }
+
+    /// Where there is no section, the positions of the motion.
+    fn positions(&self) -> SectionShown {
+        let figures = self.answered().motions[..].figures(&MotionView::default()).unwrap_or_default();
+        let positions = figures.into_iter().find(|figure| figure.suffix.ends_with("-positions"));
+        positions.map_or_else(SectionShown::default, |positions| SectionShown {
+            svg: positions.figure.svg_on_screen(),
+            size: positions.figure.size(),
+            ..SectionShown::default()
+        })
     }
 
     /// The body under all loads, where they are one horizontal force.

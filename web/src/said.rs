@@ -5,6 +5,7 @@ use standfast::relation::Relation;
 use standfast::{Stage, Verdict};
 use standfast_cases::assess::verdict::{full_load, least_factor};
 use standfast_cases::layout::{digits, factor, percent};
+use standfast_cases::motion::{FollowedMotion, MotionCheck, uniqueness};
 use standfast_cases::results::ResultName;
 use standfast_cases::{Assessed, Assessment, CaseError, Explained, Summary};
 
@@ -109,9 +110,10 @@ impl<'a> Said<'a> {
             unique: chip.unique,
             // What is not asked of a motion is told by its sentences, and not by factors of its first instant.
             rulers: rest.map_or_else(Vec::new, |rest| rulers(rest, !answered.is_in_time())),
-            checks: rest.map_or_else(Vec::new, checks),
+            checks: rest.map_or_else(|| motion_checks(answered), checks),
             warnings: warnings(page),
-            sentences: worst.map_or_else(Vec::new, full_load),
+            sentences: worst
+                .map_or_else(|| answered.motions.iter().take(1).map(uniqueness).collect(), full_load),
             because: worst.map_or_else(Vec::new, |worst| worst.because().iter().map(row).collect()),
             stages: worst.map_or_else(Vec::new, stages),
             point: answered.point().map(|reduced| {
@@ -215,6 +217,23 @@ fn checks(rest: &Assessment) -> Vec<CheckRow> {
         }
     };
     rest.all_checks().iter().map(row).collect()
+}
+
+/// The criteria of a motion that has no first instant.
+fn motion_checks(answered: &Answered) -> Vec<CheckRow> {
+    let row = |followed: &FollowedMotion, check: &MotionCheck| CheckRow {
+        name: check.criterion.name(),
+        words: check.criterion.words(),
+        required: check.criterion.required(check.si),
+        value: check.value_words(),
+        met: check.met,
+        met_words: check.met_words().to_owned(),
+        place: followed.case.situation.clone(),
+    };
+    let worst = answered.motions.first().into_iter();
+    worst
+        .flat_map(|followed| followed.checks().iter().map(|check| row(followed, check)).collect::<Vec<_>>())
+        .collect()
 }
 
 /// The criteria on a line each, or where nothing is asked the safety factors.

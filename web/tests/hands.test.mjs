@@ -244,6 +244,7 @@ test("a file is dropped, its width changed, undone, done again and saved: only t
   await drop(page, [["north wall.toml", file]]);
   assert.equal(await text(page), file);
   assert.equal(await mode(page), "BF");
+  assert.equal(await page.textContent("#warnings"), "Warnings: impulsive-breaking");
   await type(page, "wave.period", "10,5");
   assert.deepEqual(lines(file, await text(page)), ['period = "10.5 s"']);
   await page.keyboard.press("Control+z");
@@ -355,6 +356,9 @@ test("examples stand on four shelves, new cases beside them, and each opens", as
     assert.ok((await page.textContent("#answer")).length > 10, name);
     assert.ok(await page.isHidden("#case-sheet"));
   }
+  await choose(page, "Block in pure numbers");
+  assert.match(await page.textContent("#section svg title"), /[Pp]osition/);
+  assert.match(await page.textContent("#sentences"), /unique/);
   assert.deepEqual(page.heard, []);
   await page.close();
 });
