@@ -256,8 +256,9 @@ fn areas_of_a_rocking_spectrum_are_of_single_blocks() {
     }
     assert!(classes[1..5].iter().chain(&classes[6..]).all(|count| *count >= 20), "{classes:?}");
     // No edges, if they are not asked for; and any number of threads finds the same.
-    let points =
-        |edges, threads| spectrum(&case, &SpectrumRequest { edges, threads, ..request }).unwrap().points;
+    let points = |edges, threads| {
+        spectrum(&case, &SpectrumRequest { edges, threads, ..request.clone() }).unwrap().points
+    };
     assert!(matches!(points(false, 1), SpectrumPoints::Rocking { edges: None, .. }));
     assert_eq!(points(true, 3), found.points);
 }

@@ -14,6 +14,9 @@
 
 use crate::font::Face;
 
+/// Size below which no subscript is set, if the letters it hangs on are larger: on a page as wide as a sheet's text it is six points.
+const LEAST: f64 = 8.6;
+
 /// Glyphs that share a face, a size and a baseline.
 #[derive(Debug, Clone)]
 pub(crate) struct Run {
@@ -151,7 +154,12 @@ impl Text {
                     }
                     self.plain.push_str(&plain_script(mark, argument));
                     let plain = self.plain.len();
-                    self.mathematics(argument, 0.72 * size, drop + shift * size, false);
+                    self.mathematics(
+                        argument,
+                        (0.72 * size).max(LEAST).min(size),
+                        drop + shift * size,
+                        false,
+                    );
                     self.plain.truncate(plain);
                     rest = after;
                     before = Neighbour::Ordinary;

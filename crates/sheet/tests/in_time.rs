@@ -56,7 +56,7 @@ fn the_sheet_has_what_becomes_of_the_body() {
     let events = table(&page, "in-time-events");
     assert_eq!(events.len(), outcome.events.len());
     for (row, event) in events.iter().zip(&outcome.events) {
-        assert_eq!(row[0].strip_prefix("t = ").unwrap(), format!("{} s", significant(event.t, 7)));
+        assert_eq!(row[0].strip_prefix("t = ").unwrap(), format!("{} s", significant(event.t, 4)));
         assert_eq!((row[1].as_str(), row[2].as_str()), (event.why.words(), event.state.symbol()));
     }
     // Thrust and uplift as published, 940.68 and 493.04 kN/m (validation/goda.toml), times 1.5; buoyancy, the weight m g = 3394.75 kN/m less the buoyant one, 2318.64 kN/m.
