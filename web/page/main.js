@@ -1,18 +1,21 @@
-// The page: one explorer in wasm, which holds the state and does all mechanics; the modules beside this one hand it what a
-// person does and show what it answers.
+// The page: one explorer in wasm, whose state is the text of a case; the modules beside this one hand it what a person does and show
+// what it answers.
 
-import start, { Explorer } from "library";
-import { connectMap } from "map";
-import { connectCases } from "cases";
-import { connectBody } from "body";
-import { connectFields } from "fields";
-import { connectFigures } from "figures";
-import { connectPath } from "path";
-import { connectPanel } from "panel";
-import { connectShare } from "share";
+import { start, Explorer } from "library";
+import { byId } from "dom";
+import { connectVerdict } from "verdict";
+import { connectSection } from "section";
+import { connectPlate } from "plate";
+import { connectForm } from "form";
+import { connectPane } from "pane";
+import { connectTabs } from "tabs";
+import { connectWhy } from "why";
+import { connectTerms } from "terms";
+import { connectMenus } from "menus";
+import { connectFiles } from "files";
+import { connectLink } from "link";
+import { connectUndo } from "undo";
 import { connectTheme } from "theme";
-
-const byId = (id) => document.getElementById(id);
 
 async function library() {
   const packed = Uint8Array.from(atob(byId("wasm").textContent), (letter) => letter.charCodeAt(0));
@@ -21,20 +24,25 @@ async function library() {
 }
 
 async function type() {
-  for (const italic of [false, true]) {
-    const face = new FontFace("Standfast", Explorer.font(italic), { style: italic ? "italic" : "normal" });
-    document.fonts.add(await face.load());
-  }
+  const faces = [false, true].map((italic) => new FontFace("Standfast", Explorer.font(italic), { style: italic ? "italic" : "normal" }));
+  for (const face of await Promise.all(faces.map((face) => face.load()))) document.fonts.add(face);
 }
 
-function connect() {
-  const app = { explorer: new Explorer(location.hash), reading: null, frames: 0 };
+async function connect() {
+  const app = { explorer: new Explorer(), said: null, held: false, drag: null, frames: 0 };
   const parts = [];
   let due = 0;
+  // Of all places that a hand came through since the last picture the last counts.
+  app.settleDrag = () => {
+    const drag = app.drag;
+    app.drag = null;
+    drag?.();
+  };
   const draw = () => {
     due = 0;
-    app.reading = JSON.parse(app.explorer.reading());
-    parts.forEach((part) => part(app.reading));
+    app.settleDrag();
+    app.said = JSON.parse(app.explorer.said());
+    parts.forEach((part) => part(app.said));
     app.frames += 1;
   };
   // However many events come, the page is drawn once for each picture that the screen shows.
@@ -42,17 +50,19 @@ function connect() {
     due ||= requestAnimationFrame(draw);
   };
   for (const connectPart of [
-    connectMap, connectCases, connectBody, connectFields, connectFigures, connectPath, connectPanel, connectShare,
+    connectVerdict, connectTabs, connectSection, connectPlate, connectForm, connectPane, connectWhy, connectTerms, connectMenus,
+    connectFiles, connectUndo,
   ]) {
     parts.push(connectPart(app));
   }
-  addEventListener("hashchange", () => {
-    if (location.hash.slice(1) !== app.explorer.fragment()) {
-      app.explorer.free();
-      app.explorer = new Explorer(location.hash);
-      app.changed();
-    }
-  });
+  parts.push(await connectLink(app));
+  // On paper stands what the tabs hide.
+  for (const [event, printing] of [["beforeprint", true], ["afterprint", false]]) {
+    addEventListener(event, () => {
+      app.printing = printing;
+      draw();
+    });
+  }
   new ResizeObserver(app.changed).observe(document.querySelector("main"));
   return { app, draw };
 }
@@ -62,8 +72,9 @@ try {
   await library();
   await type();
   document.querySelector("main").hidden = false;
-  const { app, draw } = connect();
+  const { app, draw } = await connect();
   draw();
+  app.ready = performance.now();
   // For scripts in the browser's console, and for tests.
   window.standfast = app;
 } catch (error) {

@@ -26,5 +26,8 @@ export function connectTheme() {
     apply();
   });
   dark.addEventListener("change", apply);
+  // Paper is light.
+  addEventListener("beforeprint", () => (document.documentElement.dataset.theme = "light"));
+  addEventListener("afterprint", apply);
   apply();
 }

@@ -1,7 +1,7 @@
 //! The library's words and symbols as HTML, and tables as CSV.
 
 use standfast::Mode;
-use standfast::initiation::PointName;
+use standfast::loads::Reduced;
 use standfast_figures::Map;
 
 /// A mode's symbol: true signs as subscripts, a true prime.
@@ -35,14 +35,11 @@ pub fn mathematics(text: &str) -> String {
     html
 }
 
-/// A point's letter.
-pub fn letter(name: PointName) -> String {
-    format!("<i>{}</i>", name.letter().replace('\'', "′"))
-}
-
-/// Curves, then named points: what, k, μ.
-pub fn curves_csv(map: &Map) -> String {
-    let mut csv = String::from("what,k,mu\n");
+/// The point of the case, its curves, then named points: what, k, μ.
+pub fn curves_csv(map: &Map, case: &str, point: &Reduced) -> String {
+    let (k, mu) = (point.point.k(), point.point.mu());
+    let case = case.replace('"', "\"\"");
+    let mut csv = format!("what,k,mu\n\"design point of {case}: {}\",{k},{mu}\n", point.mode());
     for (name, points) in map.curves(101) {
         for (k, mu) in points {
             csv.push_str(&format!("\"{name}\",{k},{mu}\n"));

@@ -1,6 +1,7 @@
 // A headless Chromium, and the explorer in it. What is where comes from `cargo xtask test` through the environment.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
@@ -36,9 +37,12 @@ export async function open(browser, { url = onDisk, fragment = "", ...options } 
 export const drawn = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/** Types into a number field in place of its text, key by key, and ends with a key; without one the field is still being typed in. */
-export async function type(page, id, text, end = "Enter") {
-  await page.focus(`#${id}`);
+/** The field of a number, by its key: on the drawing, beside it, or in the form. */
+export const numberOf = (page, key) => page.locator(`input[data-key="${key}"]:visible`).first();
+
+/** Types into the field of a number in place of its text, key by key, and ends with a key; without one it is still being typed in. */
+export async function type(page, key, text, end = "Enter") {
+  await numberOf(page, key).focus();
   await page.keyboard.press("Control+A");
   await page.keyboard.press("Delete");
   for (const letter of text) {
@@ -52,9 +56,8 @@ export async function type(page, id, text, end = "Enter") {
 }
 
 /** What stands in a field and what is said about it. */
-export const field = (page, id) =>
-  page.evaluate((name) => {
-    const input = document.getElementById(name);
+export const field = (page, key) =>
+  numberOf(page, key).evaluate((input) => {
     const message = document.getElementById(input.getAttribute("aria-describedby"));
     return {
       text: input.value,
@@ -62,10 +65,51 @@ export const field = (page, id) =>
       message: message.textContent,
       announced: message.querySelector('[role="alert"]').textContent,
     };
-  }, id);
+  });
 
-export const reading = (page) => page.evaluate(() => window.standfast.reading);
+export const said = (page) => page.evaluate(() => window.standfast.said);
+export const text = (page) => page.evaluate(() => window.standfast.explorer.text());
 export const mode = (page) => page.getAttribute("#symbol", "data-mode");
+
+/** Takes a case as if it were opened. */
+export async function take(page, name, content) {
+  const taken = await page.evaluate(([file, toml]) => {
+    const { explorer } = window.standfast;
+    window.standfast.plate = "";
+    const answered = explorer.open(file, toml);
+    window.standfast.changed();
+    return answered;
+  }, [name, content]);
+  await drawn(page);
+  return taken;
+}
+
+/** Drops files onto the page. */
+export async function drop(page, files) {
+  const transfer = await page.evaluateHandle((all) => {
+    const data = new DataTransfer();
+    for (const [name, content] of all) data.items.add(new File([content], name));
+    return data;
+  }, files);
+  await page.dispatchEvent("body", "dragenter", { dataTransfer: transfer });
+  await page.dispatchEvent("body", "drop", { dataTransfer: transfer });
+  await page.waitForTimeout(60);
+  await drawn(page);
+}
+
+/** What a button of a menu saves. */
+export async function saved(page, id) {
+  await page.click("#save-menu > summary");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click(id)]);
+  return { name: download.suggestedFilename(), content: readFileSync(await download.path()) };
+}
+
+/** Two texts line by line: those that differ. */
+export function lines(before, after) {
+  const [one, two] = [before.split("\n"), after.split("\n")];
+  assert.equal(one.length, two.length);
+  return two.filter((line, i) => line !== one[i]);
+}
 
 /** Numbers that look random and are the same every time. */
 export function numbers(seed) {
@@ -74,15 +118,4 @@ export function numbers(seed) {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
     return state / 2 ** 32;
   };
-}
-
-/** Whether a text speaks of a body in these words, and of one at rest with the lesser of its factors, if there is one. */
-export function says(text, words, { mode, sliding, overturning }) {
-  const said = text.match(/he body (.*?)(?:, with a safety factor of (\S+) against (sliding|overturning))?\.(?: |$)/);
-  if (!said || said[1] !== words.replaceAll("'", "′")) return false;
-  const lesser = Math.min(sliding ?? Infinity, overturning ?? Infinity);
-  if (mode !== "RE" || lesser === Infinity) return said[2] === undefined;
-  const against = overturning < sliding ? "overturning" : "sliding";
-  // Three digits are shown.
-  return said[3] === against && Math.abs(Number(said[2]) / lesser - 1) <= 5e-3;
 }

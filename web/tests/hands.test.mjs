@@ -1,57 +1,75 @@
-// Mouse, fingers and keys.
+// Mouse, fingers and keys; files dropped, changed, undone, saved.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import path from "node:path";
 import { after, before, test } from "node:test";
-import { drawn, launch, mode, open, reading } from "./browser.mjs";
+import { fileURLToPath } from "node:url";
+import { drawn, drop, launch, lines, mode, numberOf, open, said, saved, take, text, type } from "./browser.mjs";
 
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser.close());
 
-const given = async (page) => (await reading(page)).numbers.given;
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const example = (name) => readFileSync(path.join(root, "examples", name), "utf8");
 const centre = async (page, selector) => {
   const box = await page.locator(selector).boundingBox();
   return [box.x + box.width / 2, box.y + box.height / 2];
 };
-const title = (page) => page.textContent("#map svg title");
 const description = (page) => page.textContent("#map .picture svg desc");
+const choose = async (page, name) => {
+  await page.click("#case-menu > summary");
+  await page.click(`[data-case="${name}"]`);
+  await drawn(page);
+};
 
 test("every control is reached by the Tab key, in the order of the page", async () => {
   const page = await open(browser);
-  await page.click("summary");
-  await drawn(page);
-  const all = await page.evaluate(() => {
-    const selector = "a[href], button:not(:disabled), input, select, summary, .scroll";
-    const found = [...document.querySelectorAll(selector)].filter((one) => one.checkVisibility());
-    found.forEach((one, i) => (one.dataset.order = i));
-    found[0].focus();
-    return found.length;
-  });
-  assert.ok(all > 35, `${all} controls`);
-  const order = [0];
-  for (let i = 1; i < all; i++) {
-    await page.keyboard.press("Tab");
-    order.push(await page.evaluate(() => Number(document.activeElement.dataset.order ?? -1)));
+  for (const tab of ["why", "inputs", "terms"]) {
+    await page.click(`#tab-${tab}`);
+    await drawn(page);
+    const all = await page.evaluate(() => {
+      document.querySelectorAll("[data-order]").forEach((one) => delete one.dataset.order);
+      const selector = "a[href], button:not(:disabled):not([tabindex='-1']), input, select, textarea, summary, .scroll, [role=tabpanel]";
+      const found = [...document.querySelectorAll(selector)].filter((one) => one.checkVisibility());
+      found.forEach((one, i) => (one.dataset.order = i));
+      found[0].focus();
+      return found.length;
+    });
+    assert.ok(all > 24, `${all} controls`);
+    const order = [0];
+    for (let i = 1; i < all; i++) {
+      await page.keyboard.press("Tab");
+      order.push(await page.evaluate(() => Number(document.activeElement.dataset.order ?? -1)));
+    }
+    assert.deepEqual(order, Array.from({ length: all }, (_, i) => i), tab);
   }
-  assert.deepEqual(order, Array.from({ length: all }, (_, i) => i));
   await page.close();
 });
 
-test("keys move the design point, the view and the sliders, and the verdict is read aloud", async () => {
+test("keys move the design point and the view, and the answer is read aloud", async () => {
   const page = await open(browser);
   await page.focus("#point");
-  const [, , k, mu] = await given(page);
-  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowRight");
-  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowDown");
-  await drawn(page);
-  const [, , k2, mu2] = await given(page);
-  assert.ok(k2 > k && mu2 < mu);
+  const [, , k, mu] = (await said(page)).point;
+  for (let i = 0; i < 5; i++) {
+    await page.keyboard.press("ArrowRight");
+    await drawn(page);
+  }
+  for (let i = 0; i < 5; i++) {
+    await page.keyboard.press("ArrowDown");
+    await drawn(page);
+  }
+  const [, , k2, mu2] = (await said(page)).point;
+  assert.ok(k2 > k && mu2 < mu, `${k2} ${mu2}`);
   assert.equal(await page.evaluate(() => document.activeElement.id), "point");
-  assert.match(await page.getAttribute("#point", "aria-label"), /Design point: k /);
-  for (let i = 0; i < 40; i++) await page.keyboard.press("ArrowLeft");
-  await drawn(page);
+  assert.match(await page.getAttribute("#point", "aria-label"), /^Design point/);
+  for (let i = 0; i < 40; i++) {
+    await page.keyboard.press("ArrowLeft");
+    await drawn(page);
+  }
   assert.equal(await mode(page), "RE");
-  await page.waitForFunction(() => document.getElementById("live").textContent.match(/^RE: the body stays at rest, with a safety factor of \S+ against \S+\. The answer is unique\./));
+  await page.waitForFunction(() => document.getElementById("live").textContent.match(/^The body stays at rest \(RE\)\. At \S+ % of the breaking wave/));
 
   const whole = await description(page);
   await page.keyboard.press("+");
@@ -64,53 +82,111 @@ test("keys move the design point, the view and the sliders, and the verdict is r
   await page.keyboard.press("0");
   await drawn(page);
   assert.equal(await description(page), whole);
-
-  await page.focus('[data-slider="slenderness"]');
-  const [gamma] = await given(page);
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("ArrowRight");
-  await drawn(page);
-  assert.ok((await given(page))[0] > gamma);
-  await page.keyboard.press("Home");
-  await drawn(page);
-  assert.equal((await given(page))[0], 0.1);
-
-  await page.focus("#case-point");
-  await page.keyboard.press("ArrowUp");
-  await page.keyboard.press("ArrowRight");
-  await drawn(page);
-  assert.ok((await given(page))[0] > 0.1);
   assert.deepEqual(page.heard, []);
   await page.close();
 });
 
-test("the design point is dragged, and placed by a click, without the axes moving", async () => {
+test("tabs and menus go by keys", async () => {
   const page = await open(browser);
-  const axes = await description(page);
+  await page.focus("#tab-why");
+  for (const [key, tab] of [["ArrowRight", "inputs"], ["ArrowRight", "whole"], ["End", "terms"], ["ArrowRight", "why"], ["ArrowLeft", "terms"], ["Home", "why"]]) {
+    await page.keyboard.press(key);
+    await drawn(page);
+    assert.equal(await page.evaluate(() => document.activeElement.id), `tab-${tab}`);
+    assert.ok(await page.isVisible(`#panel-${tab}`));
+    assert.equal(await page.locator("[role=tabpanel]:visible").count(), 1);
+  }
+  await page.focus("#case-menu > summary");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "open");
+  await page.keyboard.press("Escape");
+  assert.ok(!(await page.isVisible("#open")));
+  await page.close();
+});
+
+test("the design point is dragged, and placed by a click, without the axes moving; one step undoes it", async () => {
+  for (const plate of ["k-mu", "load"]) {
+    const page = await open(browser);
+    await page.click(`[data-plate="${plate}"]`);
+    await drawn(page);
+    const before = await text(page);
+    const axes = (await description(page)).match(/to the right[^.]*/)?.[0];
+    const [x, y] = await centre(page, "#point");
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 60, y + 10, { steps: 4 });
+    await page.mouse.move(x - 120, y - 40, { steps: 4 });
+    await drawn(page);
+    const [x1, y1] = await centre(page, "#point");
+    assert.ok(Math.hypot(x1 - (x - 120), y1 - (y - 40)) < 1.5, `${plate}: the point is under the hand`);
+    assert.equal(await text(page), before, "nothing is written before the hand lets go");
+    await page.mouse.up();
+    await drawn(page);
+    const changed = lines(before, await text(page));
+    assert.equal(changed.length, 2, changed.join(" "));
+    assert.match(changed[0], /^friction = 0\.[678]\d*$/);
+    assert.match(changed[1], /^force = "\d{3,4} kN\/m"$/);
+    if (plate === "k-mu") {
+      const [x2, y2] = await centre(page, "#point");
+      assert.ok(Math.hypot(x2 - (x - 120), y2 - (y - 40)) < 2, "the point is where the hand left it");
+      assert.equal((await description(page)).match(/to the right[^.]*/)?.[0], axes);
+      await page.mouse.click(x + 100, y + 30);
+      await drawn(page);
+      const [x3, y3] = await centre(page, "#point");
+      assert.ok(Math.hypot(x3 - (x + 100), y3 - (y + 30)) < 2, `${x3 - x}, ${y3 - y}, ${await text(page)}`);
+      assert.equal(await page.evaluate(() => document.activeElement.id), "point");
+      await page.keyboard.press("Control+z");
+      await drawn(page);
+    }
+    await page.keyboard.press("Control+z");
+    await drawn(page);
+    assert.equal(await text(page), before);
+    assert.deepEqual(page.heard, []);
+    await page.close();
+  }
+});
+
+test("under a wave the point goes up and down only", async () => {
+  const page = await open(browser);
+  await choose(page, "Goda’s caisson");
+  const before = await text(page);
   const [x, y] = await centre(page, "#point");
   await page.mouse.move(x, y);
   await page.mouse.down();
-  await page.mouse.move(x - 60, y + 10, { steps: 4 });
-  await page.mouse.move(x - 120, y - 40, { steps: 4 });
+  await page.mouse.move(x + 80, y + 60, { steps: 4 });
   await page.mouse.up();
   await drawn(page);
-  const [x2, y2] = await centre(page, "#point");
-  assert.ok(Math.hypot(x2 - (x - 120), y2 - (y - 40)) < 1.5, "the point is where the hand left it");
-  const [, , k, mu] = await given(page);
-  assert.ok(k < 0.8 && mu > 0.6);
-  assert.equal(await description(page), axes);
+  const changed = lines(before, await text(page));
+  assert.ok(changed.length === 1 && /^friction = 0\.\d+$/.test(changed[0]), changed.join(" "));
+  assert.match(await page.textContent("#point-help"), /up or down/);
+  await page.close();
+});
 
-  await page.mouse.click(x + 100, y + 30);
+test("the arrow of a force is dragged by its ring: along for its size, across for its level", async () => {
+  const page = await open(browser);
+  const before = await text(page);
+  const [x, y] = await centre(page, ".ring");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 12, y + 60, { steps: 6 });
+  await page.mouse.up();
   await drawn(page);
-  const [x3, y3] = await centre(page, "#point");
-  assert.ok(Math.hypot(x3 - (x + 100), y3 - (y + 30)) < 1.5);
-  assert.equal(await page.evaluate(() => document.activeElement.id), "point");
+  const changed = lines(before, await text(page));
+  assert.equal(changed.length, 2, changed.join(" "));
+  const [force, level] = changed.map((line) => Number(line.match(/"([\d.]+) /)[1]));
+  assert.ok(force < 2300 && force > 1000 && level < 10.5 && level > 7, changed.join(" "));
+  await page.focus(".ring");
+  await page.keyboard.press("ArrowRight");
+  await drawn(page);
+  const [stepped] = lines(before, await text(page)).map((line) => Number(line.match(/"([\d.]+) /)[1]));
+  assert.ok(Math.abs(stepped - force * 1.01) <= 1, `${stepped}`);
   await page.close();
 });
 
 test("the background pans, the wheel zooms about its place, All shows all", async () => {
   const page = await open(browser);
-  const before = await given(page);
+  const before = await text(page);
   const box = await page.locator("#map .picture").boundingBox();
   const [x, y] = [box.x + box.width * 0.55, box.y + box.height * 0.5];
   const whole = await description(page);
@@ -126,7 +202,7 @@ test("the background pans, the wheel zooms about its place, All shows all", asyn
   await page.mouse.up();
   await drawn(page);
   assert.notEqual(await description(page), near);
-  assert.deepEqual(await given(page), before, "moving about does not move the point");
+  assert.equal(await text(page), before, "moving about does not move the point");
   await page.click("#reset");
   await drawn(page);
   assert.equal(await description(page), whole);
@@ -162,71 +238,181 @@ test("two fingers zoom", async () => {
   await page.close();
 });
 
-test("a click in the map of cases takes the body there", async () => {
-  const page = await open(browser);
-  const picture = page.locator("#cases .picture");
-  const box = await picture.boundingBox();
-  const words = [];
-  for (const [across, up] of [[0.3, 0.7], [0.85, 0.85], [0.85, 0.42], [0.3, 0.2]]) {
-    await picture.click({ position: { x: box.width * across, y: box.height * (1 - up) } });
-    await drawn(page);
-    words.push((await page.textContent("#case")).match(/case 1a|cases 2 and 3|Δ > 0|Δ ≤ 0/)?.[0]);
-  }
-  assert.deepEqual(words, ["case 1a", "cases 2 and 3", "Δ > 0", "Δ ≤ 0"]);
+test("a file is dropped, its width changed, undone, done again and saved: only that line differs", async () => {
+  const page = await open(browser, { acceptDownloads: true });
+  const file = example("goda-on-sand.toml");
+  await drop(page, [["north wall.toml", file]]);
+  assert.equal(await text(page), file);
+  assert.equal(await mode(page), "BF");
+  assert.equal(await page.textContent("#warnings"), "Warnings: impulsive-breaking");
+  await type(page, "wave.period", "10,5");
+  assert.deepEqual(lines(file, await text(page)), ['period = "10.5 s"']);
+  await page.keyboard.press("Control+z");
+  await drawn(page);
+  assert.equal(await text(page), file);
+  await page.keyboard.press("Control+Shift+z");
+  await drawn(page);
+  assert.deepEqual(lines(file, await text(page)), ['period = "10.5 s"']);
+  await page.click("#undo");
+  await drawn(page);
+  await page.click("#tab-inputs");
+  await drawn(page);
+  await type(page, "wave.berm_width", "9");
+  const { name, content } = await saved(page, "#save-toml");
+  assert.equal(name, "north-wall.toml");
+  assert.deepEqual(lines(file, content.toString()), ['berm_width = "9 m"']);
+  assert.deepEqual(page.heard, []);
   await page.close();
 });
 
-test("all 26 figures of the report are presets, and a moved slider returns to the map of all modes", async () => {
+test("a faulty file changes nothing but the text, opens at its fault, and is mended by its cure", async () => {
   const page = await open(browser);
-  const numbers = await page.$$eval("#figure optgroup option", (options) => options.map((option) => option.value));
-  assert.equal(numbers.length, 26);
-  for (const number of numbers) {
-    await page.selectOption("#figure", number);
-    await drawn(page);
-    assert.ok((await page.textContent("#map .picture svg title")).startsWith(`Fig. ${number} `), number);
-  }
-  await page.selectOption("#figure", "3.10");
-  await page.click("#next");
+  const before = await page.textContent("#answer");
+  const file = example("goda-2000.toml").replace("period =", "perriod =");
+  await drop(page, [["breakwater-north.toml", file]]);
+  assert.equal(await page.textContent("#answer"), before);
+  assert.match(await page.textContent("#still"), /still the answer to “Caisson in air”/);
+  const line = file.split("\n").findIndex((one) => one.startsWith("perriod")) + 1;
+  assert.equal(await page.textContent("#fault-where"), `Line ${line}:`);
+  assert.equal(await page.textContent("#fault-message"), "[wave] has no key `perriod`");
+  assert.match(await page.textContent("#fault-help"), /^did you mean `period`\?/);
+  assert.equal(await page.textContent(".marks mark"), "perriod");
+  assert.ok(await page.isVisible("#text"));
+  assert.equal(await page.textContent("#case-name"), "breakwater-north.toml");
+  await page.click("#cure");
   await drawn(page);
-  assert.equal((await reading(page)).figure, "3.11");
-  await page.focus('[data-slider="slenderness"]');
-  await page.keyboard.press("ArrowLeft");
+  assert.equal(await text(page), example("goda-2000.toml"));
+  assert.ok(await page.isHidden("#pane-fault"));
+  assert.equal(await mode(page), "RE");
+  await page.keyboard.press("Control+z");
   await drawn(page);
-  assert.match(await title(page), /^All modes/);
-  assert.equal(await page.inputValue("#figure"), "");
+  await page.click("#leave");
+  await drawn(page);
+  assert.equal(await page.textContent("#case-name"), "Caisson in air");
+  assert.deepEqual(page.heard, []);
   await page.close();
 });
 
-test("however many events come, there is one drawing a frame; the time it takes is reported", async (context) => {
+test("the text is read at each pause, and keys undo it", async () => {
   const page = await open(browser);
-  const result = await page.evaluate(async () => {
-    const slider = document.querySelector('[data-slider="slenderness"]');
-    const { explorer } = window.standfast;
-    const frame = () => new Promise(requestAnimationFrame);
-    await frame();
-    const drawnBefore = window.standfast.frames;
-    const gaps = [];
-    let last = performance.now();
-    for (let i = 0; i < 120; i++) {
-      for (let j = 0; j < 5; j++) {
-        slider.value = 0.3 + (i + j / 5) / 300;
-        slider.dispatchEvent(new Event("input"));
-      }
-      await frame();
-      gaps.push(performance.now() - last);
-      last = performance.now();
-    }
-    const started = performance.now();
-    for (let i = 0; i < 50; i++) {
-      explorer.slide("slenderness", 0.3 + i / 100);
-      explorer.map(900, 560);
-      explorer.reading();
-    }
-    const library = (performance.now() - started) / 50;
-    return { drawn: window.standfast.frames - drawnBefore, library, median: gaps.sort((a, b) => a - b)[60] };
+  await page.click("#tab-inputs");
+  await drawn(page);
+  const before = await text(page);
+  await page.focus("#text");
+  await page.evaluate(() => {
+    const pane = document.getElementById("text");
+    const at = pane.value.indexOf("friction = 0.6") + "friction = 0.6".length;
+    pane.setSelectionRange(at, at);
   });
-  context.diagnostic(`diagram and reading by the library: ${result.library.toFixed(2)} ms; frame while dragging, without a graphics card: ${result.median.toFixed(1)} ms`);
-  assert.ok(result.drawn <= 121, `${result.drawn} drawings in 120 frames`);
-  assert.ok(result.drawn >= 100);
+  await page.keyboard.type("5 # rough");
+  assert.equal(await text(page), before);
+  await page.waitForFunction(() => window.standfast.explorer.text().includes("friction = 0.65 # rough"));
+  await drawn(page);
+  assert.ok(Math.abs((await said(page)).point[3] - 0.65) < 1e-12);
+  assert.equal(await numberOf(page, "body.friction").inputValue(), "0.65");
+  await page.keyboard.press("Control+z");
+  await drawn(page);
+  assert.equal(await text(page), before);
+  assert.equal(await page.inputValue("#text"), before);
+  // A fault is marked while the caret stays, and the answer before it holds.
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("x");
+  await page.waitForFunction(() => !document.getElementById("pane-fault").hidden);
+  assert.match(await page.textContent("#fault-message"), /^the case file has no key `xtitle`$/);
+  await page.keyboard.press("Backspace");
+  await page.waitForFunction(() => document.getElementById("pane-fault").hidden);
+  assert.equal(await text(page), before);
+  await page.close();
+});
+
+test("a record is dropped for the case that names it", async () => {
+  const page = await open(browser);
+  const block = '[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.6\ngravity = 9.81\n\n[motion.base]\nhorizontal = { shape = "file", file = "records/shake.csv" }\n';
+  await drop(page, [["block.toml", block]]);
+  assert.equal(await page.textContent("#fault-message"), "cannot read records/shake.csv: the page does not have it; open or drop it here");
+  await drop(page, [["shake.csv", "t,a\n0,0\n0.2,6\n0.4,0\n"]]);
+  assert.ok(await page.isHidden("#pane-fault"));
+  assert.equal(await page.locator("#map .picture svg").count(), 1);
+  // Both at once, the case first.
+  const again = await open(browser);
+  await drop(again, [["block.toml", block], ["shake.csv", "t,a\n0,0\n0.2,6\n0.4,0\n"]]);
+  assert.ok(await again.isHidden("#pane-fault"));
+  await again.close();
+  await page.close();
+});
+
+test("examples stand on four shelves, new cases beside them, and each opens", async () => {
+  const page = await open(browser);
+  await page.click("#case-menu > summary");
+  assert.deepEqual(await page.$$eval("#case-sheet h2", (all) => all.map((one) => one.textContent)), ["New", "Sea", "Ground", "Earthquake", "Chance"]);
+  const names = await page.$$eval("[data-case]", (all) => all.map((one) => one.dataset.case));
+  assert.ok(names.length >= 22);
+  assert.ok((await page.$$eval("[data-case] small", (all) => all.every((one) => one.textContent.length > 20))));
+  await page.keyboard.press("Escape");
+  for (const name of names) {
+    await choose(page, name);
+    assert.ok(await page.isHidden("#pane-fault"), name);
+    assert.ok((await page.textContent("#answer")).length > 10, name);
+    assert.ok(await page.isHidden("#case-sheet"));
+  }
+  await choose(page, "Block in pure numbers");
+  assert.match(await page.textContent("#section svg title"), /[Pp]osition/);
+  assert.match(await page.textContent("#sentences"), /unique/);
+  assert.deepEqual(page.heard, []);
+  await page.close();
+});
+
+test("a newcomer's own body has its verdict", async () => {
+  const page = await open(browser);
+  await choose(page, "A block");
+  for (const [key, typed] of [["body.width", "0,8"], ["body.height", "1,9 m"], ["body.density", "2300 kg/m3"], ["load[1].force", "12"], ["load[1].elevation", "1,8"]]) await type(page, key, typed, "Tab");
+  assert.equal(await page.textContent("#answer"), "The body rocks about O, the bottom left corner (RO).");
+  // 0.8 × 1.9 m² of 2300 kg/m³ on its half width, over 12 kN/m at 1.8 m.
+  const factor = (0.8 * 1.9 * 2.3 * 9.81 * 0.4) / (12 * 1.8);
+  assert.ok((await page.textContent("#near")).startsWith(`At ${(100 * factor).toPrecision(4)} % of the push it rocks`));
+  await page.close();
+});
+
+test("however many events come, there is one drawing a frame; frames while dragging are measured for every example", async (context) => {
+  const page = await open(browser, { viewport: { width: 1280, height: 800 } });
+  const names = await page.$$eval("[data-case]", (all) => all.map((one) => one.dataset.case));
+  const medians = [];
+  for (const name of names) {
+    const result = await page.evaluate(async (example) => {
+      const app = window.standfast;
+      app.explorer.open_example(example);
+      app.plate = "";
+      app.changed();
+      const frame = () => new Promise(requestAnimationFrame);
+      await frame();
+      await frame();
+      const point = document.getElementById("point");
+      if (point.hidden) return null;
+      const box = point.getBoundingClientRect();
+      const send = (type, x, y) => point.dispatchEvent(new PointerEvent(type, { pointerId: 1, button: 0, clientX: x, clientY: y, bubbles: true }));
+      point.setPointerCapture = () => {};
+      point.hasPointerCapture = () => true;
+      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+      send("pointerdown", x, y);
+      const before = app.frames;
+      const gaps = [];
+      await frame();
+      let last = performance.now();
+      for (let i = 0; i < 40; i++) {
+        for (let j = 0; j < 5; j++) send("pointermove", x - i / 2, y + i / 2 + j / 10);
+        await frame();
+        gaps.push(performance.now() - last);
+        last = performance.now();
+      }
+      send("pointerup", x, y);
+      gaps.sort((a, b) => a - b);
+      return { median: gaps[20], most: gaps.at(-1), drawn: app.frames - before };
+    }, name);
+    if (!result) continue;
+    medians.push([name, result]);
+    assert.ok(result.drawn <= 42 && result.drawn >= 30, `${name}: ${result.drawn} drawings in 40 frames`);
+  }
+  for (const [name, { median, most }] of medians) context.diagnostic(`${name}: median frame ${median.toFixed(1)} ms, longest ${most.toFixed(1)} ms`);
+  assert.ok(medians.length >= 12);
   await page.close();
 });

@@ -7,6 +7,7 @@ mod figures;
 pub mod ground;
 mod json;
 mod loads;
+pub mod screen;
 mod sea;
 mod section;
 mod summary;

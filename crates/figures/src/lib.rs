@@ -104,7 +104,8 @@ pub use scene::Label;
 pub use scene::Rect;
 pub use screen::{Map, Picture, tint_on_screen};
 pub use section::{
-    Arrow, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, Side, section,
+    Arrow, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, SectionArrow,
+    SectionNumber, SectionPicture, Side, section, section_on_screen,
 };
 
 /// A drawing with its caption.
@@ -129,6 +130,15 @@ impl Figure {
             (Some((before, _)), Some((_, after))) => before.to_owned() + after,
             _ => self.svg.clone(),
         }
+    }
+
+    /// The SVG document with colours as custom properties of CSS, for a page that sets them, and whose own page it shows.
+    pub fn svg_on_screen(&self) -> String {
+        let mut svg = self.svg_on_paper();
+        for (property, light, _) in palette::colours() {
+            svg = svg.replace(&format!("\"{light}\""), &format!("\"var(--{property},{light})\""));
+        }
+        svg
     }
 
     /// Title of the figure, in a line of plain characters: `Fig. 3.11 All modes, case 3, …`.
@@ -338,9 +348,9 @@ pub fn load_lines(plane: &LoadPlane<'_>) -> Vec<(LoadEdge, outlines::Polyline)> 
     plane::lines(plane)
 }
 
-/// Figure of [`load_plane`] for a screen, with a plot `across` units wide and colours as custom properties of CSS.
-pub fn load_plane_on_screen(plane: &LoadPlane<'_>, across: f64) -> Figure {
-    plane::figure_on_screen(plane, across)
+/// Figure of [`load_plane`] for a screen, with a plot of some width and height and colours as custom properties of CSS.
+pub fn load_plane_on_screen(plane: &LoadPlane<'_>, plot: (f64, f64)) -> Picture {
+    plane::figure_on_screen(plane, plot)
 }
 
 /// The examples of the README are tests.

@@ -22,7 +22,7 @@ use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol};
 use crate::plot::{Arc, Piece, View, clip_strips, level};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
-use crate::{Figure, LoadPlane, caption};
+use crate::{Figure, LoadPlane, Picture, caption};
 
 const HEIGHT: f64 = 310.0;
 /// Above the plot: the name of the friction.
@@ -94,7 +94,7 @@ struct Side {
 
 /// Draws it.
 pub(crate) fn figure(given: &LoadPlane) -> Figure {
-    drawn(&Plan::of(given), None, Scene::default())
+    drawn(&Plan::of(given), None, Scene::default()).figure
 }
 
 /// Lines of the plane of a base that gives way.
@@ -102,16 +102,17 @@ pub(crate) fn lines(given: &LoadPlane) -> Vec<(LoadEdge, Polyline)> {
     given.base.map_or_else(Vec::new, |base| ground::lines(base, given.friction))
 }
 
-/// Draws it for a screen, with a plot `across` units wide.
-pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Figure {
-    drawn(&Plan::of(given), Some(across), Scene::themed())
+/// Draws it for a screen, with a plot of some width and height.
+pub(crate) fn figure_on_screen(given: &LoadPlane, plot: (f64, f64)) -> Picture {
+    drawn(&Plan::of(given), Some(plot), Scene::themed())
 }
 
-fn drawn(given: &Plan, across: Option<f64>, scene: Scene) -> Figure {
+fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     let window = window(given);
     let (k, mu) = window.axes();
-    let mut axes = Axes::beside_numbers([k, mu], (LEFT, COLUMN - ROOM), TOP, HEIGHT);
-    if let Some(across) = across {
+    let height = plot.map_or(HEIGHT, |(_, height)| height);
+    let mut axes = Axes::beside_numbers([k, mu], (LEFT, COLUMN - ROOM), TOP, height);
+    if let Some((across, _)) = plot {
         axes.area.x1 = axes.area.x0 + across;
     }
     let areas = areas(&given.regions, &window);
@@ -152,7 +153,8 @@ fn drawn(given: &Plan, across: Option<f64>, scene: Scene) -> Figure {
     let details = margins::words(&(path.caption() + behind), SMALL);
     let words = Words::new(verbatim(heading, SIZE), details);
     let description = description(&window, &areas, &words.caption);
-    words.figure(canvas.scene, edges, below + 14.0, 16.0, &description)
+    let figure = words.figure(canvas.scene, edges, below + 14.0, 16.0, &description);
+    Picture { figure, plot: axes.area, across: axes.across, up: axes.up }
 }
 
 /// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region

@@ -151,7 +151,8 @@ impl Scene {
         Scene { themed: true, ..Scene::default() }
     }
 
-    fn paint<'a>(&self, colour: &'a str) -> Cow<'a, str> {
+    /// A colour as it is written: itself, or in a themed drawing its property.
+    pub(crate) fn paint<'a>(&self, colour: &'a str) -> Cow<'a, str> {
         if self.themed { palette::themed(colour) } else { Cow::Borrowed(colour) }
     }
 

@@ -190,44 +190,146 @@ pub struct Section<'a> {
 /// assert_eq!(figure.title(), "Section: Block");
 /// ```
 pub fn section(given: &Section<'_>) -> Figure {
+    drawn(given, SectionLook::on_paper(paper_size(given))).figure
+}
+
+/// The body is about as large as this on paper.
+const BODY: (f64, f64) = (230.0, 230.0);
+
+/// The largest pressure is drawn as long as this, and the largest force at most.
+const LONGEST: f64 = 56.0;
+
+/// A section for a screen, about as large as `size`: in colours of the page and without the words below it, which are its caption.
+pub fn section_on_screen(given: &Section<'_>, size: (f64, f64)) -> SectionPicture {
+    /// From some width on there is room for the names of levels.
+    const NARROW: f64 = 450.0;
+    let longest = (0.1 * size.0).clamp(32.0, 72.0);
+    let roomy = SectionLook { body: size, longest, names: size.0 >= NARROW, on_screen: true };
+    let picture = fitted(given, roomy, size);
+    if picture.figure.size.0 <= 1.08 * size.0 {
+        return picture;
+    }
+    // Much that stands beside a body leaves it little room: then without names, and with short arrows.
+    fitted(given, SectionLook { longest: 32.0, names: false, ..roomy }, size)
+}
+
+/// A section whose body is as large as leaves room for what stands beside it.
+fn fitted(given: &Section<'_>, look: SectionLook, size: (f64, f64)) -> SectionPicture {
+    const LEAST: f64 = 60.0;
+    let mut body = (size.0 / 2.0, size.1 / 2.0);
+    // What stands beside the body takes about the same room whatever its size.
+    for _ in 0..2 {
+        let painter = Painter::new(given, SectionLook { body, ..look }, (0.0, 0.0), None);
+        let is = (painter.scale * (painter.bounds.x1 - painter.bounds.x0), painter.scale * painter.bounds.y1);
+        let Rect { x0, y0, x1, y1 } = painter.paint().extent.grown(MARGIN);
+        let room = |room: f64, taken: f64, body: f64| (room - (taken - body)).max(LEAST);
+        body = (room(size.0, x1 - x0, is.0), room(size.1, y1 - y0, is.1));
+    }
+    drawn(given, SectionLook { body, ..look })
+}
+
+/// Look of a section.
+#[derive(Debug, Clone, Copy)]
+struct SectionLook {
+    /// The largest width and height of the body on the page.
+    body: (f64, f64),
+    longest: f64,
+    /// True if there is room for the names of levels.
+    names: bool,
+    on_screen: bool,
+}
+
+impl SectionLook {
+    /// A body `size` times as large as bodies are, at most.
+    fn on_paper(size: f64) -> SectionLook {
+        SectionLook { body: (size * BODY.0, size * BODY.1), longest: LONGEST, names: true, on_screen: false }
+    }
+}
+
+/// A number that a section shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SectionNumber {
+    /// A width, by its row and its place there.
+    Width(usize, usize),
+    /// A height, by its column and its place there.
+    Height(usize, usize),
+    /// A level, by its place.
+    Level(usize),
+    /// The size of a force, by its place.
+    Arrow(usize),
+}
+
+/// A force as it is drawn on a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SectionArrow {
+    /// The place of the force.
+    pub index: usize,
+    /// Where the arrow begins.
+    pub tail: (f64, f64),
+    /// Where it ends, on the face.
+    pub tip: (f64, f64),
+}
+
+/// A section and where things lie in it, in units of the drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SectionPicture {
+    /// The drawing.
+    pub figure: Figure,
+    /// The labels of numbers.
+    pub numbers: Vec<(SectionNumber, Rect)>,
+    /// The forces on faces.
+    pub arrows: Vec<SectionArrow>,
+    /// The body.
+    pub body: Rect,
+    /// Units for a metre.
+    pub scale: f64,
+}
+
+fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
     // Items that reach across the page are drawn when it is known how large the page is.
-    let (scale, measured) = fitted(given);
+    let wide = |painting: &Painting| painting.extent.x1 - painting.extent.x0 + 2.0 * MARGIN;
+    let measured = Painter::new(given, look, (0.0, 0.0), None).paint();
     let natural = measured.extent.grown(MARGIN);
-    let wide = [COLUMN, PAGE].into_iter().find(|wide| natural.x1 - natural.x0 <= *wide);
-    let aside = wide.map_or(0.0, |wide| (wide - (natural.x1 - natural.x0)) / 2.0);
+    let column = [COLUMN, PAGE].into_iter().find(|column| !look.on_screen && wide(&measured) <= *column);
+    let aside = column.map_or(0.0, |column| (column - wide(&measured)) / 2.0);
     let page = Rect { x0: natural.x0 - aside, x1: natural.x1 + aside, ..natural };
     let size = ((page.x1 - page.x0 - 1e-6).ceil(), (page.y1 - page.y0).ceil());
     let room = (measured.names.0 - page.x0, measured.names.1 - page.x0);
-    let drawn = Painter::new(given, scale, (-page.x0, -page.y0), Some(room)).paint();
+    let painter = Painter::new(given, look, (-page.x0, -page.y0), Some(room));
+    let scale = painter.scale;
+    let (low, high) = (
+        painter.place(painter.bounds.x0, painter.bounds.y0),
+        painter.place(painter.bounds.x1, painter.bounds.y1),
+    );
+    let body = Rect { x0: low.0, y0: high.1, x1: high.0, y1: low.1 };
+    let drawn = painter.paint();
     let title = match given.title {
         "" => "Section".to_owned(),
         title => format!("Section: {title}"),
     };
     let (svg, labels) = drawn.scene.finish(size.0, size.1, &title, &description(given));
-    Figure { svg, title, caption: legend(given).join(". "), labels, size }
+    let figure = Figure { svg, title, caption: legend(given).join(". "), labels, size };
+    SectionPicture { figure, numbers: drawn.numbers, arrows: drawn.arrows, body, scale }
 }
 
-/// How large the body is drawn, so that all has room in a column or a page, and the drawing measured.
-fn fitted(given: &Section<'_>) -> (f64, Painting) {
-    let drawn = |size: f64| Painter::new(given, size, (0.0, 0.0), None).paint();
+/// How large the body is drawn on paper, so that all has room in a column or a page.
+fn paper_size(given: &Section<'_>) -> f64 {
+    let painter = |size: f64| Painter::new(given, SectionLook::on_paper(size), (0.0, 0.0), None);
     let width = |painting: &Painting| painting.extent.x1 - painting.extent.x0 + 2.0 * MARGIN;
-    let whole = drawn(1.0);
-    let body = Painter::new(given, 1.0, (0.0, 0.0), None).width();
+    let whole = width(&painter(1.0).paint());
+    let body = painter(1.0).width();
     // A little smaller for a column; as small as it takes for a page. What stands beside the body keeps its width.
     for (wide, least) in [(COLUMN, 0.8), (PAGE, 0.4)] {
-        let over = width(&whole) - wide;
+        let over = whole - wide;
         if over <= 0.0 {
-            return (1.0, whole);
+            return 1.0;
         }
         let size = (1.0 - over / body) * 0.98;
-        if size >= least {
-            let smaller = drawn(size);
-            if width(&smaller) <= wide {
-                return (size, smaller);
-            }
+        if size >= least && width(&painter(size).paint()) <= wide {
+            return size;
         }
     }
-    (1.0, whole)
+    1.0
 }
 
 /// White around the drawing.
@@ -262,4 +364,6 @@ struct Painting {
     scene: Scene,
     extent: Rect,
     names: (f64, f64),
+    numbers: Vec<(SectionNumber, Rect)>,
+    arrows: Vec<SectionArrow>,
 }

@@ -1,5 +1,6 @@
 //! Errors of a case, and the way they are shown in the file's own text.
 
+mod cure;
 mod fault;
 mod help;
 
@@ -14,6 +15,7 @@ use crate::key::{Id, Key, Table};
 use crate::random::RandomProblem;
 use crate::units::{Dimension, UnitError};
 
+pub use cure::Cure;
 pub use fault::{CaseError, Fault, Place};
 use help::parts;
 pub use help::{expected_type, names};

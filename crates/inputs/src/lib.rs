@@ -21,6 +21,7 @@
 #![forbid(unsafe_code)]
 
 pub mod digits;
+mod edit;
 pub mod error;
 pub mod explained;
 pub mod inputs;
@@ -30,9 +31,11 @@ pub mod parse;
 pub mod random;
 pub mod record;
 pub mod suggest;
+pub mod typed;
 pub mod units;
 
-pub use error::{CaseError, Fault, Place, Problem};
+pub use edit::WrittenNumber;
+pub use error::{CaseError, Cure, Fault, Place, Problem};
 pub use explained::{Excerpt, Explained};
 pub use inputs::{GRAVITY, Inputs, Value};
 pub use key::{Id, Key};

@@ -43,6 +43,8 @@ pub struct Entry {
     pub id: Id,
     /// Span of its value in the text; empty, at its end, of what follows from other entries.
     pub span: Span<usize>,
+    /// Spans of the elements of a list.
+    pub(crate) elements: Vec<Span<usize>>,
     /// The value as it would be written, of what follows from other entries.
     follows: Option<String>,
 }
@@ -186,7 +188,7 @@ impl CaseText {
     /// Adds an entry that follows from others, as it would be written.
     pub fn with_entry(mut self, id: Id, written: String) -> CaseText {
         let end = self.text.len();
-        self.entries.push(Entry { id, span: end..end, follows: Some(written) });
+        self.entries.push(Entry { id, span: end..end, elements: Vec::new(), follows: Some(written) });
         self
     }
 
@@ -312,7 +314,9 @@ impl CaseText {
                     }
                 }
             }
-            self.entries.push(Entry { id, span: value.span(), follows: None });
+            let list = value.get_ref().as_array();
+            let elements = list.into_iter().flat_map(|list| list.iter().map(Spanned::span)).collect();
+            self.entries.push(Entry { id, span: value.span(), elements, follows: None });
         }
         for child in table.children() {
             let Some(value) = found.get(child.name()) else { continue };

@@ -264,15 +264,23 @@ impl Dimension {
         Ok((value, known))
     }
 
+    /// The names of its units.
+    pub fn names(self) -> impl Iterator<Item = &'static str> {
+        self.units().iter().map(|(name, _)| *name)
+    }
+
     /// The unit of a name, where it fits.
     pub fn unit(self, name: &str) -> Option<Unit> {
         self.units().iter().find(|(known, _)| *known == name).map(|(_, power)| Unit(*power))
     }
 }
 
+/// The unit that counts the acceleration of gravity.
+pub const GRAVITY_UNIT: &str = "g";
+
 /// The multiple of the acceleration of gravity that a text such as "0.25 g" says.
 pub fn in_gravity(text: &str) -> Option<f64> {
-    split(text.trim()).filter(|(_, unit)| *unit == "g").map(|(share, _)| share)
+    split(text.trim()).filter(|(_, unit)| *unit == GRAVITY_UNIT).map(|(share, _)| share)
 }
 
 /// Reason why a text is no quantity.

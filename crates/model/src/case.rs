@@ -554,7 +554,7 @@ impl From<LoadOrigin> for LoadId {
 }
 
 /// The table of the file that says a load of a [situation](Case::situation).
-pub(crate) fn said_by(LoadId(id): LoadId) -> Place {
+pub fn said_by(LoadId(id): LoadId) -> Place {
     let table = Table::ALL.into_iter().find(|table| *table as u64 == id >> 32).unwrap_or(Table::Top);
     Place::Table(table, (id & u64::from(u32::MAX)) as usize)
 }

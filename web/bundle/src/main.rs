@@ -1,12 +1,13 @@
 //! One HTML file of the explorer: `standfast-web-bundle LIBRARY.wasm PAGE-FOLDER OUT.html`.
 //!
 //! The page is `index.html` with its style sheet, its scripts and the compiled library put inside, so that it opens from
-//! a disk or a mail and fetches nothing. Scripts are modules that know each other by name: an import map gives each
-//! name its source as a `data:` address, which modules need where there is no server. The library is packed by gzip, which
-//! every browser undoes; it more than halves the file.
+//! a disk or a mail and fetches nothing. The scripts are modules that know each other by name; here they become one script, each in a
+//! function of its own, so that the policy of the page can name that script by its hash and allow no other. The library is packed by
+//! gzip, which every browser undoes; it more than halves the file.
 
 #![forbid(unsafe_code)]
 
+use std::collections::BTreeMap;
 use std::error::Error;
 use std::fs;
 use std::io::{self, Write};
@@ -16,7 +17,11 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use sha2::{Digest, Sha256};
 use wasm_bindgen_cli_support::Bindgen;
+
+/// Module that starts the page.
+const MAIN: &str = "main";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -36,7 +41,7 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
     };
     let mut output = Bindgen::new()
         .input_path(wasm)
-        .web(true)?
+        .no_modules(true)?
         .typescript(false)
         .remove_name_section(true)
         .remove_producers_section(true)
@@ -44,26 +49,22 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
     let glue = output.js().to_owned();
     let library = output.wasm_mut().emit_wasm();
 
-    let mut modules = vec![("library".to_owned(), glue)];
-    let mut names: Vec<_> = fs::read_dir(page)?.collect::<Result<Vec<_>, _>>()?;
-    names.sort_by_key(fs::DirEntry::file_name);
-    for name in names.iter().map(|entry| entry.file_name().to_string_lossy().into_owned()) {
+    let mut modules = BTreeMap::new();
+    for entry in fs::read_dir(page)? {
+        let name = entry?.file_name().to_string_lossy().into_owned();
         if let Some(module) = name.strip_suffix(".js") {
-            modules.push((module.to_owned(), read(&name)?));
+            modules.insert(module.to_owned(), read(&name)?);
         }
     }
-    let imports: Vec<_> = modules
-        .iter()
-        .map(|(name, source)| {
-            format!("\"{name}\":\"data:text/javascript;base64,{}\"", STANDARD.encode(source))
-        })
-        .collect();
+    let script = script(&glue, &modules)?;
+    let hash = STANDARD.encode(Sha256::digest(script.as_bytes()));
+    let policy = format!(
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-{hash}' 'wasm-unsafe-eval'; \
+         style-src 'unsafe-inline'; img-src data: blob:; font-src data: blob:; base-uri 'none'; form-action 'none'\">"
+    );
     let parts = [
+        ("<!-- policy -->", policy),
         ("<!-- style -->", format!("<style>\n{}</style>", read("style.css")?)),
-        (
-            "<!-- modules -->",
-            format!("<script type=\"importmap\">{{\"imports\":{{{}}}}}</script>", imports.join(",")),
-        ),
         (
             "<!-- library -->",
             format!(
@@ -71,6 +72,7 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
                 STANDARD.encode(packed(&library)?)
             ),
         ),
+        ("<!-- script -->", format!("<script type=\"module\">{script}</script>")),
     ];
     let mut html = read("index.html")?;
     for (place, part) in parts {
@@ -80,8 +82,101 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
     Ok(html)
 }
 
+/// The modules as one script: the library first, then each behind those that it takes something from.
+fn script(glue: &str, modules: &BTreeMap<String, String>) -> Result<String, String> {
+    let mut script = format!(
+        "const module_library = (() => {{\n{glue}\nreturn {{ start: wasm_bindgen, Explorer: wasm_bindgen.Explorer }};\n}})();\n"
+    );
+    let mut done = vec!["library".to_owned()];
+    add(MAIN, modules, &mut done, &mut script)?;
+    if script.contains("</script") {
+        return Err("a script ends the element that it stands in".to_owned());
+    }
+    Ok(script)
+}
+
+fn add(
+    name: &str,
+    modules: &BTreeMap<String, String>,
+    done: &mut Vec<String>,
+    script: &mut String,
+) -> Result<(), String> {
+    if done.iter().any(|other| other == name) {
+        return Ok(());
+    }
+    done.push(name.to_owned());
+    let source = modules.get(name).ok_or_else(|| format!("there is no {name}.js"))?;
+    let (mut body, mut exports) = (String::new(), Vec::new());
+    for line in source.lines() {
+        if let Some((names, from)) = imported(line) {
+            add(from, modules, done, script)?;
+            body += &format!("const {{ {names} }} = module_{};\n", identifier(from));
+        } else if let Some(declared) = line.strip_prefix("export ") {
+            let words = declared.split(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
+            let name = words
+                .filter(|word| !["async", "function", "const", ""].contains(word))
+                .map(str::to_owned)
+                .next();
+            exports.push(name.ok_or_else(|| format!("an export without a name: {line}"))?);
+            body += &format!("{declared}\n");
+        } else {
+            body += &format!("{line}\n");
+        }
+    }
+    // The page waits for the library at the top of its first module.
+    *script += &match name == MAIN {
+        true => body,
+        false => {
+            format!(
+                "const module_{} = (() => {{\n{body}return {{ {} }};\n}})();\n",
+                identifier(name),
+                exports.join(", ")
+            )
+        }
+    };
+    Ok(())
+}
+
+/// The names that a line takes from a module, and that module.
+fn imported(line: &str) -> Option<(&str, &str)> {
+    let (names, from) = line.strip_prefix("import { ")?.split_once(" } from \"")?;
+    Some((names, from.strip_suffix("\";")?))
+}
+
+fn identifier(name: &str) -> String {
+    name.replace('-', "_")
+}
+
 fn packed(bytes: &[u8]) -> io::Result<Vec<u8>> {
     let mut packer = GzEncoder::new(Vec::new(), Compression::best());
     packer.write_all(bytes)?;
     packer.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn modules_become_one_script_in_the_order_of_their_needs() {
+        let sources = [
+            ("main", "import { a, b } from \"one\";\nimport { start } from \"library\";\na(b);"),
+            ("one", "import { c } from \"two\";\nexport const b = c;\nexport async function a() {\n}"),
+            ("two", "export function c(x) {\n}"),
+        ];
+        let modules = sources.map(|(name, source)| (name.to_owned(), source.to_owned())).into();
+        let script = script("let wasm_bindgen;", &modules).unwrap();
+        let at = |part: &str| script.find(part).unwrap_or_else(|| panic!("{part} in {script}"));
+        assert!(at("const module_two") < at("const module_one") && at("const module_one") < at("a(b);"));
+        assert!(
+            script.contains(
+                "const { c } = module_two;\nconst b = c;\nasync function a() {\n}\nreturn { b, a };"
+            )
+        );
+        assert!(
+            super::script("", &[("main".to_owned(), "import { x } from \"none\";".to_owned())].into())
+                .is_err()
+        );
+        assert!(super::script("\"</script>\"", &modules).is_err());
+    }
 }

@@ -47,6 +47,14 @@ impl AnyCheck<'_> {
         }
     }
 
+    /// Share of the bound that is used, 1 at most where it is met; `None` where nothing is measured.
+    pub fn utilisation(&self) -> Option<f64> {
+        match self {
+            AnyCheck::Instant(CaseCheck { check, .. }) => check.utilisation,
+            AnyCheck::Motion(check, _) => check.utilisation,
+        }
+    }
+
     /// True if it is met.
     pub fn is_met(&self) -> bool {
         match self {

@@ -177,23 +177,33 @@ fn path(
     suffix: &str,
     up_to: f64,
 ) -> Result<AnswerFigure, InputError> {
+    let title = title(assessment, assessed);
+    let figure = with_load_plane(assessed, &title, up_to, load_plane)?;
+    let words = named("Load path", assessment, assessed, suffix);
+    let suffix = format!("{suffix}-path");
+    Ok(AnswerFigure { suffix, words, figure })
+}
+
+/// Draws the plane of the rising loads of a situation.
+pub(super) fn with_load_plane<T>(
+    assessed: &Assessed,
+    title: &str,
+    up_to: f64,
+    draw: impl FnOnce(&LoadPlane<'_>) -> T,
+) -> Result<T, InputError> {
     let situation = &assessed.situation;
     let (regions, friction) = (situation.plane(up_to)?, situation.static_friction());
-    let title = title(assessment, assessed);
     let plane = match assessed.ground.as_ref().and_then(|ground| ground.limit) {
         Some(Limit::Strength(strength)) => Some(GroundLoadPlane::crushing(situation, strength, up_to)?),
         Some(Limit::Ground(soil)) => Some(GroundLoadPlane::failing(situation, soil, up_to)?),
         None => None,
     };
-    let figure = load_plane(&LoadPlane {
+    Ok(draw(&LoadPlane {
         regions: &regions,
         base: plane.as_ref(),
         up_to,
         friction,
         stages: &assessed.outcome.path,
-        title: &title,
-    });
-    let words = named("Load path", assessment, assessed, suffix);
-    let suffix = format!("{suffix}-path");
-    Ok(AnswerFigure { suffix, words, figure })
+        title,
+    }))
 }

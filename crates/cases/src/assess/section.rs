@@ -1,6 +1,6 @@
 //! The section of a case: its body, levels and loads as the figure draws them.
 
-use standfast::loads::{Action, Face, Load, LoadSource, PressureAt};
+use standfast::loads::{Action, Face, Load, LoadId, LoadSource, PressureAt};
 use standfast::{BaseEdges, InputError, Mode, Situation, Verdict};
 use standfast_figures::{
     Arrow, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
@@ -23,6 +23,14 @@ const SHAKEN: &str = "The earthquake is drawn as it is given; the other directio
 /// The section of a case under all of its loads, with the reaction of the base in the worst of its situations where the case says what the
 /// base bears.
 pub(super) fn figure(assessment: &Assessment) -> Result<Figure, InputError> {
+    with_section(assessment, |section, _| standfast_figures::section(section))
+}
+
+/// Draws the section of a case; the loads that its arrows are of come with it, in their order.
+pub(super) fn with_section<T>(
+    assessment: &Assessment,
+    draw: impl FnOnce(&Section<'_>, &[LoadId]) -> T,
+) -> Result<T, InputError> {
     let case = &assessment.case;
     let worst = assessment.governing();
     let reaction = worst.ground.as_ref().and_then(|ground| reaction(case, worst, ground));
@@ -33,6 +41,12 @@ pub(super) fn figure(assessment: &Assessment) -> Result<Figure, InputError> {
     widths.splice(0..0, reaction.iter().filter_map(pressed_width).map(|measure| vec![measure]));
     let mut notes = notes(case);
     notes.extend(worst.ground.as_ref().map(|_| reaction_words(assessment, worst, reaction.as_ref())));
+    let arrows: Vec<_> = situation
+        .loads()
+        .iter()
+        .filter_map(|load| Some((load.id, arrow(extent, &situation, load)?)))
+        .collect();
+    let of: Vec<LoadId> = arrows.iter().map(|(id, _)| *id).collect();
     let section = Section {
         title: case.title.as_deref().unwrap_or_default(),
         parts: &parts(case),
@@ -40,7 +54,7 @@ pub(super) fn figure(assessment: &Assessment) -> Result<Figure, InputError> {
         centroid: (case.body.centroid_offset(), case.body.centroid_height()),
         levels: levels(case),
         pressures: situation.loads().iter().filter_map(|load| pressed(extent, &situation, load)).collect(),
-        arrows: situation.loads().iter().filter_map(|load| arrow(extent, &situation, load)).collect(),
+        arrows: arrows.into_iter().map(|(_, arrow)| arrow).collect(),
         widths,
         heights,
         mound: case.wave.as_ref().and_then(mound),
@@ -48,7 +62,7 @@ pub(super) fn figure(assessment: &Assessment) -> Result<Figure, InputError> {
         reaction,
         notes,
     };
-    Ok(standfast_figures::section(&section))
+    Ok(draw(&section, &of))
 }
 
 /// Reaction of the base as the mode under the full load begins; `None` if nothing presses, the resultant misses the base, or the body

@@ -1,7 +1,7 @@
 //! Columns beside the body, outwards: forces, pressures, heights, levels.
 
 use super::paint::{Painter, THIN, side_of};
-use super::{Arrow, LABEL, Level, Measure, Pressed, Side, tag};
+use super::{Arrow, LABEL, Level, Measure, Pressed, SectionArrow, SectionNumber, Side, tag};
 use crate::labels::spread;
 use crate::palette::{INK, MARK, PULL, PUSH, WET};
 use crate::scene::{Path, Pen, Rect};
@@ -11,8 +11,6 @@ use crate::text::Text;
 pub(super) const GAP: f64 = 26.0;
 /// Room between columns, and between rows.
 pub(super) const APART: f64 = 14.0;
-/// The largest pressure is drawn as long as this, and the largest force at most.
-pub(super) const LONGEST: f64 = 56.0;
 /// Distance of the sign of water from the end of its surface.
 const SIGN: f64 = 9.0;
 /// The shortest arrow of a force that is seen.
@@ -44,6 +42,8 @@ pub(super) struct Spot {
     pub at: (f64, f64),
     pub text: Text,
     pub colour: &'static str,
+    /// The thing whose number it is.
+    pub of: Option<SectionNumber>,
 }
 
 impl Painter<'_> {
@@ -62,7 +62,11 @@ impl Painter<'_> {
             }
         }
         if side == Side::Left {
-            given.heights.iter().for_each(|heights| self.heights(&mut column, &mut reach, heights));
+            given
+                .heights
+                .iter()
+                .enumerate()
+                .for_each(|(at, heights)| self.heights(&mut column, &mut reach, at, heights));
         }
         self.level_names(side, &mut column, &mut reach);
         reach
@@ -70,12 +74,13 @@ impl Painter<'_> {
 
     /// Length by which the forces within the body reach beyond a side of it.
     fn overhang(&self, out: f64) -> f64 {
+        let longest = self.look.longest;
         let edge = if out < 0.0 { self.bounds.x0 } else { self.bounds.x1 };
         let inside = self.given.arrows.iter().filter(|arrow| arrow.is_inside);
         // A vertical one may be moved aside, a letter stands beside each.
         let reach = inside.map(|arrow| {
             let along =
-                if arrow.towards.0 * out > 0.0 { LONGEST } else { 1.6 * LONGEST * arrow.towards.1.abs() };
+                if arrow.towards.0 * out > 0.0 { longest } else { 1.6 * longest * arrow.towards.1.abs() };
             ((self.near_body(arrow.at).0 - edge) * self.scale) * out + along + APART
         });
         reach.fold(0.0, f64::max)
@@ -108,8 +113,10 @@ impl Painter<'_> {
                 self.line((column.wall, crest), (column.wall, level), lever);
             }
             self.drawn.scene.arrow(tail, tip, Pen::solid(MARK, 2.0));
+            self.drawn.arrows.push(SectionArrow { index, tail, tip });
             let text = Text::new(&format!("${}$ {}", tag(first + index), arrow.label), LABEL);
-            spots.push(Spot { at: (column.x(start - NEAR), level), text, colour: MARK });
+            let of = Some(SectionNumber::Arrow(index));
+            spots.push(Spot { at: (column.x(start - NEAR), level), text, colour: MARK, of });
         }
         column.end = self.names(column, start, spots, reach);
     }
@@ -149,7 +156,8 @@ impl Painter<'_> {
         let rect = self.label(&letter, (middle, top), INK);
         reach.hold(&rect);
         let between = numbers(pressed).filter(|i| !is_end(i));
-        let spots: Vec<_> = between.map(|i| Spot { at: stalks[i].tip, text: text(i), colour: INK }).collect();
+        let spots: Vec<_> =
+            between.map(|i| Spot { at: stalks[i].tip, text: text(i), colour: INK, of: None }).collect();
         let end = column.end + widest;
         column.end = match spots.is_empty() {
             true => end + APART,
@@ -162,7 +170,7 @@ impl Painter<'_> {
         let reaction = self.given.reaction.iter().map(|reaction| reaction.size);
         let largest = self.given.arrows.iter().map(|arrow| arrow.size).chain(reaction).fold(0.0, f64::max);
         let tall = (self.bounds.y1 - self.bounds.y0) * self.scale;
-        let longest = (0.4 * tall).clamp(2.0 * SHORTEST, LONGEST);
+        let longest = (0.4 * tall).clamp(2.0 * SHORTEST, self.look.longest);
         if largest > 0.0 { (longest * size / largest).max(SHORTEST) } else { SHORTEST }
     }
 
@@ -170,7 +178,7 @@ impl Painter<'_> {
     pub(super) fn pressure_scale(&self) -> f64 {
         let all = self.given.pressures.iter().flat_map(|pressed| &pressed.points);
         let largest = all.map(|(_, pressure, _)| pressure.abs()).fold(0.0, f64::max);
-        if largest > 0.0 { LONGEST / largest } else { 0.0 }
+        if largest > 0.0 { self.look.longest / largest } else { 0.0 }
     }
 
     /// The area between a diagram and its line, with arrows the way it presses.
@@ -205,14 +213,14 @@ impl Painter<'_> {
     }
 
     /// Heights written out along a line.
-    fn heights(&mut self, column: &mut Column, reach: &mut Reach, heights: &[Measure]) {
+    fn heights(&mut self, column: &mut Column, reach: &mut Reach, at: usize, heights: &[Measure]) {
         let x = column.x(column.end);
         let mut spots = Vec::new();
-        for Measure { ends, label } in heights {
+        for (place, Measure { ends, label }) in heights.iter().enumerate() {
             let [from, to] = [ends.0, ends.1].map(|height| (x, self.place(0.0, height).1));
             self.dimension(from, to);
-            let at = (x, (from.1 + to.1) / 2.0);
-            spots.push(Spot { at, text: Text::new(label, LABEL), colour: INK });
+            let (middle, of) = ((x, (from.1 + to.1) / 2.0), Some(SectionNumber::Height(at, place)));
+            spots.push(Spot { at: middle, text: Text::new(label, LABEL), colour: INK, of });
         }
         column.end = self.names(column, column.end + NEAR, spots, reach);
     }
@@ -243,22 +251,35 @@ impl Painter<'_> {
             }
             let centre = column.x(start + spot.text.width / 2.0);
             let rect = self.label(&spot.text, (centre, y), spot.colour);
+            self.drawn.numbers.extend(spot.of.map(|of| (of, rect)));
             reach.hold(&rect);
             width = width.max(spot.text.width);
         }
         start + width + APART
     }
 
-    fn levels(&self, side: Side) -> impl Iterator<Item = &Level> {
-        self.given.levels.iter().filter(move |level| level.side == side)
+    fn levels(&self, side: Side) -> impl Iterator<Item = (usize, &Level)> {
+        self.given.levels.iter().enumerate().filter(move |(_, level)| level.side == side)
     }
 
     /// The names of the levels, and their lines from the wall to them; the surface of water with its sign.
     fn level_names(&mut self, side: Side, column: &mut Column, reach: &mut Reach) {
-        let levels: Vec<_> = self.levels(side).cloned().collect();
+        // A screen has room for those that the eye looks for; the body's own stand in its height.
+        let twin = |level: &Level| {
+            let others = &self.given.levels;
+            side == Side::Right
+                && others
+                    .iter()
+                    .any(|other| other.is_water && other.side == Side::Left && other.label == level.label)
+        };
+        let look = self.look;
+        let levels = self.levels(side).filter(|(_, level)| level.is_water || !look.on_screen);
+        let levels: Vec<_> = levels
+            .map(|(index, level)| (index, level.clone(), look.names && !(look.on_screen && twin(level))))
+            .collect();
         let end = column.end + NEAR;
         let mut spots = Vec::new();
-        for Level { elevation, label, is_water, .. } in levels {
+        for (index, Level { elevation, label, is_water, .. }, is_named) in levels {
             let (_, y) = self.place(0.0, self.shown(elevation));
             let pen = if is_water { Pen::solid(PUSH, 1.0) } else { THIN };
             let face = self.place(self.face(elevation, column.out), 0.0).0;
@@ -270,7 +291,11 @@ impl Painter<'_> {
                 sign.close();
                 self.drawn.scene.fill(&sign, PUSH);
             }
-            spots.push(Spot { at: (column.x(end), y), text: Text::verbatim(&label, LABEL), colour: INK });
+            if !is_named {
+                continue;
+            }
+            let (text, of) = (Text::verbatim(&label, LABEL), Some(SectionNumber::Level(index)));
+            spots.push(Spot { at: (column.x(end), y), text, colour: INK, of });
         }
         let names = match side {
             Side::Left => &mut self.drawn.names.0,

@@ -2,7 +2,9 @@
 
 use standfast::loads::Face;
 
-use super::{Arrow, LABEL, MARGIN, Material, Mound, Outline, Painting, Section, Side, legend, tag};
+use super::{
+    Arrow, LABEL, MARGIN, Material, Mound, Outline, Painting, Section, SectionLook, Side, legend, tag,
+};
 use crate::axes::COLUMN;
 use crate::caption::SMALL;
 use crate::margins;
@@ -10,8 +12,6 @@ use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, MOUND, PAPER, PUSH, WATER
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
-/// The body is about as large as this on the page.
-const BODY: (f64, f64) = (230.0, 230.0);
 /// Largest depth below the base at which the bed is drawn; a deeper one is drawn there.
 const DEEPEST: f64 = 120.0;
 /// Largest distance from the wall to which the berm is drawn.
@@ -32,6 +32,7 @@ pub(super) struct Painter<'a> {
     origin: (f64, f64),
     /// Between which x there is room for water and ground, once it is known.
     room: Option<(f64, f64)>,
+    pub look: SectionLook,
     /// The body's bounds, m.
     pub bounds: Rect,
     /// The bed, m above the base as it is drawn.
@@ -41,10 +42,9 @@ pub(super) struct Painter<'a> {
 }
 
 impl<'a> Painter<'a> {
-    /// A body `size` times as large as bodies are, at most.
     pub(super) fn new(
         given: &'a Section<'a>,
-        size: f64,
+        look: SectionLook,
         shift: (f64, f64),
         room: Option<(f64, f64)>,
     ) -> Painter<'a> {
@@ -54,11 +54,13 @@ impl<'a> Painter<'a> {
         for &(x, y) in corners.chain(&ends) {
             bounds = Rect { x0: bounds.x0.min(x), x1: bounds.x1.max(x), y1: bounds.y1.max(y), ..bounds };
         }
-        let scale = size * (BODY.0 / (bounds.x1 - bounds.x0)).min(BODY.1 / bounds.y1);
+        let scale = (look.body.0 / (bounds.x1 - bounds.x0)).min(look.body.1 / bounds.y1);
         let bed = given.mound.map(|mound| mound.bed.max(-DEEPEST / scale));
         let extent = Rect { x0: shift.0, y0: shift.1, x1: shift.0, y1: shift.1 };
-        let drawn = Painting { scene: Scene::default(), extent, names: (shift.0, shift.0) };
-        Painter { given, drawn, scale, origin: shift, room, bounds, bed, labels: Vec::new() }
+        let scene = if look.on_screen { Scene::themed() } else { Scene::default() };
+        let names = (shift.0, shift.0);
+        let drawn = Painting { scene, extent, names, numbers: Vec::new(), arrows: Vec::new() };
+        Painter { given, drawn, scale, origin: shift, room, look, bounds, bed, labels: Vec::new() }
     }
 
     /// Draws everything.
@@ -72,7 +74,10 @@ impl<'a> Painter<'a> {
         self.widths(bottom);
         self.inside();
         self.labels();
-        self.legend();
+        // On a screen the words stand beside the drawing, for people to choose.
+        if !self.look.on_screen {
+            self.legend();
+        }
         self.drawn
     }
 
@@ -116,9 +121,11 @@ impl<'a> Painter<'a> {
     /// Draws the labels, each on a halo of paper.
     fn labels(&mut self) {
         let scene = &mut self.drawn.scene;
+        let paper = scene.paint(PAPER).into_owned();
         // In units of the font, a thousand to the type size.
-        scene
-            .open("stroke=\"#ffffff\" stroke-width=\"240\" stroke-linejoin=\"round\" paint-order=\"stroke\"");
+        scene.open(&format!(
+            "stroke=\"{paper}\" stroke-width=\"240\" stroke-linejoin=\"round\" paint-order=\"stroke\""
+        ));
         for (text, rect, colour) in self.labels.drain(..) {
             scene.text_in(&text, &rect, colour);
         }
@@ -260,7 +267,10 @@ impl<'a> Painter<'a> {
 
     /// Width to which the berm is drawn, m.
     pub(super) fn berm_reach(&self, mound: &Mound) -> f64 {
-        mound.berm_width.min(FARTHEST / self.scale)
+        // On a screen the body is what the room is for.
+        let body = (self.bounds.x1 - self.bounds.x0) * self.scale;
+        let farthest = if self.look.on_screen { FARTHEST.min(0.4 * body) } else { FARTHEST };
+        mound.berm_width.min(farthest / self.scale)
     }
 
     /// A line with hatching under it, at a level.

@@ -4,7 +4,7 @@ use standfast::loads::Face;
 
 use super::columns::{ANYWHERE, APART, GAP, MOVED, Spot, Stalk, numbers};
 use super::paint::{Painter, THIN};
-use super::{Arrow, BaseReaction, LABEL, Pressed, tag};
+use super::{Arrow, BaseReaction, LABEL, Pressed, SectionArrow, SectionNumber, tag};
 use crate::labels::spread;
 use crate::palette::{INK, MARK, PAPER, PUSH, WET};
 use crate::scene::{Path, Pen, Rect};
@@ -35,8 +35,9 @@ impl Painter<'_> {
             let (near, far) = ((x, top - 1.5), (x, top - 1.5 - self.force_length(arrow.size)));
             let (tail, tip) = if arrow.towards.1 < 0.0 { (far, near) } else { (near, far) };
             self.drawn.scene.arrow(tail, tip, Pen::solid(MARK, 2.0));
+            self.drawn.arrows.push(SectionArrow { index, tail, tip });
             let text = Text::new(&format!("${}$ {}", tag(first + index), arrow.label), LABEL);
-            spots.push(Spot { at: far, text, colour: MARK });
+            spots.push(Spot { at: far, text, colour: MARK, of: Some(SectionNumber::Arrow(index)) });
             y = y.min(far.1);
         }
         if !spots.is_empty() {
@@ -87,7 +88,7 @@ impl Painter<'_> {
             self.drawn.scene.dot(self.place(neutral, 0.0), 3.4, PAPER, Some(Pen::solid(PUSH, 1.4)));
         }
         let text = Text::verbatim(&reaction.label, LABEL);
-        self.row(vec![Spot { at: tail, text, colour: PUSH }], tail.1.max(cellar), DOWN)
+        self.row(vec![Spot { at: tail, text, colour: PUSH, of: None }], tail.1.max(cellar), DOWN)
     }
 
     /// A pressure on the base or the top as a diagram on a line of its own, beginning at `start`; gives where it ends.
@@ -112,6 +113,7 @@ impl Painter<'_> {
             at: stalks[i].tip,
             text: Text::verbatim(&pressed.points[i].2, LABEL),
             colour: INK,
+            of: None,
         });
         let end = line + way * outwards;
         let end = if way < 0.0 { end.min(limit) } else { end.max(limit) };
@@ -132,7 +134,8 @@ impl Painter<'_> {
             if away(spot, x) {
                 self.line(spot.at, (x, near - way * 2.0), THIN);
             }
-            self.label(&spot.text, (x, near + way * tall / 2.0), spot.colour);
+            let rect = self.label(&spot.text, (x, near + way * tall / 2.0), spot.colour);
+            self.drawn.numbers.extend(spot.of.map(|of| (of, rect)));
         }
         near + way * tall
     }
@@ -141,14 +144,14 @@ impl Painter<'_> {
     pub(super) fn widths(&mut self, start: f64) {
         let given = self.given;
         let mut y = start;
-        for row in &given.widths {
+        for (row, measures) in given.widths.iter().enumerate() {
             y += 1.5 * APART;
             let mut spots = Vec::new();
-            for measure in row {
+            for (place, measure) in measures.iter().enumerate() {
                 let [from, to] = [measure.ends.0, measure.ends.1].map(|x| (self.place(x, 0.0).0, y));
                 self.dimension(from, to);
-                let at = ((from.0 + to.0) / 2.0, y);
-                spots.push(Spot { at, text: Text::verbatim(&measure.label, LABEL), colour: INK });
+                let (at, of) = (((from.0 + to.0) / 2.0, y), Some(SectionNumber::Width(row, place)));
+                spots.push(Spot { at, text: Text::verbatim(&measure.label, LABEL), colour: INK, of });
             }
             y = self.row(spots, y + NEAR, DOWN);
         }

@@ -64,8 +64,8 @@ impl Problem {
                 }
             }
             Problem::NoTable { table, .. } => format!("for example\n{}", table.example()),
-            Problem::OutOfRange { key, written, .. } if like(*key, written).is_some() => {
-                format!("did you mean \"{}\"?", like(*key, written)?)
+            Problem::OutOfRange { key, written, .. } if known_word(*key, written).is_some() => {
+                format!("did you mean \"{}\"?", known_word(*key, written)?)
             }
             Problem::WrongType { key, .. } | Problem::OutOfRange { key, .. } => {
                 format!("for example\n{}", line(*key))
@@ -224,7 +224,7 @@ impl Problem {
 }
 
 /// A line of a file that has a key right.
-fn line(key: Key) -> String {
+pub(super) fn line(key: Key) -> String {
     format!("{} = {}", key.entry(), key.info().example)
 }
 
@@ -296,7 +296,7 @@ fn shapes() -> &'static str {
 }
 
 /// The word of a key that a written one resembles.
-fn like(key: Key, written: &str) -> Option<&'static str> {
+pub(super) fn known_word(key: Key, written: &str) -> Option<&'static str> {
     let Kind::Choice { of, .. } = key.info().kind else { return None };
     closest(written.trim_matches('"'), of.iter().copied())
 }
@@ -304,10 +304,15 @@ fn like(key: Key, written: &str) -> Option<&'static str> {
 fn known(table: Table, name: &str) -> String {
     let names = names(table);
     let known = format!("the keys understood here: {}", names.join(", "));
-    match closest(name, names.iter().copied()) {
+    match meant_key(table, name) {
         Some(suggestion) => format!("did you mean `{suggestion}`? {known}"),
         None => known,
     }
+}
+
+/// The name of a table that a written one resembles.
+pub(super) fn meant_key(table: Table, name: &str) -> Option<&'static str> {
+    closest(name, names(table))
 }
 
 /// Type of value that a key takes, in words.

@@ -1,29 +1,70 @@
-//! Meaning of a typed text as a number, and texts that have two.
+//! Meaning of a text that a person types for a number, and texts that have two.
 //!
 //! | in the text | meaning |
 //! |---|---|
 //! | one point or one comma | the decimal sign |
 //! | spaces of any width, apostrophes | between groups of three digits before the decimal sign |
 //! | `-` or `−`, `+`; `e3` | a sign; a power of ten |
-//! | a unit behind the number | that unit, in place of the one chosen |
+//! | a unit behind the number | that unit, in place of the one that stands there |
 //!
 //! Nothing is guessed. `2,700` may be meant as 2.7 or as 2700, and `1.234,5` mixes two habits: both are refused, and the
-//! message shows what to type instead. The point is always decimal, as in what the fields show: `2.700` is 2.7.
+//! message shows what to type instead. The point is always decimal, as in a case file: `2.700` is 2.7.
 
-use crate::unit::PageUnit;
+use crate::units::{Dimension, GRAVITY_UNIT};
 
-/// The number in a text, and how many SI units its unit is where it names one of `units`.
+/// A number as it was typed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Typed {
+    /// The number.
+    pub number: f64,
+    /// The unit behind it, as a case file has it.
+    pub unit: Option<&'static str>,
+}
+
+/// Units that a typed number may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct TypedUnits {
+    /// Those of a dimension; none of a plain number.
+    pub dimension: Option<Dimension>,
+    /// True if it may count the acceleration of gravity.
+    pub gravity: bool,
+}
+
+impl TypedUnits {
+    fn find(self, name: &str) -> Option<&'static str> {
+        let names = self.dimension.into_iter().flat_map(Dimension::names);
+        let mut names = names.chain(self.gravity.then_some(GRAVITY_UNIT));
+        names.find(|known| known.chars().filter(|letter| !letter.is_whitespace()).eq(name.chars()))
+    }
+
+    fn understood(self) -> String {
+        let gravity = if self.gravity { "g, " } else { "" };
+        self.dimension.map_or(String::new(), |dimension| format!("{gravity}{}", dimension.understood()))
+    }
+}
+
+/// The number in a text, and its unit where it names one of `units`.
+///
+/// ```
+/// use standfast_inputs::typed::{TypedUnits, typed};
+/// use standfast_inputs::units::Dimension;
+///
+/// let force = TypedUnits { dimension: Some(Dimension::Force), gravity: false };
+/// let read = typed("2 700,5 kN/m", force)?;
+/// assert_eq!((read.number, read.unit), (2700.5, Some("kN/m")));
+/// # Ok::<(), String>(())
+/// ```
 ///
 /// # Errors
 /// A sentence on the fault for the person who typed it: no number, or not one number only.
-pub fn read(typed: &str, units: &[PageUnit]) -> Result<(f64, Option<f64>), String> {
-    let text = typed.trim();
+pub fn typed(text: &str, units: TypedUnits) -> Result<Typed, String> {
+    let text = text.trim();
     if text.is_empty() {
         return Err("A number is missing.".to_owned());
     }
     let (number, unit) = text.split_at(end_of_number(text));
     let value = value(number.trim()).map_err(|fault| fault.sentence(number.trim(), text))?;
-    Ok((value, scale(unit, units)?))
+    Ok(Typed { number: value, unit: known(unit, units)? })
 }
 
 /// Reason why a text is not one number.
@@ -132,25 +173,33 @@ fn grouped(whole: &str) -> Option<String> {
     (digits && thousands).then(|| groups.concat())
 }
 
-fn scale(unit: &str, units: &[PageUnit]) -> Result<Option<f64>, String> {
+fn known(unit: &str, units: TypedUnits) -> Result<Option<&'static str>, String> {
     let unit: String = unit.split_whitespace().collect();
     if unit.is_empty() {
         return Ok(None);
     }
-    let names: Vec<_> = units.iter().map(|(name, _)| *name).collect();
-    match units.iter().find(|(name, _)| *name == unit) {
-        Some((_, scale)) => Ok(Some(*scale)),
-        None if units.is_empty() => {
+    match units.find(&unit) {
+        Some(name) => Ok(Some(name)),
+        None if units.dimension.is_none() => {
             Err(format!("“{unit}” is no part of a number, and this one has no unit."))
         }
-        None => Err(format!("“{unit}” is not a unit of this field, which takes {}.", names.join(", "))),
+        None => Err(format!("“{unit}” is not a unit of this field, which takes {}.", units.understood())),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::unit::{FORCES, LENGTHS};
+
+    const PLAIN: TypedUnits = TypedUnits { dimension: None, gravity: false };
+
+    fn of(dimension: Dimension) -> TypedUnits {
+        TypedUnits { dimension: Some(dimension), gravity: false }
+    }
+
+    fn read(text: &str, units: TypedUnits) -> Result<(f64, Option<&'static str>), String> {
+        typed(text, units).map(|read| (read.number, read.unit))
+    }
 
     #[test]
     fn either_decimal_sign_and_gaps_between_thousands_are_read() {
@@ -175,28 +224,35 @@ mod tests {
             ("2,5E3", 2500.0),
         ];
         for (typed, expected) in cases {
-            assert_eq!(read(typed, &[]), Ok((expected, None)), "{typed}");
+            assert_eq!(read(typed, PLAIN), Ok((expected, None)), "{typed}");
         }
     }
 
     #[test]
     fn a_unit_behind_the_number_counts() {
         let cases = [
-            ("12 m", 12.0, 1.0),
-            ("12m", 12.0, 1.0),
-            ("150 cm", 150.0, 0.01),
-            ("1 500\u{a0}mm", 1500.0, 0.001),
-            ("1e3 cm", 1000.0, 0.01),
+            ("12 m", 12.0, "m"),
+            ("12m", 12.0, "m"),
+            ("150 cm", 150.0, "cm"),
+            ("1 500\u{a0}mm", 1500.0, "mm"),
+            ("1e3 cm", 1000.0, "cm"),
         ];
-        for (typed, value, scale) in cases {
-            assert_eq!(read(typed, &LENGTHS), Ok((value, Some(scale))), "{typed}");
+        for (typed, value, unit) in cases {
+            assert_eq!(read(typed, of(Dimension::Length)), Ok((value, Some(unit))), "{typed}");
         }
-        assert_eq!(read("2700 kN / m", &FORCES), Ok((2700.0, Some(1e3))));
+        assert_eq!(read("2700 kN / m", of(Dimension::Force)), Ok((2700.0, Some("kN/m"))));
+        assert_eq!(read("9500 t m2/m", of(Dimension::Inertia)), Ok((9500.0, Some("t m2/m"))));
+        let shaken = TypedUnits { dimension: Some(Dimension::Acceleration), gravity: true };
+        assert_eq!(read("0,25g", shaken), Ok((0.25, Some("g"))));
         // Milli is not mega.
         for (typed, units, message) in [
-            ("3 mN/m", &FORCES[..], "“mN/m” is not a unit of this field, which takes kN/m, MN/m, N/m."),
-            ("3 ft", &LENGTHS[..], "“ft” is not a unit of this field, which takes m, cm, mm."),
-            ("0.6 m", &[], "“m” is no part of a number, and this one has no unit."),
+            (
+                "3 mN/m",
+                of(Dimension::Force),
+                "“mN/m” is not a unit of this field, which takes N/m, kN/m or MN/m.",
+            ),
+            ("3 ft", of(Dimension::Length), "“ft” is not a unit of this field, which takes mm, cm or m."),
+            ("0.6 m", PLAIN, "“m” is no part of a number, and this one has no unit."),
         ] {
             assert_eq!(read(typed, units), Err(message.to_owned()));
         }
@@ -210,7 +266,7 @@ mod tests {
             ("2,700 kN/m", "“2,700” could be 2.7 or 2700: type 2.7 or 2700."),
         ];
         for (typed, message) in cases {
-            assert_eq!(read(typed, &FORCES), Err(message.to_owned()));
+            assert_eq!(read(typed, of(Dimension::Force)), Err(message.to_owned()));
         }
         for (typed, meant) in [
             ("1.234,5", "1234.5"),
@@ -218,7 +274,7 @@ mod tests {
             ("1,234,567", "1234567"),
             ("1.234.567,8", "1234567.8"),
         ] {
-            let message = read(typed, &[]).unwrap_err();
+            let message = read(typed, PLAIN).unwrap_err();
             assert!(
                 message.starts_with(&format!("“{typed}” has more than one point or comma: type {meant} "))
             );
@@ -231,13 +287,13 @@ mod tests {
             "abc", "inf", "NaN", ".", ",", "-", "1-2", "--1", "12 34", "1 2345", "1.5 000", "1,2,3", "1..2",
             "1.2,3,4", "' 5", "1e2e3", "x5",
         ] {
-            let message = read(typed, &[]).unwrap_err();
+            let message = read(typed, PLAIN).unwrap_err();
             assert!(
                 message.contains("is not a number") || message.contains("no part of a number"),
                 "{typed}: {message}"
             );
         }
-        assert_eq!(read(" \u{a0} ", &[]), Err("A number is missing.".to_owned()));
-        assert_eq!(read("1e999", &[]), Err("“1e999” is too large a number.".to_owned()));
+        assert_eq!(read(" \u{a0} ", PLAIN), Err("A number is missing.".to_owned()));
+        assert_eq!(read("1e999", PLAIN), Err("“1e999” is too large a number.".to_owned()));
     }
 }

@@ -1,0 +1,83 @@
+//! Drawings of a case for a screen, and where in them the numbers of the case lie: for a page on which they are fields and handles.
+
+use standfast::InputError;
+use standfast_figures::{Picture, Rect, SectionArrow, SectionNumber, SectionPicture, Side};
+
+use super::figures::with_load_plane;
+use super::section::with_section;
+use super::{Assessed, Assessment};
+use crate::case::said_by;
+use crate::key::Table;
+use crate::{Id, Key, Place};
+
+/// The section of a case on a screen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SectionOnScreen {
+    /// The drawing.
+    pub picture: SectionPicture,
+    /// Keys of a case file whose numbers it shows, and where; a file need not have all of them.
+    pub numbers: Vec<(Id, Rect)>,
+    /// The forces of the case on faces of the body, each under the key of its size.
+    pub forces: Vec<(Id, SectionArrow)>,
+    /// The loads by their letters, and sentences on the drawing.
+    pub words: Vec<String>,
+}
+
+/// The section of a case under all of its loads, about as large as `size`.
+///
+/// # Errors
+/// If a number is out of range.
+pub fn section_on_screen(assessment: &Assessment, size: (f64, f64)) -> Result<SectionOnScreen, InputError> {
+    with_section(assessment, |section, loads| {
+        let picture = standfast_figures::section_on_screen(section, size);
+        let force = |index: usize| match said_by(*loads.get(index)?) {
+            Place::Table(Table::Load, index) => Some(Id::new(Key::Force, index)),
+            _ => None,
+        };
+        let mut numbers = Vec::new();
+        for (of, rect) in &picture.numbers {
+            let ids: Vec<Id> = match of {
+                // The width and the height of the body are the outermost.
+                SectionNumber::Width(row, _) if row + 1 == section.widths.len() => vec![Key::Width.into()],
+                SectionNumber::Height(column, _) if column + 1 == section.heights.len() => {
+                    vec![Key::Height.into()]
+                }
+                SectionNumber::Level(place) if assessment.case.wave.is_none() => {
+                    match (section.levels[*place].is_water, section.levels[*place].side) {
+                        (false, _) => Vec::new(),
+                        (true, Side::Left) => vec![Key::WaterLeft.into()],
+                        (true, Side::Right) => vec![Key::WaterRight.into(), Key::Level.into()],
+                    }
+                }
+                SectionNumber::Arrow(index) => force(*index).into_iter().collect(),
+                _ => Vec::new(),
+            };
+            numbers.extend(ids.into_iter().map(|id| (id, *rect)));
+        }
+        let forces = picture.arrows.iter().filter_map(|arrow| Some((force(arrow.index)?, *arrow))).collect();
+        let legend = picture.figure.caption().split(". ").map(str::to_owned);
+        let words = legend.chain(section.notes.iter().cloned()).filter(|words| !words.is_empty()).collect();
+        SectionOnScreen { numbers, forces, words, picture }
+    })
+}
+
+/// The plane of the rising loads of a situation and of its friction, up to a load factor, with a plot of some width and height; `None`
+/// where no load rises.
+///
+/// # Errors
+/// If a number is out of range.
+pub fn load_plane_on_screen(
+    assessed: &Assessed,
+    title: &str,
+    up_to: f64,
+    plot: (f64, f64),
+) -> Result<Option<Picture>, InputError> {
+    assessed
+        .rises()
+        .then(|| {
+            with_load_plane(assessed, title, up_to, |plane| {
+                standfast_figures::load_plane_on_screen(plane, plot)
+            })
+        })
+        .transpose()
+}

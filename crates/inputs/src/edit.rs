@@ -1,0 +1,200 @@
+//! Other numbers in the text of a case: only the digits and the unit change; comments, order and spaces stay as they are.
+
+use std::ops::Range as Span;
+
+use crate::inputs::Value;
+use crate::key::{Id, Kind};
+use crate::parse::CaseText;
+use crate::typed::TypedUnits;
+use crate::units::{GRAVITY_UNIT, split_text};
+
+/// A number as it stands in the text of a case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WrittenNumber {
+    /// Its digits.
+    pub digits: String,
+    /// Its unit; that of SI where none is written, and empty of a plain number.
+    pub unit: String,
+    /// Span of the value in the text, quotes and all.
+    pub span: Span<usize>,
+    /// Quote around it; `None` of a number without one.
+    quote: Option<char>,
+}
+
+impl CaseText {
+    /// The number under a key as it is written; `None` if none stands there.
+    pub fn written_number(&self, id: Id) -> Option<WrittenNumber> {
+        self.inputs().number(id)?;
+        let span = self.number_span(id)?;
+        let written = self.text().get(span.clone())?;
+        let quote = written.chars().next().filter(|first| matches!(first, '"' | '\''));
+        let inner = match quote {
+            // Neither a text of several lines nor one with an escape is a number that is written plainly.
+            Some(quote) => written.strip_prefix(quote)?.strip_suffix(quote)?,
+            None => written,
+        };
+        // TOML has underscores between the digits of a bare number.
+        let inner = if quote.is_none() { inner.replace('_', "") } else { inner.trim().to_owned() };
+        let (digits, unit) = split_text(&inner).unwrap_or((&inner, ""));
+        let unit = match (quote, self.inputs().dimension(id)) {
+            (None, Some(dimension)) => dimension.si(),
+            _ => unit.trim(),
+        };
+        Some(WrittenNumber { digits: digits.to_owned(), unit: unit.to_owned(), span, quote })
+    }
+
+    /// The text with another number under a key, in a unit of the key's; `None` if none stands there. It is parsed like any other.
+    ///
+    /// ```
+    /// use standfast_inputs::{CaseText, Key};
+    ///
+    /// let file = CaseText::parse("case.toml", "[body]\nwidth = \"15 m\"  # drawing 12\n")?;
+    /// let text = file.with_number(Key::Width.into(), 15.5, "m");
+    /// assert_eq!(text.as_deref(), Some("[body]\nwidth = \"15.5 m\"  # drawing 12\n"));
+    /// # Ok::<(), standfast_inputs::CaseError>(())
+    /// ```
+    pub fn with_number(&self, id: Id, number: f64, unit: &str) -> Option<String> {
+        let written = self.written_number(id)?;
+        let digits = toml_number(number);
+        let is_plain = unit.is_empty() || (written.quote.is_none() && unit == written.unit);
+        let value = match written.quote.unwrap_or('"') {
+            _ if is_plain && written.quote.is_none() => digits,
+            quote if unit.is_empty() => format!("{quote}{digits}{quote}"),
+            quote => format!("{quote}{digits} {unit}{quote}"),
+        };
+        let text = self.text();
+        Some([&text[..written.span.start], &value, &text[written.span.end..]].concat())
+    }
+
+    /// A number in a unit of the key's, in SI units; `None` if the unit is not one of its.
+    pub fn in_si(&self, id: Id, number: f64, unit: &str) -> Option<f64> {
+        match self.inputs().dimension(id) {
+            _ if unit == GRAVITY_UNIT && self.units_of(id).gravity => Some(number * self.inputs().gravity()),
+            Some(dimension) => Some(dimension.unit(unit)?.si(number)),
+            None => unit.is_empty().then_some(number),
+        }
+    }
+
+    /// An SI value in a unit of the key's; `None` if the unit is not one of its.
+    pub fn from_si(&self, id: Id, si: f64, unit: &str) -> Option<f64> {
+        match self.inputs().dimension(id) {
+            _ if unit == GRAVITY_UNIT && self.units_of(id).gravity => Some(si / self.inputs().gravity()),
+            Some(dimension) => Some(dimension.unit(unit)?.of_si(si)),
+            None => unit.is_empty().then_some(si),
+        }
+    }
+
+    /// Units that a number under a key may be typed in.
+    pub fn units_of(&self, id: Id) -> TypedUnits {
+        let gravity = matches!(id.key.info().kind, Kind::InGravity | Kind::Reached)
+            || matches!(self.inputs().get(id), Some(Value::InGravity(_)));
+        let dimension = self.inputs().dimension(id);
+        TypedUnits { dimension, gravity: gravity && dimension.is_some() }
+    }
+
+    /// Span of a number: of its entry, or of its element in a list.
+    fn number_span(&self, id: Id) -> Option<Span<usize>> {
+        let Id { table, index, key } = id;
+        let entry = self.entries().iter().find(|entry| {
+            let of = entry.id;
+            (of.table, of.index, of.key.entry()) == (table, index, key.entry())
+        })?;
+        let place = match key.info().kind {
+            Kind::OneOf(..) => {
+                table.keys().filter(|other| other.entry() == key.entry()).position(|other| other == key)
+            }
+            _ => None,
+        };
+        match place {
+            Some(place) => entry.elements.get(place).cloned(),
+            None => (!entry.span.is_empty()).then(|| entry.span.clone()),
+        }
+    }
+}
+
+/// A number as TOML has it, that is read as the same.
+fn toml_number(number: f64) -> String {
+    let number = number + 0.0;
+    match number == 0.0 || (1e-4..1e9).contains(&number.abs()) {
+        true => number.to_string(),
+        false => format!("{number:e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::key::{Key, Table};
+
+    const TEXT: &str = "# A wall\ngravity = 9.80 # here\n[body]\nwidth = \"150 cm\" # drawing 12\nheight = 2\nmass = '5 t/m'\n\
+                        friction = 0.6\n\n[wave]\nlambda = [ 1.0, # slowly varying\n  0.5,\n  1 ]\n[[load]]\nforce = 7\nelevation = 1\n\
+                        [[load]]\nname = \"n # 2\"   # push\nforce = \"1 kN/m\"\nelevation = 1_0.5\n[earthquake]\nhorizontal = \"0.25 g\"\n";
+
+    fn file() -> CaseText {
+        CaseText::parse("t.toml", TEXT).unwrap()
+    }
+
+    /// Whatever number is written, only its own line differs, and the case read again has it.
+    #[test]
+    fn only_the_line_of_the_number_differs() {
+        let file = file();
+        let numbers: Vec<Id> = file.inputs().numbers().map(|(id, _)| id).collect();
+        assert_eq!(numbers.len(), 13);
+        for id in numbers {
+            let written = file.written_number(id).unwrap();
+            for number in [1.25, 0.3, 1.0 / 3.0, 1e-7, 12345678.9] {
+                let text = file.with_number(id, number, &written.unit).unwrap();
+                let differ: Vec<_> = TEXT.lines().zip(text.lines()).filter(|(one, two)| one != two).collect();
+                assert_eq!((TEXT.lines().count(), differ.len()), (text.lines().count(), 1), "{id}: {text}");
+                let again = CaseText::parse("t.toml", &text).unwrap();
+                let si = file.in_si(id, number, &written.unit).unwrap();
+                let found = again.inputs().number(id).unwrap();
+                assert!(found == si || id.key == Key::Horizontal, "{id}: {found}, not {si}");
+                let back = file.from_si(id, si, &written.unit).unwrap();
+                assert!((back - number).abs() <= 1e-15 * number, "{id}");
+                assert_eq!(comments(&text), comments(TEXT), "{id}");
+            }
+        }
+    }
+
+    fn comments(text: &str) -> Vec<&str> {
+        text.lines().filter_map(|line| line.split_once('#')).map(|(_, comment)| comment).collect()
+    }
+
+    #[test]
+    fn numbers_stand_as_they_are_written() {
+        let file = file();
+        let shown = |id: Id| {
+            let written = file.written_number(id).unwrap();
+            format!("{}|{}", written.digits, written.unit)
+        };
+        let keys = [Key::Gravity, Key::Width, Key::Height, Key::Mass, Key::Friction, Key::Horizontal];
+        assert_eq!(
+            keys.map(|key| shown(key.into())),
+            ["9.80|m/s2", "150|cm", "2|m", "5|t/m", "0.6|", "0.25|g"]
+        );
+        let loads = [(Key::Force, 0), (Key::Force, 1), (Key::Elevation, 1)];
+        assert_eq!(loads.map(|(key, index)| shown(Id::new(key, index))), ["7|N/m", "1|kN/m", "10.5|m"]);
+        let second = Table::Wave.keys().find(|key| key.name() == "lambda[2]").unwrap();
+        assert_eq!(shown(second.into()), "0.5|");
+        assert_eq!(file.written_number(Key::Length.into()), None);
+        assert_eq!(file.written_number(Key::LoadName.into()), None);
+    }
+
+    #[test]
+    fn another_unit_is_written_with_its_quotes() {
+        let file = file();
+        let line = |id: Id, number, unit| {
+            let text = file.with_number(id, number, unit).unwrap();
+            let changed = TEXT.lines().zip(text.lines()).find(|(one, two)| one != two).unwrap().1.to_owned();
+            assert!(CaseText::parse("t.toml", &text).is_ok(), "{text}");
+            changed
+        };
+        assert_eq!(line(Key::Width.into(), 1.5, "m"), "width = \"1.5 m\" # drawing 12");
+        assert_eq!(line(Key::Height.into(), 2.5, "m"), "height = 2.5");
+        assert_eq!(line(Key::Height.into(), 250.0, "cm"), "height = \"250 cm\"");
+        assert_eq!(line(Key::Mass.into(), 4.0, "t/m"), "mass = '4 t/m'");
+        assert_eq!(line(Key::Horizontal.into(), 2.0, "m/s2"), "horizontal = \"2 m/s2\"");
+        assert_eq!(line(Id::new(Key::Force, 1), 1e12, "N/m"), "force = \"1e12 N/m\"");
+    }
+}

@@ -1,0 +1,91 @@
+// The address: `#c=` the text of the case, deflated, in letters of base64 for addresses; `&n=` its name, `&v=` plate and tab.
+
+import { byId, say } from "dom";
+
+/** As many letters as a text from an address may have. */
+const MOST = 400_000;
+
+async function piped(bytes, stream, most = Infinity) {
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
+  const parts = [];
+  let size = 0;
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    size += value.length;
+    if (size > most) throw new Error("too long");
+    parts.push(value);
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
+}
+
+async function packed(text) {
+  const bytes = await piped(new TextEncoder().encode(text), new CompressionStream("deflate-raw"));
+  let letters = "";
+  for (const byte of bytes) letters += String.fromCharCode(byte);
+  return btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+
+async function unpacked(letters) {
+  const bytes = Uint8Array.from(atob(letters.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
+  return new TextDecoder("utf-8", { fatal: true }).decode(await piped(bytes, new DecompressionStream("deflate-raw"), MOST));
+}
+
+export async function connectLink(app) {
+  let written = "";
+  const read = async () => {
+    const fragment = location.hash.slice(1);
+    if (!fragment || fragment === written) return;
+    const parts = new URLSearchParams(fragment);
+    if (parts.has("c")) {
+      try {
+        const text = await unpacked(parts.get("c"));
+        const [plate, tab] = (parts.get("v") ?? "").split(",");
+        app.plate = ["load", "k-mu", "time"].includes(plate) ? plate : "";
+        app.showTab(tab);
+        app.explorer.open((parts.get("n") ?? "").replace(/[^\p{L}\p{N}._ -]+/gu, "").slice(0, 80) || "link.toml", text);
+      } catch {
+        say("The address does not hold a case: it may have been cut.");
+      }
+    } else if (app.explorer.open_old_link(fragment)) {
+      app.plate = "k-mu";
+    }
+  };
+  await read();
+  addEventListener("hashchange", async () => {
+    await read();
+    app.changed();
+  });
+  const fragment = async () => {
+    const name = app.explorer.name();
+    const view = [app.shownPlate, app.tab].join(",");
+    return `c=${await packed(app.explorer.text())}&n=${encodeURIComponent(name)}&v=${view}`;
+  };
+  byId("link").addEventListener("click", async () => {
+    app.settleText();
+    written = await fragment();
+    history.replaceState(null, "", `#${written}`);
+    const isOnDisk = location.protocol === "file:";
+    const link = isOnDisk ? `#${written}` : location.href.split("#")[0] + `#${written}`;
+    const words = isOnDisk
+      ? "Copied what stands behind the # of the address: put it behind that of any copy of this page."
+      : "Link copied; it holds the text of the case and the view.";
+    const files = app.said.tables.length > 0 && /\bfile\s*=/.test(app.explorer.text()) ? " A record that the case names is not in it." : "";
+    try {
+      await navigator.clipboard.writeText(link);
+      say(words + files);
+    } catch {
+      say(link);
+    }
+  });
+  let timer = 0;
+  return () => {
+    if (app.held) return;
+    // Browsers limit how often an address may change.
+    clearTimeout(timer);
+    timer = setTimeout(async () => {
+      written = await fragment();
+      if (!app.held) history.replaceState(null, "", `#${written}`);
+    }, 350);
+  };
+}

@@ -1,0 +1,193 @@
+// The left plate: the body to scale, on which numbers are fields and forces have rings to drag; or what begins, exaggerated.
+
+import { byId, element, put, symbolOf, whenChanged } from "dom";
+import { numberField, byKey } from "number";
+
+const stills = matchMedia("(prefers-reduced-motion: reduce)");
+/** Numbers that stand beside the drawing, where the case has them. */
+const LOOSE = [/^block\.(b1|b2|d|mu_s)$/, /^body\.(mass|density|friction|buoyant_weight)$/, /^load\[\d+\]\.elevation$/, /^wave\.(deep_water_height|Hmax|period)$/, /^earthquake\.(horizontal|vertical)$/, /^ground\.(strength|friction_angle_deg)$/, /^water\.(level|left|right)$/];
+const MOST = 7;
+
+export function connectSection(app) {
+  const place = byId("section");
+  const picture = place.querySelector(".picture");
+  const over = place.querySelector(".over");
+  const body = byId("body");
+  const play = byId("play");
+  const fields = new Map();
+  const rings = new Map();
+  let begins = false;
+  let running = !stills.matches;
+  let animation = null;
+  let settle = 0;
+  let scale = 1;
+
+  // What begins.
+  const bodySize = () => {
+    const width = Math.max(260, Math.min(760, place.parentElement.clientWidth));
+    return [width, Math.max(230, Math.min(420, width * 0.62))];
+  };
+  const animate = () => {
+    animation?.cancel();
+    animation = null;
+    const drawing = body.querySelector(".body");
+    const [x, y, shift, turn] = app.explorer.pose(...bodySize());
+    if (!drawing || !running || !begins || (shift === 0 && turn === 0)) return;
+    drawing.style.transformOrigin = `${x}px ${y}px`;
+    const end = { translate: `${shift}px 0px`, rotate: `${turn}deg` };
+    // From rest at constant acceleration: this easing is the square of the time.
+    const from = { translate: "0px 0px", rotate: "0deg", easing: "cubic-bezier(0.3333, 0, 0.6667, 0.3333)" };
+    animation = drawing.animate([from, { ...end, offset: 0.62 }, { ...end, offset: 1 }], { duration: 2400, iterations: Infinity });
+  };
+  play.addEventListener("click", () => {
+    running = !running;
+    animate();
+    app.changed();
+  });
+  stills.addEventListener("change", () => {
+    running = !stills.matches;
+    animate();
+    app.changed();
+  });
+  const choose = (chosen) => () => {
+    begins = chosen;
+    app.changed();
+  };
+  byId("begins").addEventListener("click", choose(true));
+  byId("to-scale").addEventListener("click", choose(false));
+  const drawBody = whenChanged(() => {
+    animation?.cancel();
+    body.innerHTML = app.explorer.free_body(...bodySize());
+    // While something is dragged the body stands still.
+    clearTimeout(settle);
+    settle = setTimeout(animate, 250);
+  });
+
+  const ring = (key) => {
+    const handle = element("button", { type: "button", className: "ring" });
+    const at = (event) => {
+      const box = picture.querySelector("svg").getBoundingClientRect();
+      return [(event.clientX - box.left) / scale, (event.clientY - box.top) / scale];
+    };
+    handle.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      handle.setPointerCapture(event.pointerId);
+      app.explorer.grab();
+      app.held = true;
+    });
+    handle.addEventListener("pointermove", (event) => {
+      if (!app.held || !handle.hasPointerCapture(event.pointerId)) return;
+      const [x, y] = at(event);
+      app.drag = () => app.explorer.drag_force(key, x, y);
+      app.changed();
+    });
+    const end = (taken) => () => {
+      if (!app.held) return;
+      app.settleDrag();
+      app.held = false;
+      if (taken) app.explorer.release();
+      else app.explorer.let_go();
+      app.changed();
+    };
+    handle.addEventListener("pointerup", end(true));
+    handle.addEventListener("pointercancel", end(false));
+    handle.addEventListener("keydown", (event) => {
+      const step = { ArrowRight: [key, 1], ArrowLeft: [key, -1], ArrowUp: [key.replace(/force$/, "elevation"), 1], ArrowDown: [key.replace(/force$/, "elevation"), -1] }[event.key];
+      if (!step || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      app.explorer.step(step[0], step[1] * (event.shiftKey ? 10 : 1));
+      app.changed();
+    });
+    return handle;
+  };
+
+  const field = (key) => {
+    if (!fields.has(key)) fields.set(key, numberField(app, key));
+    return fields.get(key);
+  };
+  const drawLegend = whenChanged((words) => byId("legend").replaceChildren(...words.map((line) => element("li", {}, line))));
+  let name = "";
+
+  const layOut = (drawing, numbers) => {
+    const [width, height] = drawing.size;
+    const shown = picture.querySelector("svg")?.getBoundingClientRect();
+    scale = shown && width > 0 ? shown.width / width : 1;
+    over.style.width = `${width * scale}px`;
+    over.style.height = `${height * scale}px`;
+    const placed = new Map();
+    for (const { key, x, y } of drawing.numbers) if (!placed.has(key) && numbers.has(key)) placed.set(key, [x, y]);
+    // The number of a force makes room for its ring.
+    const middle = (drawing.body[0] + drawing.body[2]) / 2;
+    const beside = new Map(drawing.forces.map(({ key, x }) => [key, x > middle ? 16 : -16]));
+    for (const [key, { box, show }] of [...placed.keys()].map((key) => [key, field(key)])) {
+      show(numbers.get(key));
+      if (box.parentElement !== over) over.append(box);
+      const [x, y] = placed.get(key);
+      const half = box.offsetWidth / 2;
+      const at = x * scale + (beside.get(key) ?? 0);
+      box.style.left = `${Math.min(Math.max(at, half), Math.max(half, width * scale - half))}px`;
+      box.style.top = `${y * scale}px`;
+    }
+    const forces = new Map(drawing.forces.map((force) => [force.key, force]));
+    for (const [key, { x, y, words }] of forces) {
+      if (!rings.has(key)) rings.set(key, ring(key));
+      const handle = rings.get(key);
+      if (handle.parentElement !== over) over.append(handle);
+      handle.setAttribute("aria-label", `${words}, ${key}: drag along it for its size, across for its level; arrow keys change them`);
+      handle.style.left = `${x * scale}px`;
+      handle.style.top = `${y * scale}px`;
+    }
+    for (const [key, handle] of rings) if (!forces.has(key)) handle.remove();
+    return placed;
+  };
+  const loose = (placed, numbers) => {
+    const keys = LOOSE.flatMap((pattern) => [...numbers.keys()].filter((key) => pattern.test(key) && !placed.has(key))).slice(0, MOST);
+    for (const key of keys) {
+      const { box, show } = field(key);
+      const number = numbers.get(key);
+      show(number);
+      if (box.parentElement?.parentElement !== byId("loose")) {
+        const words = element("label", { className: "hint", htmlFor: box.querySelector("input").id }, number.symbol ? `${key.split(".").pop().replaceAll("_", " ")} ` : "");
+        if (number.symbol) words.append(symbolOf(number.symbol));
+        byId("loose").append(element("span", { className: "number" }, words, box));
+      }
+    }
+    for (const [key, { box }] of fields) {
+      if (keys.includes(key) || placed.has(key)) continue;
+      const around = box.parentElement?.parentElement === byId("loose") ? box.parentElement : box;
+      around.remove();
+    }
+    for (const around of [...byId("loose").children]) if (!around.querySelector("input")) around.remove();
+  };
+
+  return (said) => {
+    // Another case is another drawing; what was typed for the last is gone.
+    if (name !== `${said.name} ${said.title}`) fields.forEach(({ reset }) => reset());
+    name = `${said.name} ${said.title}`;
+    const hasPoint = said.point !== null;
+    byId("begins").hidden = byId("to-scale").hidden = !hasPoint;
+    const moving = begins && hasPoint;
+    byId("begins").setAttribute("aria-pressed", String(moving));
+    byId("to-scale").setAttribute("aria-pressed", String(!moving));
+    place.hidden = moving;
+    body.hidden = !moving;
+    play.hidden = !moving || said.mode === "RE";
+    play.textContent = running ? "Pause" : "Play";
+    play.setAttribute("aria-pressed", String(running));
+    const numbers = byKey(said);
+    if (moving) {
+      drawBody([said.point, said.mode, bodySize()]);
+      put(byId("body-hint"), said.mode === "RE" ? "to scale, at rest" : "the motion is exaggerated; dashed: accelerations of the corners");
+      loose(new Map(), numbers);
+      return;
+    }
+    const width = Math.max(280, place.parentElement.clientWidth);
+    const drawing = JSON.parse(app.explorer.section(width, Math.max(240, Math.min(0.6 * width, 620, innerHeight * 0.5))));
+    picture.innerHTML = drawing.svg;
+    put(byId("body-hint"), drawing.body.some((side) => side !== 0) ? "type over a number, pull a ring" : "its positions: a body in pure numbers has no section");
+    document.querySelector(".legend").hidden = drawing.words.length === 0;
+    const placed = layOut(drawing, numbers);
+    loose(placed, numbers);
+    drawLegend(drawing.words);
+  };
+}

@@ -1,0 +1,354 @@
+//! What is dragged: numbers that vary by key, and are written into the text in the end.
+
+use standfast::loads::{LoadId, LoadSource};
+use standfast_cases::{Assessed, CaseFile, Key, case};
+use standfast_figures::Picture;
+use standfast_inputs::Place;
+use standfast_inputs::key::{Id, Table};
+
+use crate::answered::Answered;
+use crate::page::Page;
+use crate::plane::Drawn;
+
+/// What is held.
+#[derive(Debug)]
+pub struct Held {
+    /// The case as it varies.
+    pub file: CaseFile,
+    /// Its answer.
+    pub answered: Answered,
+    /// The plane as it was drawn when the drag began.
+    plane: Option<Picture>,
+    /// The force that moves the design point to the side, as it was then.
+    force: Option<f64>,
+    /// True if the view of the plane follows the case again in the end.
+    pub view_was_free: bool,
+    /// How finely numbers were dragged, in SI units.
+    steps: Vec<(Id, f64)>,
+}
+
+impl Held {
+    /// A case as it stands.
+    pub fn of(file: &CaseFile, answered: &Answered, drawn: &Drawn) -> Held {
+        let force = answered.worst().and_then(|worst| force_of_point(worst, drawn.is_load()));
+        Held {
+            file: file.clone(),
+            answered: answered.clone(),
+            plane: drawn.plane.clone(),
+            force: force.and_then(|id| file.inputs().number(id)),
+            view_was_free: false,
+            steps: Vec::new(),
+        }
+    }
+
+    /// The text of a file with the numbers that were varied, to no more decimals than the hand had.
+    pub fn written(&self, file: &CaseFile) -> String {
+        let mut now = file.clone();
+        for (id, step) in &self.steps {
+            let (Some(si), Some(written)) = (self.file.inputs().number(*id), now.written_number(*id)) else {
+                continue;
+            };
+            let unit = &written.unit;
+            let (Some(value), Some(step)) = (now.from_si(*id, si, unit), now.from_si(*id, *step, unit))
+            else {
+                continue;
+            };
+            let text = now.with_number(*id, rounded(value, step), unit);
+            let next = text.and_then(|text| CaseFile::parse(now.name(), &text).ok());
+            now = next.unwrap_or(now);
+        }
+        now.text().to_owned()
+    }
+
+    fn note(&mut self, id: Id, step: f64) {
+        match self.steps.iter_mut().find(|(other, _)| *other == id) {
+            Some(found) => found.1 = step,
+            None => self.steps.push((id, step)),
+        }
+    }
+}
+
+/// A value with no more decimals than its step deserves.
+fn rounded(value: f64, step: f64) -> f64 {
+    let decimals = (-step.abs().log10()).ceil().clamp(-6.0, 12.0) as i32;
+    // Dividing by a whole power keeps the decimal that is meant.
+    match decimals {
+        0.. => (value * 10f64.powi(decimals)).round() / 10f64.powi(decimals),
+        _ => (value / 10f64.powi(-decimals)).round() * 10f64.powi(-decimals),
+    }
+}
+
+/// The place of a force of the case among its loads.
+fn force_id(load: LoadId) -> Option<Id> {
+    match case::said_by(load) {
+        Place::Table(Table::Load, index) => Some(Id::new(Key::Force, index)),
+        _ => None,
+    }
+}
+
+/// The force that moves the design point to the side: the only force that varies. In the plane of the load it is the only load that does;
+/// in the report's plane uplift may stay beside it, but no wave and no earthquake, which would be others.
+pub fn force_of_point(assessed: &Assessed, is_load: bool) -> Option<Id> {
+    let varied: Vec<_> = assessed.situation.loads().iter().filter(|load| !load.permanent).collect();
+    let (forces, others): (Vec<_>, Vec<_>) =
+        varied.into_iter().partition(|load| load.source == LoadSource::Force);
+    let may_stay = others.iter().all(|load| !is_load && load.source == LoadSource::Uplift);
+    match forces[..] {
+        [load] if may_stay => {
+            let wrench = assessed.situation.wrench_of(load);
+            force_id(load.id).filter(|_| wrench.p == 0.0 && wrench.x != 0.0)
+        }
+        _ => None,
+    }
+}
+
+/// The size of a force at which all loads together come to k, as a multiple of the one it has; `None` if none does that keeps its
+/// direction.
+fn share_for_k(assessed: &Assessed, id: Id, k: f64) -> Option<f64> {
+    let load = assessed.situation.loads().iter().find(|load| force_id(load.id) == Some(id))?;
+    let (force, all) = (assessed.situation.wrench_of(load), assessed.outcome.full.wrench);
+    let (x, p) = (all.x - force.x, all.p - force.p);
+    let way = all.x.signum();
+    let share = (way * k * p - x) / (force.x - way * k * force.p);
+    (share.is_finite() && share >= 0.0).then_some(share)
+}
+
+impl Page {
+    /// Directions in which the design point goes: to the side by a force, and up by friction.
+    pub(crate) fn point_goes(&self) -> [bool; 2] {
+        let Some(worst) = self.answered().worst() else { return [false, false] };
+        let file = self.settled();
+        let has = |id: Id| file.written_number(id).is_some();
+        [force_of_point(worst, self.drawn.is_load()).is_some_and(has), has(Key::Friction.into())]
+    }
+
+    /// Share of the load at which the design point stands in a plane of the load: 1 but for a force that is dragged.
+    pub(crate) fn share(&self) -> f64 {
+        let held = self.held.as_ref().and_then(|held| {
+            let id = force_of_point(held.answered.worst()?, self.drawn.is_load())?;
+            Some(held.file.inputs().number(id)? / held.force?)
+        });
+        held.filter(|share| share.is_finite()).unwrap_or(1.0)
+    }
+
+    /// Drags the design point to a place in the plate.
+    pub fn drag_point(&mut self, (x, y): (f64, f64)) {
+        let [sideways, up] = self.point_goes();
+        let is_load = self.drawn.is_load();
+        let Some(plane) = self.held.as_ref().and_then(|held| held.plane.clone()) else { return };
+        if !(x.is_finite() && y.is_finite()) {
+            return;
+        }
+        let plot = plane.plot;
+        let (across, mu) = plane.values(x.clamp(plot.x0, plot.x1), y.clamp(plot.y0, plot.y1));
+        let units = |length: f64, axis: standfast_figures::Axis| (axis.to - axis.from) / length;
+        let mu_step = units(plot.y1 - plot.y0, plane.up);
+        let across_step = units(plot.x1 - plot.x0, plane.across);
+        let Some(held) = &mut self.held else { return };
+        let mut changes: Vec<(Id, f64)> = Vec::new();
+        if up {
+            changes.push((Key::Friction.into(), rounded(mu, mu_step)));
+            held.note(Key::Friction.into(), mu_step);
+        }
+        if let Some(worst) = held.answered.worst().filter(|_| sideways)
+            && let (Some(id), Some(first)) = (force_of_point(worst, is_load), held.force)
+            && let Some(now) = held.file.inputs().number(id)
+        {
+            let force = match is_load {
+                true => Some(across * first),
+                false => share_for_k(worst, id, across).map(|share| share * now),
+            };
+            let step = match is_load {
+                true => across_step * first,
+                false => worst.outcome.full.wrench.p * across_step,
+            };
+            if let Some(force) = force {
+                // A force of nothing has no direction to come back from.
+                let least = 1e-3 * first;
+                changes.push((id, rounded(force, step.abs()).max(least)));
+                held.note(id, step.abs());
+            }
+        }
+        self.vary(|inputs| changes.into_iter().for_each(|(id, number)| inputs.set(id, number)));
+    }
+
+    /// Moves the design point by shares of the plate's width and height, as one step.
+    pub fn nudge(&mut self, (right, up): (f64, f64)) {
+        let Some(plane) = self.drawn.plane.clone() else { return };
+        let [x, y, ..] = self.point()[..] else { return };
+        let plot = plane.plot;
+        self.grab();
+        self.drag_point((x + right * (plot.x1 - plot.x0), y - up * (plot.y1 - plot.y0)));
+        self.release();
+    }
+
+    /// Drags the beginning of the arrow of a force to a place in the section: along it the force, across it its level.
+    pub fn drag_force(&mut self, key: &str, (x, y): (f64, f64)) {
+        let Some((id, arrow)) = self.drawn.forces.iter().find(|(id, _)| id.to_string() == key).copied()
+        else {
+            return;
+        };
+        let (Some(body), Some(scale)) = (self.drawn.body, self.drawn.scale) else { return };
+        let first = self.settled().inputs().number(id);
+        let elevation = Id { key: Key::Elevation, ..id };
+        let has_level = self.settled().written_number(elevation).is_some();
+        let height = self.settled().inputs().number(Key::Height);
+        let Some(held) = &mut self.held else { return };
+        let (Some(first), true) = (first, x.is_finite() && y.is_finite()) else { return };
+        let mut changes = Vec::new();
+        let length = arrow.tail.0 - arrow.tip.0;
+        if length != 0.0 {
+            let step = (first / length).abs();
+            let share = ((x - arrow.tip.0) / length).clamp(1e-3, 20.0);
+            changes.push((id, rounded(share * first, step)));
+            held.note(id, step);
+        }
+        if has_level {
+            let (level, top) = ((body.y1 - y) / scale, height.unwrap_or((body.y1 - body.y0) / scale));
+            changes.push((elevation, rounded(level.clamp(0.0, top), 1.0 / scale).min(top)));
+            held.note(elevation, 1.0 / scale);
+        }
+        self.vary(|inputs| changes.into_iter().for_each(|(id, number)| inputs.set(id, number)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines_that_differ(one: &str, other: &str) -> Vec<String> {
+        one.lines()
+            .zip(other.lines())
+            .filter(|(one, other)| one != other)
+            .map(|(_, line)| line.to_owned())
+            .collect()
+    }
+
+    #[test]
+    fn the_design_point_comes_where_it_is_dragged() {
+        for which in ["load", "k-mu"] {
+            let mut page = Page::default();
+            let before = page.text().to_owned();
+            page.plate(which, (500.0, 400.0));
+            let plane = page.drawn.plane.clone().unwrap();
+            let [x, y, inside, sideways, up] = page.point()[..] else { panic!("{:?}", page.point()) };
+            assert_eq!([inside, sideways, up], [1.0; 3], "{which}");
+            page.grab();
+            page.drag_point((x - 60.0, y - 30.0));
+            let [at_x, at_y, ..] = page.point()[..] else { panic!("no point") };
+            assert!(
+                (at_x - (x - 60.0)).abs() < 1.0 && (at_y - (y - 30.0)).abs() < 1.0,
+                "{which}: {at_x} {at_y}"
+            );
+            assert_eq!(page.text(), before, "nothing is written while it is held");
+            let wanted = plane.values(x - 60.0, y - 30.0);
+            page.release();
+            let changed = lines_that_differ(&before, page.text());
+            assert_eq!(changed.len(), 2, "{changed:?}");
+            assert!(
+                changed[0].starts_with("friction = ") && changed[1].starts_with("force = \""),
+                "{changed:?}"
+            );
+            let inputs = page.settled().inputs();
+            let friction = inputs.number(Key::Friction).unwrap();
+            assert!((friction - wanted.1).abs() < 0.01);
+            let share = inputs.number(Key::Force).unwrap() / 2.7e6;
+            let k = inputs.number(Key::Force).unwrap() / (378e3 * 9.81);
+            let got = if which == "load" { share } else { k };
+            assert!((got - wanted.0).abs() < 0.01, "{which}: {got}, not {}", wanted.0);
+            page.undo();
+            assert_eq!(page.text(), before);
+        }
+    }
+
+    /// Water and uplift stay while the force varies, and the point stays under the hand.
+    #[test]
+    fn the_force_is_found_beside_water_and_uplift() {
+        let mut page = Page::default();
+        let fragment = "g=0.8&kp=0.9&k=0.5&mu=0.6&sea=8&lee=8&up=60000";
+        assert!(page.open("link.toml", &crate::old_link::case(fragment).unwrap()));
+        page.plate("k-mu", (500.0, 400.0));
+        let plane = page.drawn.plane.clone().unwrap();
+        let [x, y, _, sideways, _] = page.point()[..] else { panic!("no point") };
+        assert_eq!(sideways, 1.0);
+        page.grab();
+        page.drag_point((x - 90.0, y - 50.0));
+        let reduced = page.answered().point().unwrap();
+        let (k, mu) = plane.values(x - 90.0, y - 50.0);
+        assert!((reduced.point.k() - k).abs() < 0.005 && (reduced.point.mu() - mu).abs() < 0.005);
+        page.plate("load", (500.0, 400.0));
+        assert_eq!(page.point()[3], 0.0, "a share of both loads is no force");
+    }
+
+    /// Under a wave only friction is dragged: another share of the load would be another sea.
+    #[test]
+    fn a_wave_is_not_dragged() {
+        let mut page = Page::default();
+        assert!(page.open("goda.toml", include_str!("../../examples/goda-2000.toml")));
+        let before = page.text().to_owned();
+        page.plate("load", (500.0, 400.0));
+        let [x, y, _, sideways, up] = page.point()[..] else { panic!("no point") };
+        assert_eq!([sideways, up], [0.0, 1.0]);
+        page.grab();
+        page.drag_point((x + 80.0, y + 40.0));
+        page.release();
+        let changed = lines_that_differ(&before, page.text());
+        assert!(changed.len() == 1 && changed[0].starts_with("friction = 0."), "{changed:?}");
+    }
+
+    #[test]
+    fn an_arrow_is_dragged_along_and_across() {
+        let mut page = Page::default();
+        let before = page.text().to_owned();
+        page.section((560.0, 400.0));
+        let (id, arrow) = page.drawn.forces[0];
+        let key = id.to_string();
+        page.grab();
+        let scale = page.drawn.scale.unwrap();
+        let half = (arrow.tip.0 + arrow.tail.0) / 2.0;
+        page.drag_force(&key, (half, arrow.tail.1 + 2.0 * scale));
+        page.release();
+        let changed = lines_that_differ(&before, page.text());
+        assert_eq!(changed.len(), 2, "{changed:?}");
+        let inputs = page.settled().inputs();
+        assert!((inputs.number(Key::Force).unwrap() / 1.35e6 - 1.0).abs() < 0.02);
+        assert!((inputs.number(Key::Elevation).unwrap() - 9.5).abs() < 0.06);
+        page.grab();
+        page.drag_force(&key, (f64::NAN, 0.0));
+        page.drag_force(&key, (0.0, -1e9));
+        page.let_go();
+        assert_eq!(lines_that_differ(&before, page.text()), changed);
+    }
+
+    #[test]
+    fn nonsense_moves_nothing() {
+        let mut page = Page::default();
+        let before = page.text().to_owned();
+        page.plate("k-mu", (500.0, 400.0));
+        page.grab();
+        for place in [(f64::NAN, 0.0), (0.0, f64::INFINITY)] {
+            page.drag_point(place);
+        }
+        page.release();
+        assert_eq!(page.text(), before);
+        page.drag_point((1.0, 1.0));
+        assert_eq!(page.text(), before, "nothing is held");
+    }
+
+    #[test]
+    fn numbers_have_the_decimals_of_the_hand() {
+        let cases = [
+            (1234.567, 2.0, 1235.0),
+            (0.123_456, 0.003, 0.123),
+            (12_345.6, 130.0, 12_300.0),
+            (0.3, 0.01, 0.3),
+        ];
+        for (value, step, expected) in cases {
+            assert!(
+                (rounded(value, step) - expected).abs() < 1e-9,
+                "{value} {step}: {}",
+                rounded(value, step)
+            );
+        }
+    }
+}

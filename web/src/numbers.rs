@@ -1,0 +1,162 @@
+//! The numbers of the case as fields: typed one by one, or moved by steps.
+
+use serde::Serialize;
+use standfast_cases::CaseFile;
+use standfast_inputs::key::{Id, Table};
+use standfast_inputs::typed::typed;
+use standfast_inputs::units::GRAVITY_UNIT;
+
+use crate::page::Page;
+
+/// A number of the case, as a field shows it.
+#[derive(Debug, Serialize)]
+pub struct NumberField {
+    /// Table and key.
+    key: String,
+    words: &'static str,
+    symbol: &'static str,
+    digits: String,
+    unit: String,
+    /// Units that may be typed.
+    units: Vec<&'static str>,
+    range: &'static str,
+}
+
+/// The numbers of a table, which has its place among those of its kind.
+#[derive(Debug, Serialize)]
+pub struct NumberTable {
+    header: String,
+    words: &'static str,
+    numbers: Vec<NumberField>,
+}
+
+/// The numbers that stand in a case file, table by table.
+pub fn tables(file: &CaseFile) -> Vec<NumberTable> {
+    let mut tables: Vec<((Table, usize), NumberTable)> = Vec::new();
+    for (id, _) in file.inputs().numbers() {
+        let Some(field) = NumberField::of(file, id) else { continue };
+        match tables.last_mut().filter(|(of, _)| *of == (id.table, id.index)) {
+            Some((_, table)) => table.numbers.push(field),
+            None => {
+                let header = if id.table == Table::Top { String::new() } else { id.table.path(id.index) };
+                let words = id.table.words().split(';').next().unwrap_or_default();
+                tables.push(((id.table, id.index), NumberTable { header, words, numbers: vec![field] }));
+            }
+        }
+    }
+    tables.into_iter().map(|(_, table)| table).collect()
+}
+
+impl NumberField {
+    fn of(file: &CaseFile, id: Id) -> Option<NumberField> {
+        let written = file.written_number(id)?;
+        let units = file.units_of(id);
+        let names = units.dimension.into_iter().flat_map(standfast_inputs::units::Dimension::names);
+        let info = id.key.info();
+        let varied = file.inputs().number(id).and_then(|si| file.from_si(id, si, &written.unit));
+        Some(NumberField {
+            key: id.to_string(),
+            words: info.words,
+            symbol: info.symbol,
+            digits: digits(&written.digits, varied),
+            unit: written.unit,
+            units: names.chain(units.gravity.then_some(GRAVITY_UNIT)).collect(),
+            range: info.range().map_or("", standfast_inputs::key::Range::words),
+        })
+    }
+}
+
+/// The digits of a number: as they are written, or while it varies those of its value.
+fn digits(written: &str, value: Option<f64>) -> String {
+    let is_as_written = |value: &f64| {
+        written.parse::<f64>().is_ok_and(|written| (written - value).abs() <= 1e-12 * written.abs())
+    };
+    match value.filter(|value| !is_as_written(value)) {
+        Some(value) => standfast_cases::layout::significant(value, 7),
+        None => written.to_owned(),
+    }
+    .replace('-', "−")
+}
+
+/// The number of a case under a key by its name.
+pub fn find(file: &CaseFile, key: &str) -> Option<Id> {
+    file.inputs().numbers().map(|(id, _)| id).find(|id| id.to_string() == key)
+}
+
+impl Page {
+    /// Takes what was typed for a number: in the unit typed, or else in that which stands there.
+    ///
+    /// # Errors
+    /// A sentence on what is wrong with it.
+    pub fn set(&mut self, key: &str, text: &str) -> Result<(), String> {
+        let file = self.settled();
+        let id = find(file, key).ok_or_else(|| format!("The case has no number {key}."))?;
+        let read = typed(text, file.units_of(id))?;
+        let unit = match read.unit {
+            Some(unit) => unit.to_owned(),
+            None => file.written_number(id).map_or(String::new(), |written| written.unit),
+        };
+        let text = file.with_number(id, read.number, &unit);
+        self.take(text.ok_or_else(|| format!("{key} is not written as a number."))?)
+    }
+
+    /// Takes a number some per cent greater or less, in no more than four digits.
+    ///
+    /// # Errors
+    /// As [`set`](Page::set).
+    pub fn step(&mut self, key: &str, percent: f64) -> Result<(), String> {
+        let file = self.settled();
+        let written = find(file, key).and_then(|id| file.written_number(id));
+        let Some(number) = written.and_then(|written| written.digits.parse::<f64>().ok()) else {
+            return Ok(());
+        };
+        let next = standfast_cases::layout::significant(number * (1.0 + percent / 100.0), 4);
+        self.set(key, &next)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_field_takes_numbers_as_people_type_them() {
+        let mut page = Page::default();
+        for (key, typed, line) in [
+            ("body.width", "12,5", "width = \"12.5 m\""),
+            ("body.width", "1 250 cm", "width = \"1250 cm\""),
+            ("body.density", "2 200 kg/m3", "density = \"2200 kg/m3\""),
+            ("body.friction", "0,55", "friction = 0.55"),
+            ("load[1].force", "2.9 MN/m", "force = \"2.9 MN/m\""),
+            ("load[1].elevation", "11", "elevation = \"11 m\""),
+        ] {
+            assert_eq!(page.set(key, typed), Ok(()), "{key}");
+            assert!(page.text().lines().any(|found| found == line), "{line} in {}", page.text());
+        }
+    }
+
+    #[test]
+    fn what_is_not_taken_leaves_all_as_it_was() {
+        let mut page = Page::default();
+        let before = page.text().to_owned();
+        for (key, typed, message) in [
+            ("body.width", "2,700", "“2,700” could be 2.7 or 2700: type 2.7 or 2700."),
+            ("body.width", "0", "`width` is \"0 m\"; expected a finite number above zero"),
+            ("body.width", "3 kg", "“kg” is not a unit of this field, which takes mm, cm or m."),
+            ("load[1].elevation", "99", "`elevation` is above the crest of the body, which is 12 m high"),
+            ("body.mass", "3", "The case has no number body.mass."),
+        ] {
+            let error = page.set(key, typed).unwrap_err();
+            assert!(error.starts_with(message), "{key}: {error}");
+            assert_eq!((page.text(), page.can_undo()), (before.as_str(), false));
+        }
+    }
+
+    #[test]
+    fn steps_are_per_cent_of_what_stands_there() {
+        let mut page = Page::default();
+        page.step("load[1].force", 1.0).unwrap();
+        page.step("body.friction", -10.0).unwrap();
+        assert!(page.text().contains("force = \"2727 kN/m\"") && page.text().contains("friction = 0.54"));
+    }
+}
