@@ -351,7 +351,11 @@ def test_values_along_a_number_are_a_text_or_one_by_one() -> None:
     assert [point.value for point in uneven.points] == [18, 22, 23]
     assert uneven.points[1].not_rest.probability == text.points[2].not_rest.probability
     column = ROOT / "examples/probability/column-records.toml"
-    peaks = standfast.probability(column, over={"pga": [2.0, 3.5]}, samples=4096).overturning
+    with pytest.raises(ValueError, match=r'over\["pga"\] has no unit; expected \{"pga \[g\]": values\}'):
+        standfast.probability(column, over={"pga": [2.0, 3.5]}, samples=4096)
+    in_gravity = standfast.probability(column, over={"pga [g]": [0.25, 0.5]}, samples=4096).overturning
+    assert in_gravity is not None and [point.peak for point in in_gravity.points] == pytest.approx([0.25 * 9.81, 0.5 * 9.81], rel=1e-12)
+    peaks = standfast.probability(column, over={"pga [m/s2]": [2.0, 3.5]}, samples=4096).overturning
     assert peaks is not None and [point.peak for point in peaks.points] == [2.0, 3.5]
 
 

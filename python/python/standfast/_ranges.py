@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence, Set
 from typing import Any, TypeAlias
 
@@ -42,15 +43,23 @@ def values_of(given: object, name: str, expected: str, advice: Advice) -> str | 
 
 
 def over_of(given: object, expected: str, advice: Advice) -> str:
-    """A number of a case and its values as the program has them; numbers are in SI units."""
+    """A number of a case and its values as the program has them; numbers are in SI units, or in the unit in brackets behind the name.
+
+    Raises:
+        TypeError: for what is neither a text nor a dict of one name.
+        ValueError: for peaks of a shaking without their unit, and as :func:`values_of`.
+    """
     if isinstance(given, str):
         return given
     if not isinstance(given, Mapping) or len(given) != 1 or not isinstance(name := next(iter(given)), str):
         raise TypeError(f"over is {said(given)}; expected a text such as {expected!r}, or a dict of one name with its values")
     values: Any = given[name]
+    heading = re.fullmatch(r"(.*\S)\s*\[(.+)\]", name)
+    name, unit = (heading[1], f" {heading[2]}") if heading else (name, "")
     if isinstance(values, (list, tuple)) and values and all(isinstance(value, str) for value in values):
         return f"{name}={','.join(values)}"
     found = values_of(values, f"over[{name!r}]", "a text such as '12 m..20 m:9'", advice)
     # The peak of a shaking says its unit, as under [earthquake].
-    unit = " m/s2" if name == "pga" else ""
+    if name == "pga" and not unit and not isinstance(found, str):
+        raise ValueError('over["pga"] has no unit; expected {"pga [g]": values} or {"pga [m/s2]": values}')
     return f"{name}={found if isinstance(found, str) else ','.join(f'{value!r}{unit}' for value in found)}"
