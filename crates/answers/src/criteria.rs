@@ -148,12 +148,8 @@ impl Check {
     /// Urgency of the check: modes that are not allowed first, then by utilisation.
     pub fn urgency(&self) -> f64 {
         match (self.utilisation, self.met) {
-            // A base that is pressed throughout cannot be pressed more: a bound of 1 is not used up by it.
-            (Some(_), true)
-                if self.criterion.key == Key::LeastContact && self.value == ResultValue::Number(1.0) =>
-            {
-                0.0
-            }
+            // Where a base that is pressed throughout is asked for, it cannot be pressed more: that uses nothing up.
+            (Some(1.0), true) if self.criterion.key == Key::LeastContact => 0.0,
             (Some(utilisation), _) => utilisation,
             (None, true) => 0.0,
             (None, false) => f64::INFINITY,

@@ -300,6 +300,13 @@ fn criteria_use_their_share() {
     assert_eq!(checks("modes_not = [\"RO\", \"SL\"]\n"), [("modes_not", None, true)]);
     assert_eq!(checks("modes_not = [\"RE\"]\n"), [("modes_not", None, false)]);
     // The governing one first; modes that are not allowed before all.
+    // A base that is asked to be pressed throughout, and is, hides nothing that is nearer its bound; asked for a part of it, it is in its place.
+    let pressed = |criteria: &str| {
+        assess(&format!("{CAISSON}[[load]]\nforce = 3e5\nelevation = 2\n[criteria]\n{criteria}"))
+    };
+    let first = |criteria: &str| pressed(criteria).checks()[0].check.criterion.name();
+    assert_eq!(first("contact_share = 1\nbearing_max = 1e9\n"), "bearing_max");
+    assert_eq!(first("contact_share = 0.9\nbearing_max = 1e9\n"), "contact_share");
     let all =
         checks("SF_sliding = 1.2\nSF_overturning_net = 1.2\nbearing_max = 300e3\nmodes_not = [\"RE\"]\n");
     let names: Vec<_> = all.iter().map(|(name, ..)| *name).collect();
