@@ -542,3 +542,26 @@ fn ground_that_no_unit_was_given_for_is_warned_of() {
         assert_eq!(warned(ground), [], "{ground}");
     }
 }
+
+/// The shares of the load under which an edge lifts in time are as the factors of the combinations; the one that needs least is told, wherever
+/// it stands.
+#[test]
+fn on_springs_the_worst_combination_is_told() {
+    let text = include_str!("../../../examples/breaking-wave.toml");
+    let combination = |name: &str, factor: f64| {
+        format!("[[combination]]\nname = \"{name}\"\nfactors = {{ \"breaking wave\" = {factor} }}\n")
+    };
+    let told = |more: &str| {
+        let file = CaseFile::parse("case.toml", &format!("{text}\n{more}")).unwrap();
+        Assessment::of_file(&file).unwrap().summary().unwrap().near.unwrap()
+    };
+    let share = |words: &str| {
+        let (before, _) = words.split_once(" % of these loads").unwrap();
+        before.rsplit(' ').next().unwrap().parse::<f64>().unwrap()
+    };
+    let alone = told("");
+    assert!(alone.starts_with("In time an edge lifts after "), "{alone}");
+    let both = told(&(combination("less", 0.5) + &combination("more", 1.25)));
+    assert!(both.starts_with("Under «more», in time an edge lifts after "), "{both}");
+    assert!((1.25 * share(&both) / share(&alone) - 1.0).abs() < 2e-4, "{alone} {both}");
+}

@@ -215,17 +215,20 @@ fn event_words(event: ImpactEvent) -> &'static str {
     }
 }
 
-/// Sentence on what first ends the rest of a body on springs under loads in time; `None` where none is given.
-pub(super) fn in_time(assessed: &Assessed) -> Option<String> {
+/// Event that first ends the rest of a body on springs under loads in time; `None` where none is given.
+pub(super) fn first_event(assessed: &Assessed) -> Option<&EventFound> {
     let impact = assessed.ground.as_ref()?.elastic.as_ref()?.impact.as_ref()?;
-    let least = impact.events.iter().min_by(|one, two| one.load_factor.total_cmp(&two.load_factor))?;
-    let words = event_words(least.event);
-    let at = percent(least.load_factor);
-    Some(match least.time {
+    impact.events.iter().min_by(|one, two| one.load_factor.total_cmp(&two.load_factor))
+}
+
+/// That event in a sentence, without its capital.
+pub(super) fn in_time(found: &EventFound) -> String {
+    let (words, at) = (event_words(found.event), percent(found.load_factor));
+    match found.time {
         Some(time) => {
-            format!("In time {words} after {} s, and does from {at} of these loads on.", digits(time))
+            format!("in time {words} after {} s, and does from {at} of these loads on.", digits(time))
         }
-        None if least.load_factor.is_finite() => format!("In time {words} at {at} of these loads."),
-        None => "In time no multiple of these loads moves it.".to_owned(),
-    })
+        None if found.load_factor.is_finite() => format!("in time {words} at {at} of these loads."),
+        None => "in time no multiple of these loads moves it.".to_owned(),
+    }
 }

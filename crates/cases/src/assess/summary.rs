@@ -38,12 +38,10 @@ fn check_words(assessment: &Assessment, check: &AnyCheck<'_>) -> String {
     criterion_words(check, assessment.yearly) + &place
 }
 
-/// What the permanent loads alone do to a body that rests under the full load; `None` where it rests under them, too.
-fn permanent(assessed: &Assessed) -> Option<Verdict> {
-    match assessed.departure() {
-        Departure::AtOnce { permanent: true, verdict } if assessed.mode() == Some(Mode::Rest) => verdict,
-        _ => None,
-    }
+/// True of a body that rests under the full load and not under the permanent loads alone.
+fn is_held(assessed: &Assessed) -> bool {
+    matches!(assessed.departure(), Departure::AtOnce { permanent: true, .. })
+        && assessed.mode() == Some(Mode::Rest)
 }
 
 /// What the body does under the full load; of several situations where it moves, and in how many it rests.
@@ -52,7 +50,7 @@ fn happens(assessment: &Assessment) -> String {
     let word = if assessment.case.combinations.is_empty() { "loads" } else { "combinations" };
     let count = assessment.all.len();
     let moving: Vec<&Assessed> = assessment.worst_first().into_iter().filter(|one| !rests(one)).collect();
-    let springs = assessment.all.iter().any(|assessed| ground::in_time(assessed).is_some());
+    let springs = assessment.all.iter().any(|assessed| ground::first_event(assessed).is_some());
     let place = match assessment.in_time {
         None if springs => "Under loads raised slowly the",
         Some(_) => "With all loads held at their peaks the",
@@ -63,13 +61,12 @@ fn happens(assessment: &Assessment) -> String {
         (_, true) => format!(" under each of the {count} loads, which act one at a time"),
         (_, false) => format!(" under each of the {count} combinations"),
     };
-    let exact = |assessed: &&Assessed| assessed.outcome.full.boundary == Some(Boundary::Exact);
-    let held = assessment.all.iter().find(|assessed| permanent(assessed).is_some());
+    let is_exact = |assessed: &Assessed| assessed.outcome.full.boundary == Some(Boundary::Exact);
     match moving.as_slice() {
-        [] if held.is_some() => {
+        [] if assessment.all.iter().any(is_held) => {
             format!("{place} body {}{each}, but only while the variable loads act.", predicate(REST))
         }
-        [] if assessment.all.iter().any(|assessed| exact(&assessed)) => {
+        [] if assessment.all.iter().any(is_exact) => {
             format!(
                 "{place} body {}{each}, exactly on the boundary: the least more load moves it.",
                 predicate(REST)
@@ -137,7 +134,7 @@ fn near(assessment: &Assessment) -> Option<String> {
     };
     let departs = if departs.is_empty() { departs } else { sentence(&(head + &departs)) };
     let words = format!("{departs}{factor}{points}");
-    let in_time = assessment.all.iter().find_map(ground::in_time);
+    let in_time = in_time(assessment);
     let slowly = in_time.as_ref().filter(|_| !assessment.case.criteria.is_empty());
     let slowly = slowly.map(|_| "Criteria are those of loads raised slowly.".to_owned());
     let words: Vec<String> = [in_time, Some(words.trim().to_owned()), slowly]
@@ -146,4 +143,14 @@ fn near(assessment: &Assessment) -> Option<String> {
         .filter(|words| !words.is_empty())
         .collect();
     (!words.is_empty()).then(|| words.join(" "))
+}
+
+/// What first happens on springs in time, under the loads under which it takes the least of them.
+fn in_time(assessment: &Assessment) -> Option<String> {
+    let events =
+        assessment.all.iter().filter_map(|assessed| Some((assessed, ground::first_event(assessed)?)));
+    let (assessed, event) =
+        events.min_by(|(_, one), (_, two)| one.load_factor.total_cmp(&two.load_factor))?;
+    let head = place(assessment, assessed).map_or(String::new(), |name| format!("under {}, ", quoted(&name)));
+    Some(sentence(&(head + &ground::in_time(event))))
 }
