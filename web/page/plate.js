@@ -1,6 +1,7 @@
 // The right plate: share of the load and friction, the report's plane of force and friction, or the histories of a motion.
 
 import { byId, put } from "dom";
+import { dragged } from "dragged";
 
 const STEP = 0.01;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
@@ -28,37 +29,21 @@ export function connectPlate(app) {
 
   // The point: dragged, or moved by keys.
   let offset = [0, 0];
-  point.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    point.setPointerCapture(event.pointerId);
+  const gripped = (event) => {
     const [x, y] = app.explorer.point();
     const at = place(event);
     // The point keeps its place under the hand.
     offset = [x - at[0], y - at[1]];
-    app.explorer.grab();
-    app.held = true;
-  });
-  point.addEventListener("pointermove", (event) => {
-    if (!app.held || !point.hasPointerCapture(event.pointerId)) return;
-    const [x, y] = place(event);
-    app.drag = () => app.explorer.drag_point(x + offset[0], y + offset[1]);
-    app.changed();
-  });
-  const drop = (taken) => () => {
-    if (!app.held) return;
-    app.settleDrag();
-    app.held = false;
-    if (taken) app.explorer.release();
-    else app.explorer.let_go();
-    app.changed();
   };
-  point.addEventListener("pointerup", drop(true));
-  point.addEventListener("pointercancel", drop(false));
+  const letGo = dragged(app, point, gripped, (event) => {
+    const [x, y] = place(event);
+    return () => app.explorer.drag_point(x + offset[0], y + offset[1]);
+  });
   point.addEventListener("keydown", (event) => {
     const arrow = ARROWS[event.key];
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === "Escape" && app.held) {
-      drop(false)();
+      letGo();
     } else if (arrow && event.shiftKey) {
       const size = picture.clientWidth / scale;
       app.explorer.pan(-arrow[0] * size * 0.05, arrow[1] * size * 0.05);

@@ -1,6 +1,7 @@
 // The left plate: the body to scale, on which numbers are fields and forces have rings to drag; or what begins, exaggerated.
 
 import { byId, element, put, symbolOf, whenChanged } from "dom";
+import { dragged } from "dragged";
 import { numberField, byKey } from "number";
 
 const stills = matchMedia("(prefers-reduced-motion: reduce)");
@@ -69,28 +70,10 @@ export function connectSection(app) {
       const box = picture.querySelector("svg").getBoundingClientRect();
       return [(event.clientX - box.left) / scale, (event.clientY - box.top) / scale];
     };
-    handle.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0) return;
-      handle.setPointerCapture(event.pointerId);
-      app.explorer.grab();
-      app.held = true;
-    });
-    handle.addEventListener("pointermove", (event) => {
-      if (!app.held || !handle.hasPointerCapture(event.pointerId)) return;
+    dragged(app, handle, () => {}, (event) => {
       const [x, y] = at(event);
-      app.drag = () => app.explorer.drag_force(key, x, y);
-      app.changed();
+      return () => app.explorer.drag_force(key, x, y);
     });
-    const end = (taken) => () => {
-      if (!app.held) return;
-      app.settleDrag();
-      app.held = false;
-      if (taken) app.explorer.release();
-      else app.explorer.let_go();
-      app.changed();
-    };
-    handle.addEventListener("pointerup", end(true));
-    handle.addEventListener("pointercancel", end(false));
     handle.addEventListener("keydown", (event) => {
       const step = { ArrowRight: [key, 1], ArrowLeft: [key, -1], ArrowUp: [key.replace(/force$/, "elevation"), 1], ArrowDown: [key.replace(/force$/, "elevation"), -1] }[event.key];
       if (!step || event.ctrlKey || event.metaKey || event.altKey) return;

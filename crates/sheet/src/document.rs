@@ -97,13 +97,7 @@ pub fn render(
     let document = html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="generator" content={ "standfast " (VERSION) };
-                title { (title) " – calculation sheet" }
-                style { (PreEscaped(style(&title, source) + &printed_widths(&drawn))) }
-            }
+            (head("calculation sheet", &title, source, &printed_widths(&drawn)))
             body {
                 main {
                     (title_block("Calculation sheet: initiation of motion of a freestanding body", note.as_deref(), &title, source, true))
@@ -260,8 +254,21 @@ pub fn least_type(svg: &str) -> f64 {
     scales.fold(f64::INFINITY, |least, scale| least.min(1000.0 * scale))
 }
 
+/// The head of a sheet of this kind, with the widths of its figures on paper.
+pub fn head(kind: &str, title: &str, source: &Source<'_>, widths: &str) -> Markup {
+    html! {
+        head {
+            meta charset="utf-8";
+            meta name="viewport" content="width=device-width, initial-scale=1";
+            meta name="generator" content={ "standfast " (VERSION) };
+            title { (title) " – " (kind) }
+            style { (PreEscaped(style(title, source) + widths)) }
+        }
+    }
+}
+
 /// The style with the faces, and what runs along the pages.
-pub fn style(title: &str, source: &Source<'_>) -> String {
+fn style(title: &str, source: &Source<'_>) -> String {
     let mut style = String::new();
     for (family, weight, bytes) in FACES {
         style += &format!(

@@ -1,15 +1,13 @@
 //! The sheet on one page: what a client or a checker reads first. Its numbers are those of the full sheet.
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, Markup, html};
 use standfast_cases::assess::{AnyCheck, figures_of};
 use standfast_cases::design::{Sensitivity, sensitivities};
 use standfast_cases::layout::{apart, factor};
 use standfast_cases::random::Probability;
 use standfast_cases::{AnswerFigure, Assessed, Assessment, AssessmentView, Key, Portion};
 
-use crate::document::{
-    LEAST_TYPE, Source, TEXT_WIDTH, VERSION, drawing, least_type, one_line, style, title_block,
-};
+use crate::document::{LEAST_TYPE, Source, TEXT_WIDTH, drawing, head, least_type, one_line, title_block};
 use crate::probability::Chance;
 use crate::sensitivity;
 use crate::{SheetError, verdict};
@@ -73,13 +71,7 @@ pub fn render(
     let document = html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="generator" content={ "standfast " (VERSION) };
-                title { (title) " – calculation sheet in short" }
-                style { (PreEscaped(style(&title, source) + &own)) }
-            }
+            (head("calculation sheet in short", &title, source, &own))
             body.short {
                 main {
                     (title_block("Calculation sheet in short: initiation of motion of a freestanding body", note.as_deref(), &title, source, false))

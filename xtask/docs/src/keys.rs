@@ -64,7 +64,7 @@ pub fn page() -> String {
 
 /// Row of the base's motion, which is a history for each direction.
 const BASE: &str = "| `base` |  | how the base moves: a history for `horizontal`, to the right, and one for `vertical`, upwards; of a body \
-    accelerations with a unit, or in m/s² | [histories](#a-history) | `base = { horizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" } }` | it does not move |\n";
+    accelerations with their unit | [histories](#a-history) | `base = { horizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" } }` | it does not move |\n";
 
 /// The tables of random numbers, which are of names and laws and not of keys.
 const RANDOM: &str = r#"

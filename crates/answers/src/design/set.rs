@@ -74,18 +74,15 @@ impl OuterState {
     pub fn words(&self) -> Option<String> {
         match self {
             OuterState::Range => None,
-            OuterState::Fails(at, binding) => Some(format!("at {at}, {}", binding.words)),
+            OuterState::Fails(at, binding) => Some(format!("at {at}, {}", binding.words())),
             OuterState::NoCase(at, why) => Some(format!("at {at} the case makes no sense: {why}")),
         }
     }
 
-    /// Failure as [`words`](OuterState::words) has it, of a mode without the inequalities that end rest.
+    /// Failure as [`words`](OuterState::words) has it, without the condition that fails.
     pub fn brief(&self) -> Option<String> {
         match self {
-            OuterState::Fails(at, binding) => {
-                let of_mode = binding.words.split_once(": ").filter(|(head, _)| head.contains("the body"));
-                Some(format!("at {at}, {}", of_mode.map_or(binding.words.as_str(), |(head, _)| head)))
-            }
+            OuterState::Fails(at, binding) => Some(format!("at {at}, {}", binding.brief)),
             _ => self.words(),
         }
     }
@@ -293,7 +290,7 @@ impl Search<'_> {
             let (at, why) = error.unwrap_or_default();
             return DesignError::NoCase { name, range, at: self.quantity.shown(at), why, spelling };
         };
-        let binding = target.binding(&answer).words;
+        let binding = target.binding(&answer).words();
         // The same but for rounding.
         if score - worst <= 1e-9 * score.abs() || score == worst {
             return DesignError::NoInfluence { name, target, binding };

@@ -222,7 +222,26 @@ pub struct Binding {
     /// In a word: sliding, rocking, the name of a criterion.
     pub(super) by: &'static str,
     /// In a sentence without its stop.
-    pub(super) words: String,
+    pub(super) brief: String,
+    /// The condition that fails, where the sentence does not name it.
+    pub(super) condition: Option<String>,
+}
+
+impl Binding {
+    fn of(by: &'static str, brief: String) -> Binding {
+        Binding { by, brief, condition: None }
+    }
+
+    fn because(by: &'static str, brief: String, condition: Option<String>) -> Binding {
+        Binding { by, brief, condition }
+    }
+
+    /// The failure in a sentence without its stop, with the condition that fails.
+    pub(super) fn words(&self) -> String {
+        self.condition
+            .as_ref()
+            .map_or_else(|| self.brief.clone(), |condition| format!("{}: {condition}", self.brief))
+    }
 }
 
 impl Target {
@@ -365,18 +384,14 @@ impl Target {
                 (assessed, Some(in_time).filter(|(check, _)| check.urgency() > instant))
             }
             (None, Some(in_time)) => (&answer.all[0], Some(in_time)),
-            (None, None) => return Binding { by: "", words: "nothing".to_owned() },
+            (None, None) => return Binding::of("", "nothing".to_owned()),
         };
         if let Some((check, place)) = in_time {
             return self.of_motion(answer, check, *place);
         }
         match self {
             Target::Factor(factor) => of_factors(assessed, factor),
-            Target::Rest => {
-                let verdict = assessed.verdict();
-                let words = format!("under the full load the body {}", moves(assessed, verdict));
-                Binding { by: motion(verdict), words }
-            }
+            Target::Rest => full_load(assessed),
             Target::NoRock | Target::NoSlide => {
                 let (at, verdict) = self.offending(assessed).unwrap_or_default();
                 let when = if at < 1.0 {
@@ -384,10 +399,10 @@ impl Target {
                 } else {
                     "under the full load at once".to_owned()
                 };
-                Binding { by: motion(verdict), words: format!("{when}, the body {}", predicate(verdict)) }
+                Binding::of(motion(verdict), format!("{when}, the body {}", predicate(verdict)))
             }
             Target::Criterion(_) | Target::Utilisation(_) => of_check(answer, &self.checks(answer)[0], self),
-            Target::Motion(_) => Binding { by: "", words: "nothing".to_owned() },
+            Target::Motion(_) => Binding::of("", "nothing".to_owned()),
         }
     }
 
@@ -402,7 +417,7 @@ impl Target {
             }
             _ => check.failure() + &place,
         };
-        Binding { by: check.criterion.name(), words }
+        Binding::of(check.criterion.name(), words)
     }
 }
 
@@ -410,27 +425,27 @@ impl Target {
 fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
     let at_least = digits(factor);
     if assessed.outcome.full.is_lifted() {
-        let words = "nothing presses the body on its base: P > 0 fails".to_owned();
-        Binding { by: "uplift", words }
+        Binding::because(
+            "uplift",
+            "nothing presses the body on its base".to_owned(),
+            Some("P > 0 fails".to_owned()),
+        )
     } else if sliding(assessed) < factor {
-        Binding {
-            by: "sliding",
-            words: format!(
-                "the factor of the body against sliding is less than {at_least}: μ(W' − U)/P ≥ {at_least} fails"
-            ),
-        }
+        let brief = format!("the factor of the body against sliding is less than {at_least}");
+        Binding::because("sliding", brief, Some(format!("μ(W' − U)/P ≥ {at_least} fails")))
     } else if overturning(assessed) < factor {
-        Binding {
-            by: "overturning",
-            words: format!(
-                "the factor of the body against net overturning is less than {at_least}: (W' t − M_U)/M_p ≥ {at_least} fails"
-            ),
-        }
+        let brief = format!("the factor of the body against net overturning is less than {at_least}");
+        Binding::because("overturning", brief, Some(format!("(W' t − M_U)/M_p ≥ {at_least} fails")))
     } else {
-        let verdict = assessed.verdict();
-        let words = format!("under the full load the body {}", moves(assessed, verdict));
-        Binding { by: motion(verdict), words }
+        full_load(assessed)
     }
+}
+
+/// Mode that ends rest under the full load.
+fn full_load(assessed: &Assessed) -> Binding {
+    let verdict = assessed.verdict();
+    let brief = format!("under the full load the body {}", predicate(verdict));
+    Binding::because(motion(verdict), brief, condition(assessed, verdict))
 }
 
 /// Failure of a criterion where it is met worst.
@@ -461,11 +476,12 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
             )
         }
         _ if check.criterion.key == Key::LeastLoadFactor => {
-            format!("{}{place}: the body {}", check.failure(assessed), moves(assessed, verdict))
+            let why = condition(assessed, verdict).map_or(String::new(), |why| format!(": {why}"));
+            format!("{}{place}: the body {}{why}", check.failure(assessed), predicate(verdict))
         }
         _ => check.failure(assessed) + &place,
     };
-    Binding { by, words }
+    Binding::of(by, words)
 }
 
 /// Word for a failure of the ground.
@@ -486,12 +502,12 @@ fn motion(verdict: Option<Verdict>) -> &'static str {
     }
 }
 
-/// A mode that ends rest, and which of the conditions of rest it breaks.
-fn moves(assessed: &Assessed, verdict: Option<Verdict>) -> String {
+/// Condition of rest that a mode breaks; `None` where none is consistent.
+fn condition(assessed: &Assessed, verdict: Option<Verdict>) -> Option<String> {
     let mode = match verdict {
         Some(Verdict::Begins(mode)) => mode,
-        Some(_) => return format!("{}: R ≥ P fails", predicate(verdict)),
-        None => return predicate(None),
+        Some(_) => return Some("R ≥ P fails".to_owned()),
+        None => return None,
     };
     let (ends, edges) = match assessed.is_on_ground() {
         true => ("the base crushes under an edge", "−b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q"),
@@ -504,7 +520,7 @@ fn moves(assessed: &Assessed, verdict: Option<Verdict>) -> String {
         _ => "nothing presses it on its base: P > 0 fails".to_owned(),
     };
     if assessed.is_on_ground() {
-        return format!("{}: {condition}", predicate(verdict));
+        return Some(condition);
     }
     // Under the full load, the report's inequalities of rest say it with their numbers.
     let steps =
@@ -514,5 +530,5 @@ fn moves(assessed: &Assessed, verdict: Option<Verdict>) -> String {
     let equation = failing.map_or(String::new(), |relation| {
         format!("; ({}) {} fails in effective coordinates", relation.equation, relation.statement())
     });
-    format!("{}: {condition}{equation}", predicate(verdict))
+    Some(condition + &equation)
 }

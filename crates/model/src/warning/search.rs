@@ -221,30 +221,38 @@ impl Case {
         }
         let situations: Vec<Situation> =
             self.acting().into_iter().filter_map(|acting| self.situation(acting, None).ok()).collect();
+        // What pulls against all others, or presses the body down, by its wrench alone: most loads push, and cost no more.
+        let holding = situations.iter().flat_map(|situation| {
+            let full = situation.at(1.0).ok().map(|full| full.wrench);
+            let loads = situation.loads().iter().filter(|load| !load.permanent);
+            loads.filter_map(move |load| {
+                let Place::Table(table @ (Table::Load | Table::Pressure), index) = said_by(load.id) else {
+                    return None;
+                };
+                let (own, full) = (situation.wrench_of(load), full?);
+                let holds = own.p > 0.0 || own.x * full.x < 0.0 || own.m * full.m < 0.0;
+                holds.then_some((situation, load.id, table, index))
+            })
+        });
+        let holding: Vec<_> = holding.collect();
+        if holding.is_empty() {
+            return Vec::new();
+        }
         let least = |situation: &Situation| {
             let stability = situation.outcome().ok()?.stability;
             Some(stability.sliding.min(stability.overturning()))
         };
         let with = situations.iter().filter_map(least).fold(f64::INFINITY, f64::min);
-        let mut warnings: Vec<Warning> = Vec::new();
-        for situation in &situations {
-            let Ok(full) = situation.at(1.0) else { continue };
-            for load in situation.loads().iter().filter(|load| !load.permanent) {
-                let Place::Table(table @ (Table::Load | Table::Pressure), index) = said_by(load.id) else {
-                    continue;
-                };
-                let own = situation.wrench_of(load);
-                let holds = own.p > 0.0 || own.x * full.wrench.x < 0.0 || own.m * full.wrench.m < 0.0;
-                let known = warnings.iter().any(
-                    |warning| matches!(warning, Warning::FavourableLoad { table: of, index: at, .. } if (*of, *at) == (table, index)),
-                );
-                if !holds || known {
-                    continue;
-                }
-                let Some(without) = least(&situation.without(load.id)) else { continue };
-                if without < SAFE && without < with * (1.0 - FAVOUR) {
-                    warnings.push(Warning::FavourableLoad { table, index, with, without });
-                }
+        let mut told = Vec::new();
+        let mut warnings = Vec::new();
+        for (situation, load, table, index) in holding {
+            if told.contains(&load) {
+                continue;
+            }
+            let without = least(&situation.without(load)).unwrap_or(f64::INFINITY);
+            if without < SAFE && without < with * (1.0 - FAVOUR) {
+                told.push(load);
+                warnings.push(Warning::FavourableLoad { table, index, with, without });
             }
         }
         warnings
