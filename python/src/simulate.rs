@@ -26,8 +26,8 @@ pub(crate) struct MotionAnswer {
     all: bool,
 }
 
-/// A record: its times and its values.
-pub(crate) type Samples<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
+/// A record: its times, its values and their unit.
+pub(crate) type Samples<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>, Option<String>);
 
 /// Numbers at even steps of time: t, slide, x, y, θ, θ̇ and codes of modes.
 type Series<'py> = ([Bound<'py, PyArray1<f64>>; 6], Bound<'py, PyArray1<u8>>);
@@ -102,9 +102,15 @@ pub(crate) fn given_base(
     (horizontal, vertical): (Option<Samples<'_>>, Option<Samples<'_>>),
 ) -> PyResult<GivenBase> {
     let record = |given: Option<Samples<'_>>| -> PyResult<Option<Record>> {
-        let Some((times, values)) = given else { return Ok(None) };
+        let Some((times, values, unit)) = given else { return Ok(None) };
         let (times, values) = (times.as_slice()?.to_vec(), values.as_slice()?.to_vec());
-        Ok(Some(Record { times, values, unit: RecordUnit::Unnamed }))
+        let unit = match unit.as_deref() {
+            Some("g") => RecordUnit::Gravity,
+            Some("m/s2") => RecordUnit::MetrePerSecondSquared,
+            Some("cm/s2") => RecordUnit::CentimetrePerSecondSquared,
+            _ => RecordUnit::Unnamed,
+        };
+        Ok(Some(Record { times, values, unit }))
     };
     Ok(GivenBase { horizontal: record(horizontal)?, vertical: record(vertical)? })
 }

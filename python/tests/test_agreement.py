@@ -269,12 +269,12 @@ def compare_ground(ground: dict[str, Any] | None, text: str, words: str, per: st
         assert last("B' = 2(B − |e|)") is None and "Nothing presses on the base" in words
     else:
         assert last("B' = 2(B − |e|)") == f"{digits(ground['effective_width'])} m"
-        assert last("P/B'") == ("none" if pressure == "infinite" else f"{digits(pressure / 1e3)} kPa")
+        assert last("V/B'") == ("none" if pressure == "infinite" else f"{digits(pressure / 1e3)} kPa")
         # P = p B' = R/factor, in the units of each.
         if ground["factor"] and pressure != "infinite" and per:
             assert ground["resistance"] / ground["factor"] == pytest.approx(pressure * ground["effective_width"], rel=1e-12)
-    assert last("R/P") == (None if ground["factor"] is None else factor(ground["factor"]))
-    assert last("ω = P/(2B q_u)") == (None if ground["omega"] is None else digits(ground["omega"]))
+    assert last("R/V") == (None if ground["factor"] is None else factor(ground["factor"]))
+    assert last("ω = V/(2B q_u)") == (None if ground["omega"] is None else digits(ground["omega"]))
     if ground["neutral"] is not None:
         assert ground["neutral"] == pytest.approx(2 * ground["pivot"], rel=1e-12)
         assert f"the body turns about a point {digits(ground['neutral'])} m inside it." in words

@@ -282,7 +282,7 @@ def test_records_that_are_arrays_are_those_of_files(tmp_path: Path) -> None:
     names = []
     for place, pulse in enumerate(pulses()):
         names.append(f"{place}.csv")
-        rows = "\n".join(f"{i * 0.01!r},{value!r}" for i, value in enumerate((pulse * 9.80665).tolist()))
+        rows = "\n".join(f"{i * 0.01!r},{value!r}" for i, value in enumerate((pulse * 9.81).tolist()))
         (tmp_path / names[-1]).write_text(f"time_s,a_m_s2\n{rows}\n")
     random = "".join(f"{name} = {{ normal = {{ cov = 0.03 }} }}\n" for name in STATUE["random"])
     body = "\n".join(f"{key} = {json.dumps(value)}" for key, value in STATUE["body"].items())

@@ -194,7 +194,7 @@ def test_records_go_in_as_arrays_of_every_kind() -> None:
         {"base": {"horizontal": values}, "dt": 0.2, "unit": "m/s2"},
         {"base": values, "dt": np.arange(6) * 0.2, "unit": "m/s2"},
         {"base": 100 * np.array(values), "dt": 0.2, "unit": "cm/s2"},
-        {"base": np.array(values) / 9.80665, "dt": 0.2, "unit": "g"},
+        {"base": np.array(values) / 9.81, "dt": 0.2, "unit": "g"},
     ]
     for way in ways:
         again = standfast.simulate(STATUE, **way)

@@ -196,7 +196,7 @@ listed! {
         |a| ResultValue::Number(a.outcome.actions.buoyant_weight));
     WeightArm = number("weight_arm", Some(Dimension::Length), "t, its arm to the heel", |a| ResultValue::Number(a.outcome.actions.weight_arm));
 
-    Omega = number("omega", None, "ω, the share of the base that crushes under P alone, P/(2B q_u); from 1 on it cannot carry P",
+    Omega = number("omega", None, "ω, the share of the base that crushes under V alone, V/(2B q_u); from 1 on it cannot carry V",
         |a| ground(a, |g| g.omega));
     Pivot = number("pivot", Some(Dimension::Length),
         "of a base that crushes, how far inside its edge the reaction of a body acts that turns, or is about to",
@@ -207,21 +207,21 @@ listed! {
     EffectiveWidth = number("effective_width", Some(Dimension::Length),
         "B' = 2(B − |e|), the width that the resultant has in its middle; 0 where it misses the base",
         |a| on_base(a, Reaction::effective_width));
-    EffectivePressure = number("effective_pressure", Some(Dimension::Pressure), "pressure on the effective width, P/B'",
+    EffectivePressure = number("effective_pressure", Some(Dimension::Pressure), "pressure on the effective width, V/B'",
         |a| on_base(a, Reaction::effective_pressure));
     GroundResistance = number("ground_resistance", Some(Dimension::Force),
         "R, resistance of the ground at the eccentricity and inclination of the resultant, no partial factor applied", |a| ground(a, |g| g.resistance));
-    GroundFactor = number("ground_factor", None, "R/P, resistance of the ground over the force on it", |a| ground(a, |g| g.factor));
+    GroundFactor = number("ground_factor", None, "R/V, resistance of the ground over the force on it", |a| ground(a, |g| g.factor));
     GroundMargin = number("ground_margin", Some(Dimension::Force),
         "R − P, what the ground leaves: negative where it does not bear a body at rest; with `margin_sliding` not negative either, the body can rest on this base",
         |a| ground(a, |g| g.margin));
     LoadFactorGround = number("load_factor_ground", None,
-        "where R/P falls to 1 under a body that friction holds, as a multiple of the variable loads; 0 under the permanent loads alone",
+        "where R/V falls to 1 under a body that friction holds, as a multiple of the variable loads; 0 under the permanent loads alone",
         |a| failing(a, |f| Some(f.given)));
     LoadFactorGroundLess = number("load_factor_ground_less", None, "the same at an angle of friction 2° less", |a| failing(a, |f| f.less));
     LoadFactorGroundMore = number("load_factor_ground_more", None, "the same at an angle of friction 2° more", |a| failing(a, |f| f.more));
     KBf = number("k_BF", None,
-        "horizontal by vertical force at which R/P is 1, if force and moment grow as they stand to each other under the full load",
+        "horizontal by vertical force at which R/V is 1, if force and moment grow as they stand to each other under the full load",
         |a| ground(a, |g| g.k_bf));
     Rotation = number("rotation", Some(Dimension::Angle), "rotation on the elastic base under the full load, raised slowly",
         |a| elastic(a, |e| e.rotation));

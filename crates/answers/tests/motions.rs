@@ -73,7 +73,7 @@ const STONE: &str = "[body]\nwidth = 2\nheight = 6\nmass = 24e3\nfriction = 0.3\
 fn push(name: &str, share: f64, elevation: f64, history: &str) -> String {
     format!(
         "[[load]]\nname = \"{name}\"\nforce = {}\nelevation = {elevation}\nhistory = {history}\n",
-        share * 24e3 * 9.80665
+        share * 24e3 * 9.81
     )
 }
 

@@ -11,6 +11,7 @@ use crate::document::{AnswerFigure, Document};
 use crate::summary::Summary;
 pub use boundary::boundary_csv;
 pub use standfast_answers::design::*;
+pub use text::change_words;
 
 /// JSON as `docs/design.schema.json` has it.
 impl Document for Design {

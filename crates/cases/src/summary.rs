@@ -136,17 +136,31 @@ pub(crate) fn criterion_words(check: &AnyCheck<'_>, yearly: bool) -> String {
     }
 }
 
-/// Whether criteria are met: each its name and whether it is met, the governing one first, with the reason of its being met or not.
-pub(crate) fn criteria(checks: &[(bool, String)]) -> Option<String> {
-    let (first, _) = checks.split_first()?;
-    let failed: Vec<&(bool, String)> = checks.iter().filter(|(met, _)| !met).collect();
+/// A criterion as the top tells it.
+pub(crate) struct ToldCriterion {
+    pub(crate) name: &'static str,
+    pub(crate) met: bool,
+    /// Reason of its being met or not.
+    pub(crate) words: String,
+}
+
+/// Whether criteria are met, of which the first governs; and the names of those others that are not.
+pub(crate) fn criteria(checks: &[ToldCriterion]) -> Option<String> {
+    let ToldCriterion { words, .. } = checks.first()?;
+    let failed: Vec<&ToldCriterion> = checks.iter().filter(|check| !check.met).collect();
     Some(match (checks.len(), failed.as_slice()) {
-        (1, []) => format!("The criterion is met: {}.", first.1),
-        (2, []) => format!("Both criteria are met; the governing one: {}.", first.1),
-        (count, []) => format!("All {count} criteria are met; the governing one: {}.", first.1),
-        (_, [one]) => format!("Not met: {}.", one.1),
-        (count, [one, ..]) => {
-            format!("Not met, {} of {count} criteria; the governing one: {}.", failed.len(), one.1)
+        (1, []) => format!("The criterion is met: {words}."),
+        (2, []) => format!("Both criteria are met; the governing one: {words}."),
+        (count, []) => format!("All {count} criteria are met; the governing one: {words}."),
+        (_, [one]) => format!("Not met: {}.", one.words),
+        (count, [one, others @ ..]) => {
+            let names = once(others.iter().map(|other| other.name).filter(|name| *name != one.name));
+            let too = match names.split_last() {
+                None => String::new(),
+                Some((name, [])) => format!(" {name} fails, too."),
+                Some((last, rest)) => format!(" {} and {last} fail, too.", rest.join(", ")),
+            };
+            format!("Not met, {} of {count} criteria; the governing one: {}.{too}", failed.len(), one.words)
         }
     })
 }

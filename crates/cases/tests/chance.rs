@@ -533,6 +533,49 @@ fn overturning_is_that_of_the_motions_one_by_one() {
     }
 }
 
+/// A record with its vertical partner: the chances are those of a case whose own base moves so. One factor scales both, whatever units
+/// they are in; where only one says its own, nothing says how they compare.
+#[test]
+fn a_record_may_have_a_vertical_partner() {
+    let wave = |head: &str, times: f64, period: f64| {
+        let value =
+            |t: f64| times * (std::f64::consts::TAU * t / period).sin() * f64::from(u8::from(t < 2.0));
+        let rows: Vec<String> =
+            (0..=60).map(|i| f64::from(i) * 0.05).map(|t| format!("{t},{}", value(t))).collect();
+        format!("time_s,{head}\n{}\n", rows.join("\n"))
+    };
+    let files = |name: &str| match name {
+        "side.csv" => Ok(wave("a_g", 1.0, 0.9)),
+        "up.csv" => Ok(wave("a_g", 0.8, 0.3)),
+        "up-si.csv" => Ok(wave("a_m_s2", 0.8 * 9.81, 0.3)),
+        "up-bare.csv" => Ok(wave("a", 0.8, 0.3)),
+        _ => Err("no such file".to_owned()),
+    };
+    let of = |vertical: &str, records: &str| {
+        let text = format!(
+            "[body]\nwidth = 0.6\nheight = 2\ndensity = 2600\nfriction = 0.6\n[motion]\nt_max = 20\n[motion.base]\n\
+             horizontal = {{ shape = \"file\", file = \"side.csv\" }}\n{vertical}[random]\n{records}friction = {{ normal = {{ sd = 0.05 }} }}\n\
+             width = {{ normal = {{ sd = 0.05 }} }}\n"
+        );
+        let file = CaseFile::read("case.toml", &text, &files).unwrap();
+        let effort = Effort { points: 60 * 1024, ..Effort::default() };
+        let over: ValueRange = "pga=0.3 g..0.9 g:3".parse().unwrap();
+        Overturning::of(&file, &ChanceRequest { effort, ..ChanceRequest::default() }, &over)
+    };
+    let own = of("vertical = { shape = \"file\", file = \"up.csv\" }\n", "").unwrap();
+    let paired = |vertical: &str| {
+        of("", &format!("records = [{{ horizontal = \"side.csv\", vertical = \"{vertical}\" }}]\n"))
+    };
+    let chances =
+        |found: &Overturning| found.points.iter().map(|at| at.overturned.value).collect::<Vec<f64>>();
+    assert_eq!(chances(&paired("up.csv").unwrap()), chances(&own));
+    assert_eq!(chances(&paired("up-si.csv").unwrap()), chances(&own));
+    let alone = of("", "records = [\"side.csv\"]\n").unwrap();
+    assert_ne!(chances(&alone), chances(&own));
+    let refused = paired("up-bare.csv").unwrap_err().to_string();
+    assert!(refused.contains("side.csv says its unit, and up-bare.csv does not"), "{refused}");
+}
+
 /// Random numbers are called by their words in pictures, and not by their keys; β stands in a sentence.
 #[test]
 fn figures_call_numbers_by_their_words() {

@@ -317,7 +317,8 @@ pub struct SpectrumArgs {
     /// Yield accelerations over the peak of the shaking, at equal steps [default: 0.02,0.98,49]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
     pub ratio: Option<SpectrumSteps>,
-    /// Factors on the shaking, at equal steps [default: 0.05,5,199]
+    /// Factors on the shaking, at equal steps [default: 0.05,5,199, and within 0.5 % of each other
+    /// where it overturns]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
     pub scale: Option<SpectrumSteps>,
     /// Write every point to a CSV file; - writes to standard output in place of the answer
@@ -423,7 +424,7 @@ pub struct ClassifyArgs {
     /// Friction μ
     #[arg(long, value_name = "MU", allow_hyphen_values = true, value_parser = friction)]
     pub mu: f64,
-    /// Share ω = P/(2B q_u) of a base that crushes, taken by the weight alone; from 1 on the ground fails (BF) [default: 0, a
+    /// Share ω = V/(2B q_u) of a base that crushes, taken by the weight alone; from 1 on the ground fails (BF) [default: 0, a
     /// rigid base]
     #[arg(long, value_name = "W", allow_hyphen_values = true, value_parser = omega)]
     pub omega: Option<f64>,
@@ -444,7 +445,7 @@ pub struct DiagramArgs {
     /// Elevation k' of the force above the centre of mass, in half-heights; negative below
     #[arg(long, value_name = "KP", allow_hyphen_values = true, value_parser = k_prime)]
     pub k_prime: f64,
-    /// Share ω = P/(2B q_u) of a base that crushes, below 1; the map of a rigid base is drawn in grey behind
+    /// Share ω = V/(2B q_u) of a base that crushes, below 1; the map of a rigid base is drawn in grey behind
     #[arg(long, value_name = "W", allow_hyphen_values = true, value_parser = omega, conflicts_with = "law")]
     pub omega: Option<f64>,
     /// The plane of ground that fails, by this law of its bearing resistance

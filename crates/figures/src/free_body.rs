@@ -18,7 +18,7 @@ pub struct FreeBody {
     pub point: Point,
     /// True if the force points right, so that all of it is to be drawn in a mirror.
     pub mirrored: bool,
-    /// ω of a base that crushes, P/(2B q_u); 0 of a rigid one. Not negative.
+    /// ω of a base that crushes, V/(2B q_u); 0 of a rigid one. Not negative.
     pub omega: f64,
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::key::{Id, Key, Kind, Table};
 use crate::record::RecordFile;
-use crate::units::{Dimension, Extent};
+use crate::units::{Dimension, Extent, ShownUnit};
 
 /// A value under a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,14 +54,24 @@ impl Value {
 /// assert_eq!(inputs.number(Key::Width), Some(1.5));
 /// # Ok::<(), standfast_inputs::CaseError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Inputs {
     /// In the order of their keys.
     values: Vec<(Id, Value)>,
     /// Numbers with more decimals than an f64 says, as they are written, with their places in a list.
     decimals: Vec<((Id, usize), Ball)>,
+    /// Units in which the file writes its numbers, where it writes one.
+    written: Vec<(Id, ShownUnit)>,
     /// Number of tables of each kind, in the order of [`Table::ALL`].
     tables: [usize; Table::ALL.len()],
+}
+
+/// The same values; in which units they are written is no matter.
+impl PartialEq for Inputs {
+    fn eq(&self, other: &Inputs) -> bool {
+        let Inputs { values, decimals, tables, written: _ } = self;
+        (values, decimals, tables) == (&other.values, &other.decimals, &other.tables)
+    }
 }
 
 impl Inputs {
@@ -105,6 +115,21 @@ impl Inputs {
     /// Puts the decimal that was written beside its number, at a place of the list under a key; 0 of one number.
     pub fn put_decimal(&mut self, id: Id, place: usize, decimal: Ball) {
         self.decimals.push(((id, place), decimal));
+    }
+
+    /// Says in which unit the file writes a number.
+    pub(crate) fn put_unit(&mut self, id: Id, unit: ShownUnit) {
+        self.written.push((id, unit));
+    }
+
+    /// The unit in which the file writes a number; that of SI, in which it takes one without, where it writes none.
+    pub fn shown_unit(&self, id: Id) -> Option<ShownUnit> {
+        let written = self.written.iter().find(|(of, _)| *of == id).map(|(_, unit)| *unit);
+        match (written, self.get(id)) {
+            (None, Some(Value::InGravity(_))) => Some(ShownUnit::gravity(self.gravity())),
+            (None, _) => self.dimension(id).map(Dimension::shown_in_si),
+            (written, _) => written,
+        }
     }
 
     /// The words under a key.

@@ -783,9 +783,9 @@ listed! {
     LeastLoadFactor = key(Criteria, "load_factor", Plain(Positive), "",
         "at least: multiple of the variable loads at which the body leaves rest", "1.1");
     LeastGround = key(Criteria, "ground_factor", Plain(Positive), "",
-        "at least: resistance of the ground over the force on it, R/P", "1.4");
+        "at least: resistance of the ground over the force on it, R/V", "1.4");
     GreatestEffective = key(Criteria, "effective_pressure_max", Measured(Dimension::Pressure, Positive), "",
-        "at most: pressure on the effective width, P/B'", "\"400 kPa\"");
+        "at most: pressure on the effective width, V/B'", "\"400 kPa\"");
     GreatestRotation = key(Criteria, "rotation_max", Measured(Dimension::Angle, Positive), "",
         "at most: rotation on an elastic base", "\"2 mrad\"");
     GreatestNotRest = key(Criteria, "p_not_rest", Plain(Share), "",

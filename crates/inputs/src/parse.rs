@@ -9,7 +9,6 @@ use std::ops::Range as Span;
 use std::sync::Arc;
 
 use standfast::{Ball, Modes};
-use standfast_motion::record::STANDARD_GRAVITY;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -17,7 +16,7 @@ use crate::digits::shortened;
 use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
 use crate::inputs::{Inputs, Value, dimension};
 use crate::key::{Id, Key, Kind, Range, Table};
-use crate::random::{self, RANDOM, Random, RandomProblem};
+use crate::random::{self, RANDOM, Random, RandomProblem, RandomRecord};
 use crate::record::{ReadFile, RecordFile};
 use crate::units::{Dimension, Extent, UnitError, in_gravity, split_text};
 pub use option::read;
@@ -105,7 +104,7 @@ impl CaseText {
             }
         }
         let records = self.random.as_ref().map_or_else(Vec::new, |random| random.records.clone());
-        for name in records {
+        for name in records.iter().flat_map(RandomRecord::files).cloned() {
             let text = read(&name).map_err(|why| {
                 let span = self.random.as_ref().map_or(0..0, |random| random.span.clone());
                 let problem = Problem::Unread { name: name.clone(), why };
@@ -309,6 +308,10 @@ impl CaseText {
                 }
                 kind => {
                     self.inputs.put(id, field.value(kind)?);
+                    let unit = value.get_ref().as_str().zip(field.dimension());
+                    if let Some(unit) = unit.and_then(|(text, dimension)| dimension.shown_unit(text)) {
+                        self.inputs.put_unit(id, unit);
+                    }
                     for (place, decimal) in field.long_decimals() {
                         self.inputs.put_decimal(id, place, decimal);
                     }
@@ -454,14 +457,11 @@ impl Field<'_> {
                 let number = number.map_or_else(|| self.measured(), Ok)?;
                 Value::Number(self.in_range(number, range)?)
             }
-            Kind::Reached => {
-                if self.dimension().is_some() {
-                    self.bare_acceleration(number)?;
-                }
-                let number = number.map_or_else(|| self.reached(), Ok)?;
-                Value::Number(self.in_range(number, Range::Finite)?)
+            Kind::Reached if self.dimension().is_none() => {
+                let plain = || self.wrong_type(expected_type(Kind::Plain(Range::Finite)));
+                Value::Number(self.in_range(number.ok_or_else(plain)?, Range::Finite)?)
             }
-            Kind::InGravity => match number {
+            Kind::InGravity | Kind::Reached => match number {
                 Some(number) => {
                     self.bare_acceleration(Some(number))?;
                     Value::Number(self.in_range(number, Range::Finite)?)
@@ -627,17 +627,6 @@ impl Field<'_> {
         };
         let digits = text.chars().filter(char::is_ascii_digit).count();
         (digits > f64::DIGITS as usize).then(|| Ball::decimal(text))?.map(|number| number.times_ten_to(power))
-    }
-
-    /// Peak of a history, with its unit: g is the standard acceleration of gravity.
-    fn reached(&self) -> Result<f64, PlacedProblem> {
-        if self.dimension().is_none() {
-            return Err(self.wrong_type(expected_type(Kind::Plain(Range::Finite))));
-        }
-        match self.value.get_ref().as_str().and_then(in_gravity) {
-            Some(share) => Ok(share * STANDARD_GRAVITY),
-            None => self.measured(),
-        }
     }
 
     /// So many numbers without unit in a list.

@@ -34,13 +34,29 @@ pub struct Random {
     /// The numbers that are random, in the order in which they stand.
     pub named: Vec<RandomEntry>,
     /// Records of shakings, each as likely, in the place of the case's own.
-    pub records: Vec<String>,
+    pub records: Vec<RandomRecord>,
     /// Correlations of two of them together: their places, and the correlation.
     pub correlations: Vec<(usize, usize, CorrelationMeasure)>,
     /// Span of each correlation in the file.
     pub correlation_spans: Vec<Span<usize>>,
     /// Span of the table in the file.
     pub span: Span<usize>,
+}
+
+/// A record of a shaking, by its files.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RandomRecord {
+    /// To the sides.
+    pub horizontal: String,
+    /// Up and down at the same time, if it is given.
+    pub vertical: Option<String>,
+}
+
+impl RandomRecord {
+    /// Its files.
+    pub fn files(&self) -> impl Iterator<Item = &String> {
+        std::iter::once(&self.horizontal).chain(&self.vertical)
+    }
 }
 
 /// A random number.
@@ -261,7 +277,7 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
         match name {
             "years" => random.years = Some(positive(value, "`years`")?),
             "correlation" => correlations = Some(value),
-            "records" => random.records = files(value)?,
+            "records" => random.records = records(value)?,
             _ => numbers(name.to_owned(), value, &mut random.named)?,
         }
     }
@@ -274,11 +290,29 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
     Ok(random)
 }
 
-/// The files of a list.
-fn files(item: &Item<'_>) -> ReadResult<Vec<String>> {
-    let wrong = || wrong(item, "`records`", "a list of files in quotes");
-    let list = item.get_ref().as_array().filter(|list| !list.is_empty()).ok_or_else(wrong)?;
-    list.iter().map(|file| file.get_ref().as_str().map(str::to_owned).ok_or_else(wrong)).collect()
+/// The records of a list: of each the file, or one for the sides and one for up and down.
+fn records(item: &Item<'_>) -> ReadResult<Vec<RandomRecord>> {
+    const EXPECTED: &str =
+        "a list of files in quotes, or of { horizontal = \"a.smc\", vertical = \"b.smc\" }";
+    let list = item.get_ref().as_array().filter(|list| !list.is_empty());
+    let list = list.ok_or_else(|| wrong(item, "`records`", EXPECTED))?;
+    let record = |item: &Item<'_>| {
+        let refused = || wrong(item, "a record of `records`", EXPECTED);
+        let name = |value: &Item<'_>| value.get_ref().as_str().map(str::to_owned).ok_or_else(refused);
+        let Some(table) = item.get_ref().as_table() else {
+            return Ok(RandomRecord { horizontal: name(item)?, vertical: None });
+        };
+        let (mut horizontal, mut vertical) = (None, None);
+        for (key, value) in in_order(table) {
+            match key {
+                "horizontal" => horizontal = Some(name(value)?),
+                "vertical" => vertical = Some(name(value)?),
+                _ => return Err(refused()),
+            }
+        }
+        Ok(RandomRecord { horizontal: horizontal.ok_or_else(refused)?, vertical })
+    };
+    list.iter().map(record).collect()
 }
 
 /// The entries of a table in the order in which they stand.

@@ -108,7 +108,7 @@ pub enum Dimension {
 type NamedUnit = (&'static str, i32);
 
 /// A unit of some dimension: the power of ten by which it is more than that of SI.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Unit(pub i32);
 
 impl Unit {
@@ -130,6 +130,52 @@ impl Unit {
     pub fn of_si(self, value: f64) -> f64 {
         let factor = 10f64.powi(self.0.abs());
         if self.0 < 0 { value * factor } else { value / factor }
+    }
+}
+
+/// A unit by its name, in which a number is shown to people.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShownUnit {
+    name: &'static str,
+    of: ShownScale,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum ShownScale {
+    Power(Unit),
+    Gravity(f64),
+}
+
+impl ShownUnit {
+    /// The acceleration of gravity of a case, m/s².
+    pub(crate) fn gravity(gravity: f64) -> ShownUnit {
+        ShownUnit { name: GRAVITY_UNIT, of: ShownScale::Gravity(gravity) }
+    }
+
+    /// Its name, as a file has it.
+    pub fn name(self) -> &'static str {
+        self.name
+    }
+
+    /// Its name with powers raised, for reading.
+    pub fn symbol(self) -> String {
+        raised(self.name)
+    }
+
+    /// So many of it, in SI units.
+    pub fn in_si(self, number: f64) -> f64 {
+        match self.of {
+            ShownScale::Power(unit) => unit.si(number),
+            ShownScale::Gravity(gravity) => number * gravity,
+        }
+    }
+
+    /// An SI value as a number of this unit.
+    pub fn of_si(self, si: f64) -> f64 {
+        match self.of {
+            ShownScale::Power(unit) => unit.of_si(si),
+            ShownScale::Gravity(gravity) => si / gravity,
+        }
     }
 }
 
@@ -202,7 +248,7 @@ impl Dimension {
 
     /// The SI unit with powers raised, for reading.
     pub fn symbol(self) -> String {
-        self.si().replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")
+        raised(self.si())
     }
 
     /// The unit in which people read it, and how many SI units make one.
@@ -264,6 +310,18 @@ impl Dimension {
         Ok((value, known))
     }
 
+    /// The unit that a text such as "450 kN/m" writes behind its number, where it is one of its.
+    pub(crate) fn shown_unit(self, text: &str) -> Option<ShownUnit> {
+        let (_, unit) = split(text.trim())?;
+        let (name, power) = self.units().iter().find(|(known, _)| *known == unit)?;
+        Some(ShownUnit { name, of: ShownScale::Power(Unit(*power)) })
+    }
+
+    /// The unit of plain numbers.
+    pub fn shown_in_si(self) -> ShownUnit {
+        ShownUnit { name: self.si(), of: ShownScale::Power(Unit(0)) }
+    }
+
     /// The names of its units.
     pub fn names(self) -> impl Iterator<Item = &'static str> {
         self.units().iter().map(|(name, _)| *name)
@@ -273,6 +331,11 @@ impl Dimension {
     pub fn unit(self, name: &str) -> Option<Unit> {
         self.units().iter().find(|(known, _)| *known == name).map(|(_, power)| Unit(*power))
     }
+}
+
+/// The name of a unit with powers raised.
+fn raised(name: &str) -> String {
+    name.replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")
 }
 
 /// The unit that counts the acceleration of gravity.

@@ -18,7 +18,7 @@ use crate::inputs::{Inputs, Value, dimension};
 use crate::key::{Id, Key, Kind, Moves, Range, Table};
 use crate::parse::read;
 use crate::suggest::closest;
-use crate::units::{Dimension, Extent};
+use crate::units::{Dimension, Extent, ShownUnit};
 
 /// A number of a case that is varied.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +32,8 @@ pub struct Variable {
     both_sides: bool,
     /// Extent of its forces and masses; `None` where numbers have no units.
     units: Option<Extent>,
+    /// The unit in which the file writes it; `None` of a plain number.
+    shown: Option<ShownUnit>,
 }
 
 /// A name that is not a number of a case.
@@ -93,13 +95,13 @@ impl Variable {
 
     /// The number under a key of inputs.
     pub fn of(id: Id, inputs: &Inputs) -> Variable {
-        Variable::under(id, inputs.units())
+        Variable { shown: inputs.shown_unit(id), ..Variable::under(id, inputs.units()) }
     }
 
     fn under(id: Id, units: Option<Extent>) -> Variable {
         let moves = id.key.info().moves;
         let both_sides = id.key == Key::Level;
-        Variable { name: id.to_string(), id, moves, by_density: false, both_sides, units }
+        Variable { name: id.to_string(), id, moves, by_density: false, both_sides, units, shown: None }
     }
 
     /// Its name.
@@ -119,8 +121,15 @@ impl Variable {
 
     /// The name of its key, where it is that number with what goes with it; else what it is called.
     pub fn key_name(&self) -> String {
-        let by_key = Variable { name: self.name.clone(), ..Variable::under(self.id, self.units) };
+        let by_key =
+            Variable { name: self.name.clone(), shown: self.shown, ..Variable::under(self.id, self.units) };
         if by_key == *self { self.id.to_string() } else { self.name.clone() }
+    }
+
+    /// The unit in which people read it: as the file writes it; `None` of a plain number.
+    pub fn shown_unit(&self) -> Option<ShownUnit> {
+        // The mass is not written where the density is.
+        if self.by_density { self.dimension().map(Dimension::shown_in_si) } else { self.shown }
     }
 
     /// Its dimension; `None` for a plain number.

@@ -19,7 +19,8 @@ use crate::record::RecordFile;
 /// Ends the sentence of what is answered of the first instant.
 const FOLLOWED: &str = "; the motion in time is what `standfast simulate` follows";
 
-/// Accelerations of the base that are given beside a case, in place of those it names: in m/s², or in the units of a `[block]`.
+/// Accelerations of the base that are given beside a case, in place of those it names: in their units, or where those are unnamed in
+/// m/s² or in the units of a `[block]`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct GivenBase {
     /// To the right.

@@ -8,7 +8,7 @@ use standfast::number::exact;
 /// The unit of a record's values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RecordUnit {
-    /// Standard gravity, 9.80665 m/s².
+    /// The acceleration of gravity: that of the case that the record goes with.
     Gravity,
     /// m/s².
     MetrePerSecondSquared,
@@ -32,9 +32,6 @@ pub enum RecordUnit {
     Unnamed,
 }
 
-/// Standard gravity, m/s².
-pub const STANDARD_GRAVITY: f64 = 9.80665;
-
 impl RecordUnit {
     const NAMED: [(&'static str, RecordUnit); 10] = [
         ("g", RecordUnit::Gravity),
@@ -49,10 +46,10 @@ impl RecordUnit {
         ("mn_m", RecordUnit::MeganewtonPerMetre),
     ];
 
-    /// So many SI units is one of it; 1 if it has no name.
-    pub fn si(self) -> f64 {
+    /// So many SI units is one of it, where `gravity` is the acceleration of gravity (m/s²); 1 if it has no name.
+    pub fn si(self, gravity: f64) -> f64 {
         match self {
-            RecordUnit::Gravity => STANDARD_GRAVITY,
+            RecordUnit::Gravity => gravity,
             RecordUnit::CentimetrePerSecondSquared => 0.01,
             RecordUnit::Kilonewton | RecordUnit::KilonewtonPerMetre => 1e3,
             RecordUnit::Meganewton | RecordUnit::MeganewtonPerMetre => 1e6,

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use standfast_cases::couple::STAYS;
-use standfast_cases::design::{Sensitivity, SensitivityChange, sensitivities};
+use standfast_cases::design::{Sensitivity, SensitivityChange, change_words, sensitivities};
 use standfast_cases::key::Table;
 use standfast_cases::{CaseError, CaseFile};
 
@@ -10,6 +10,8 @@ use crate::measured::number;
 
 pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
     let rows = sensitivities(file)?;
+    // What a percent more of a table of pressures is, none of its numbers says.
+    let untold = file.inputs().has(Table::Pressure);
     let stays = file.inputs().has(Table::Pressure) || file.inputs().has(Table::Load);
     let wet = match (file.inputs().has(Table::Wave), file.inputs().has(Table::Water)) {
         (false, false) => "",
@@ -24,6 +26,7 @@ pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
              share of the load; " em { "no case" } ", an input 1 % larger makes no sense beside the others."
         }
         @if stays { p.note { (STAYS) } }
+        @if untold { p.note { "The pressures of a [[pressure]] have no row: they are lists, and no single input." } }
         table.numbers data-table="sensitivity" {
             thead {
                 tr {
@@ -37,7 +40,7 @@ pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
             tbody {
                 @for row in &rows {
                     tr {
-                        td { code { (row.variable.name()) } }
+                        td { (row.variable.key().info().words) " " code { (row.variable.name()) } }
                         td.n { (value(row)) }
                         @for change in [row.sliding, row.overturning, row.load_factor] {
                             td.n { (signed(change)) }
@@ -52,19 +55,18 @@ pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
 /// The value of an input, with its unit.
 pub fn value(row: &Sensitivity) -> Markup {
     html! {
-        data value=(row.value) { (number(row.value)) }
-        @if let Some(dimension) = row.variable.dimension() {
-            "\u{a0}" span.unit { (dimension.symbol()) }
+        @match row.variable.shown_unit() {
+            None => data value=(row.value) { (number(row.value)) },
+            Some(unit) => {
+                data value=(row.value) { (number(unit.of_si(row.value))) } "\u{a0}" span.unit { (unit.symbol()) }
+            }
         }
     }
 }
 
 /// A change with its sign, or the word for one that is no number.
 pub fn signed(change: SensitivityChange) -> Markup {
-    let text = |change: f64| match format!("{change:+.5}").replace('-', "−") {
-        zero if zero.ends_with("0.00000") => "0".to_owned(),
-        text => text,
-    };
+    let text = |change: f64| change_words(change).replace('-', "−");
     html! {
         @match change.number() {
             None => (change.words()),

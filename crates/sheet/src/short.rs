@@ -1,8 +1,9 @@
 //! The sheet on one page: what a client or a checker reads first. Its numbers are those of the full sheet.
 
 use maud::{DOCTYPE, Markup, html};
+use standfast::Verdict;
 use standfast_cases::assess::{AnyCheck, figures_of};
-use standfast_cases::design::{Sensitivity, sensitivities};
+use standfast_cases::design::{Sensitivity, SensitivityChange, load_factor, sensitivities};
 use standfast_cases::layout::{apart, factor};
 use standfast_cases::random::Probability;
 use standfast_cases::{AnswerFigure, Assessed, Assessment, AssessmentView, Key, Portion};
@@ -46,7 +47,10 @@ pub fn render(
     let tops = verdict::tops(assessment, answer);
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
     let note = case.note.as_deref().map(|note| shortened(&one_line(note)));
-    let inputs = deciding(sensitivities(source.case_file)?);
+    // Where the ground fails before the body moves, neither factor of the body says what decides.
+    let by_ground = assessment.least(load_factor).departure().verdict() == Some(Verdict::BearingFailure);
+    let changes = if by_ground { LOAD_FACTOR } else { FACTORS };
+    let inputs = deciding(sensitivities(source.case_file)?, changes);
     let rows = Asked::all(assessment, answer);
     let situations = assessment.worst_first();
     let places: Vec<String> = situations.iter().filter_map(|one| assessment.name(one)).collect();
@@ -81,7 +85,7 @@ pub fn render(
                     }
                     div.pair.beside[room.beside] {
                         (figure)
-                        @if !inputs.is_empty() { div { h2 { "Inputs that decide" } (table_of_inputs(inputs, !room.beside || room.width <= BESIDE_CHANGES)) } }
+                        @if !inputs.is_empty() { div { h2 { "Inputs that decide" } (table_of_inputs(inputs, if !room.beside || room.width <= BESIDE_CHANGES { changes } else { &[] })) } }
                     }
                     h2 { "Criteria and combinations" }
                     @if rows.is_empty() {
@@ -112,26 +116,35 @@ fn shortened(note: &str) -> String {
     format!("{} (The note goes on in the case file.)", &note[..sentence])
 }
 
-/// The inputs of which 1 % more changes a safety factor or the load factor, the one that changes it most first.
-fn deciding(mut rows: Vec<Sensitivity>) -> Vec<Sensitivity> {
+/// A result, and its change.
+type Change = (&'static str, fn(&Sensitivity) -> SensitivityChange);
+
+/// Results by which inputs are told apart: where the body moves first, and where the ground fails first.
+const FACTORS: &[Change] = &[("SF of sliding", |row| row.sliding), ("of overturning", |row| row.overturning)];
+const LOAD_FACTOR: &[Change] = &[("load factor of the ground", |row| row.load_factor)];
+
+/// The inputs of which 1 % more changes a result, the one that changes it most first.
+fn deciding(mut rows: Vec<Sensitivity>, changes: &[Change]) -> Vec<Sensitivity> {
     let effect = |row: &Sensitivity| {
-        let changes = [row.sliding, row.overturning, row.load_factor].map(|change| change.number());
-        changes.into_iter().flatten().map(f64::abs).fold(0.0, f64::max)
+        let changes = changes.iter().filter_map(|(_, change)| change(row).number());
+        changes.map(f64::abs).fold(0.0, f64::max)
     };
     rows.retain(|row| effect(row) > 0.0);
     rows.sort_by(|one, other| effect(other).total_cmp(&effect(one)));
     rows
 }
 
-/// The inputs with their values, and where there is room with the changes of the safety factors.
-fn table_of_inputs(inputs: &[Sensitivity], changes: bool) -> Markup {
+/// The inputs with their values, and with the changes for which there is room.
+fn table_of_inputs(inputs: &[Sensitivity], changes: &[Change]) -> Markup {
     html! {
         table.numbers data-table="deciding" {
             thead {
                 tr {
                     th { "Input" }
                     th.n { "Value" }
-                    @if changes { th.n { "1 % more: SF of sliding" } th.n { "of overturning" } }
+                    @for (i, (result, _)) in changes.iter().enumerate() {
+                        th.n { @if i == 0 { "1 % more: " } (result) }
+                    }
                 }
             }
             tbody {
@@ -139,9 +152,7 @@ fn table_of_inputs(inputs: &[Sensitivity], changes: bool) -> Markup {
                     tr {
                         td { code { (row.variable.name()) } }
                         td.n { (sensitivity::value(row)) }
-                        @if changes {
-                            @for change in [row.sliding, row.overturning] { td.n { (sensitivity::signed(change)) } }
-                        }
+                        @for (_, change) in changes { td.n { (sensitivity::signed(change(row))) } }
                     }
                 }
             }

@@ -59,7 +59,7 @@ impl Points {
             if value != 0.0 && value.is_finite() && skip.get(row) != Some(&true) {
                 faults.minded.add("omega-as-share", row, || {
                     format!(
-                        "the column omega, here {value}, is taken for ω = P/(2B q_u), the share of the base that P crushes, 0 for a rigid \
+                        "the column omega, here {value}, is taken for ω = V/(2B q_u), the share of the base that V crushes, 0 for a rigid \
                          base, and not for an angular frequency; {said} says that it is ω"
                     )
                 });

@@ -173,7 +173,7 @@ def classify(
         k_prime: height of the force above the centre of mass in H; below it, negative.
         k: force over weight, F/(m g), not negative.
         mu: Coulomb friction between body and base, not negative.
-        omega: share ω = P/(2B q_u) of a base that crushes at the pressure q_u, which the weight alone needs of it; 0, a rigid base,
+        omega: share ω = V/(2B q_u) of a base that crushes at the pressure q_u, which the weight alone needs of it; 0, a rigid base,
             if it is left out. From 1 on the ground fails, ``BF``. Beside a table a number, or a column of it: the one ``map``
             names, or one that is called ``omega``.
         map: for a table, which column holds what, as ``{"mu": "friction"}``, or a number that holds for all rows, as

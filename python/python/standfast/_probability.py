@@ -250,7 +250,7 @@ def draws(
     columns = [
         _standfast.make_array(name, values, None, None, {} if unit is None else {"unit": unit}) for name, unit, values in inputs
     ]
-    said = ("|X|/P, the horizontal force over what presses the body on its base", "−M/(X H), the elevation of that force above the centre of mass in H")
+    said = ("|X|/V, the horizontal force over what presses the body on its base", "−M/(X H), the elevation of that force above the centre of mass in H")
     for name, values, words in zip(("k_eff", "k_prime_eff"), effective, said):
         missing = np.isnan(values)
         columns.append(_standfast.make_array(name, values, missing if missing.any() else None, None, {"description": words}))

@@ -29,8 +29,8 @@ from .motions import MotionDocument
 
 _ADVICE = Advice("simulate")
 
-#: So many m/s² are one of them.
-_UNITS = {"m/s2": 1.0, "g": 9.80665, "cm/s2": 0.01}
+#: Units of a record; g counts the gravity of the case.
+_UNITS = ("m/s2", "g", "cm/s2")
 _DIRECTIONS = ("horizontal", "vertical")
 #: Times that differ by this share of a record's length are the same.
 _SAME = 1e-6
@@ -45,8 +45,8 @@ _SERIES = (
     ("omega", "rad/s", "angular velocity"),
 )
 
-#: Times and values of a record.
-_Record = tuple[NDArray[np.float64], NDArray[np.float64]]
+#: Times and values of a record, and their unit.
+_Record = tuple[NDArray[np.float64], NDArray[np.float64], str | None]
 #: Those to the right and upwards, where they are given.
 Records = tuple[_Record | None, _Record | None]
 
@@ -231,7 +231,6 @@ def records_of(base: Any, dt: Any, unit: str | None, called: str = "base") -> Re
     """Horizontal and vertical record; ``called`` is what errors call them."""
     if unit is not None and unit not in _UNITS:
         raise ValueError(f"unit is {unit!r}; expected one of {', '.join(map(repr, _UNITS))}")
-    factor = 1.0 if unit is None else _UNITS[unit]
     if base is None:
         if dt is not None or unit is not None:
             raise TypeError(f"{'dt' if dt is not None else 'unit'} is that of base, which is not given")
@@ -245,21 +244,21 @@ def records_of(base: Any, dt: Any, unit: str | None, called: str = "base") -> Re
             raise ValueError(f"{called} is empty; expected an array, or arrays under 'horizontal' and 'vertical'")
     else:
         named = {"horizontal": (called, base)}
-    found = {direction: _record(name, values, dt, factor) for direction, (name, values) in named.items()}
-    lengths = {direction: len(values) for direction, (_, values) in found.items()}
+    found = {direction: _record(name, values, dt, unit) for direction, (name, values) in named.items()}
+    lengths = {direction: len(values) for direction, (_, values, _) in found.items()}
     if len(set(lengths.values())) > 1:
         counted = " and ".join(f"{count} values {direction}" for direction, count in lengths.items())
         raise ValueError(f"{called} has {counted}; expected as many")
     return found.get("horizontal"), found.get("vertical")
 
 
-def _record(name: str, given: Any, dt: Any, factor: float) -> _Record:
-    values = _values(given, name) * factor
+def _record(name: str, given: Any, dt: Any, unit: str | None) -> _Record:
+    values = _values(given, name)
     own = _own_times(given)
     if dt is None:
         if own is None:
             raise TypeError(f"dt is missing; expected the step of time between the values of {name}, or their times")
-        return _rising(own, f"the index of {name}"), values
+        return _rising(own, f"the index of {name}"), values, unit
     if np.ndim(dt) == 0 and not hasattr(dt, "__len__"):
         times = np.arange(len(values), dtype=np.float64) * positive(dt, "dt")
     else:
@@ -273,7 +272,7 @@ def _record(name: str, given: Any, dt: Any, factor: float) -> _Record:
             raise ValueError(
                 f"{name} has the time {own[at]:.6g} in its index at row {at}, and {times[at]:.6g} by dt; leave dt out, or give {name}.to_numpy()"
             )
-    return times, values
+    return times, values, unit
 
 
 def _own_times(given: Any) -> NDArray[np.float64] | None:

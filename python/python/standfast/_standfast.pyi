@@ -173,7 +173,7 @@ def sheet(
     progress: _Progress,
 ) -> tuple[str, bytes | None]: ...
 
-_RecordOf = tuple[NDArray[np.float64], NDArray[np.float64]] | None
+_RecordOf = tuple[NDArray[np.float64], NDArray[np.float64], str | None] | None
 _Numbered = NDArray[np.float64]
 
 @final

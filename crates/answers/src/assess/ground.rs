@@ -17,19 +17,19 @@ pub struct BaseResponse {
     pub limit: Option<Limit>,
     /// Reaction of a body at rest under the full load, per metre run; `None` if nothing presses.
     pub reaction: Option<Reaction>,
-    /// ω = P/(2B q_u) of a base that crushes.
+    /// ω = V/(2B q_u) of a base that crushes.
     pub omega: Option<f64>,
     /// Motion, and pressed part of the base, as the mode under the full load begins on a base that crushes.
     pub crush: Option<CrushMotion>,
     /// R, N per metre run or of the whole object: what the ground bears at the reaction's eccentricity and inclination.
     pub resistance: Option<f64>,
-    /// R/P.
+    /// R/V.
     pub factor: Option<f64>,
     /// R − P, N per metre run or of the whole object.
     pub margin: Option<f64>,
-    /// Load factors at which R/P falls to 1 as the variable loads rise.
+    /// Load factors at which R/V falls to 1 as the variable loads rise.
     pub load_factors: Option<LoadFactors>,
-    /// |X|/P at which R/P is 1 if both X and the moment grow as they stand to each other under the full load.
+    /// |X|/V at which R/V is 1 if both X and the moment grow as they stand to each other under the full load.
     pub k_bf: Option<f64>,
     /// Elastic part of the response.
     pub elastic: Option<Elastic>,
@@ -46,7 +46,7 @@ pub struct Elastic {
     pub rotation: Option<f64>,
     /// The most it bears if the load is raised slowly.
     pub largest: LargestMoment,
-    /// |X|/P at which that is reached, as [`k_bf`](BaseResponse::k_bf).
+    /// |X|/V at which that is reached, as [`k_bf`](BaseResponse::k_bf).
     pub k_overturn: Option<f64>,
     /// Natural periods of sway and rocking, the longer first, and of heave, s; `None` where the centre of mass is off the middle of
     /// the base or there is no tangential stiffness.

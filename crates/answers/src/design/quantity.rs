@@ -73,12 +73,11 @@ impl Quantity {
 /// Significant digits that few numbers of a case have more of.
 const GIVEN: usize = 6;
 
-/// A number with the unit of plain numbers, in so many significant digits.
+/// A value in the unit of the file, in so many significant digits.
 pub fn with_unit(value: f64, variable: &Variable, count: usize) -> String {
-    let number = significant(value, count);
-    match variable.dimension() {
-        Some(dimension) => format!("{number} {}", dimension.si()),
-        None => number,
+    match variable.shown_unit() {
+        Some(unit) => format!("{} {}", significant(unit.of_si(value), count), unit.symbol()),
+        None => significant(value, count),
     }
 }
 

@@ -457,14 +457,25 @@ fn overturning(
     portion: Portion<'_>,
 ) -> Result<SpectrumPoints, SpectrumError> {
     let of_scales = SpectrumSteps { from: 0.05, to: 5.0, count: 199 };
-    let scales = values(&request.scale, of_scales, SpectrumSteps::even);
+    let mut scales = values(&request.scale, of_scales, SpectrumSteps::even);
     if let Some((t_max, end)) = case.problem.cut_short() {
         return Err(SpectrumError::CutShort { t_max, end });
     }
     let curve = OverturningCurve::new(&case.problem);
     // A turn is halved some fifty times, and a curve has a few.
-    let [of_scan, of_turns] = portion.parts([scales.len() as f64, 200.0]);
-    let bodies = each(&scales, request.threads, of_scan, "scale", |scale| *scale, |scale| curve.at(*scale))?;
+    let [of_scan, of_more, of_turns] = portion.parts([scales.len() as f64, 300.0, 200.0]);
+    let follow = |scales: &[f64], portion| {
+        each(scales, request.threads, portion, "scale", |scale| *scale, |scale| curve.at(*scale))
+    };
+    let mut bodies = follow(&scales, of_scan)?;
+    // Where nobody says at which factors, they are nearer to each other where one overturns the body: the next may not.
+    if request.scale.is_none() {
+        let more = between_overturning(&scales, &bodies);
+        let mut all: Vec<_> = scales.into_iter().zip(bodies).collect();
+        all.extend(more.iter().copied().zip(follow(&more, of_more)?));
+        all.sort_by(|(one, _), (two, _)| one.total_cmp(two));
+        (scales, bodies) = all.into_iter().unzip();
+    }
     let scan: Vec<(f64, bool)> =
         scales.iter().zip(&bodies).map(|(scale, body)| (*scale, body.overturned)).collect();
     let turns: Vec<[f64; 2]> =
@@ -477,6 +488,21 @@ fn overturning(
     };
     let stretches = overturning_stretches(&scan, turn);
     Ok(SpectrumPoints::Overturning { scales, bodies, stretches })
+}
+
+/// Distance of two factors where the body overturns, as a share of the factor.
+const NEAR: f64 = 0.005;
+
+/// Factors that part every step of which an end overturns the body into steps no longer than [`NEAR`].
+fn between_overturning(scales: &[f64], bodies: &[Rocked]) -> Vec<f64> {
+    let pairs = scales.windows(2).zip(bodies.windows(2));
+    let over = pairs.filter(|(_, bodies)| bodies.iter().any(|body| body.overturned));
+    over.flat_map(|(scales, _)| {
+        let (from, step) = (scales[0], scales[1] - scales[0]);
+        let parts = (step / (NEAR * from)).ceil().max(1.0) as u32;
+        (1..parts).map(move |part| from + step * f64::from(part) / f64::from(parts))
+    })
+    .collect()
 }
 
 /// The values given, or those where nothing is said; of steps, `parted`, as many as there if their number is left out.

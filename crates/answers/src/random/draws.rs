@@ -27,7 +27,7 @@ pub struct Draws {
 /// Outcome of a draw for the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Draw {
-    /// |X|/P and −M/(X H) of a body that the report's plane is of; none of any other, or where no force acts or nothing presses it
+    /// |X|/V and −M/(X H) of a body that the report's plane is of; none of any other, or where no force acts or nothing presses it
     /// on its base.
     pub effective: Option<[f64; 2]>,
     /// The mode.

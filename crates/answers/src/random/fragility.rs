@@ -7,7 +7,8 @@
 //! P(x) = Φ(ln(x/median)/dispersion)
 //! ```
 //!
-//! of which the nearest is given ([`Lognormal::nearest`]); its largest difference from the probabilities says whether it holds.
+//! of which the nearest is given where the number is an intensity ([`Lognormal::nearest`]); its largest difference from the probabilities
+//! says whether it holds.
 
 use std::cmp::Ordering;
 use std::str::FromStr;
@@ -166,6 +167,20 @@ impl Probability {
     }
 }
 
+/// True if a number says how strong what acts is: the more of it the likelier a failure, and none at zero, as a lognormal curve has it.
+fn is_intensity(key: Key) -> bool {
+    matches!(
+        key,
+        Key::Horizontal
+            | Key::Force
+            | Key::H13
+            | Key::Hmax
+            | Key::HistoryPeak
+            | Key::TargetPeak
+            | Key::RecordFactor
+    )
+}
+
 impl ValueRange {
     /// True if it asks for overturning over the peak of a shaking, which is none of the numbers of a case.
     pub fn is_of_peak(&self) -> bool {
@@ -215,7 +230,7 @@ impl ValueRange {
         request: &ChanceRequest,
         portion: Portion<'_>,
     ) -> Result<Fragility, ProbabilityError> {
-        let (unit, points) = match asked {
+        let (unit, is_intensity, points) = match asked {
             ChanceSubject::Point(of) => {
                 let coordinate = Coordinate::ALL.into_iter().find(|c| c.name() == self.name);
                 let Some(coordinate) = coordinate else {
@@ -234,7 +249,8 @@ impl ValueRange {
                 };
                 let read =
                     |text: &str| text.parse::<f64>().map_err(|_| format!("\"{text}\" is not a number"));
-                (None, self.points(self.values(read)?, (request, portion), at)?)
+                let is_force = coordinate == Coordinate::K;
+                (None, is_force, self.points(self.values(read)?, (request, portion), at)?)
             }
             ChanceSubject::Storm(_) => return Err(ProbabilityError::NoBody),
             ChanceSubject::Case { file, .. } => {
@@ -264,11 +280,11 @@ impl ValueRange {
                     problems_of(&changed, None, None)
                 };
                 let unit = variable.dimension().map(crate::units::Dimension::si);
-                (unit, self.points(self.values(read)?, (request, portion), at)?)
+                (unit, is_intensity(variable.key()), self.points(self.values(read)?, (request, portion), at)?)
             }
         };
         let told: Vec<(f64, f64)> = points.iter().map(|point| (point.value, point.not_rest.value)).collect();
-        let fit = Fit::of(&told);
+        let fit = Fit::of(&told).filter(|_| is_intensity);
         Ok(Fragility { name: self.name.clone(), unit, points, fit })
     }
 

@@ -16,6 +16,7 @@
 
 use standfast::Wrench;
 use standfast::loads::{Load, LoadSource, Pose};
+use standfast_motion::record::{Record, RecordUnit};
 use standfast_motion::{
     BaseMotion, History, Keep, LoadInTime, MotionError, MotionProblem, is_own_weight, shaken_water, simulate,
 };
@@ -32,6 +33,7 @@ use crate::case::Acting;
 use crate::key::Table;
 use crate::motion::in_order;
 use crate::units::{Dimension, in_gravity};
+use standfast_inputs::random::RandomRecord;
 use standfast_model::load_words;
 use standfast_model::{CaseFile, GivenBase};
 
@@ -167,17 +169,40 @@ fn of_file(
         return Ok((vec!["that of the case".to_owned()], vec![own]));
     }
     if own.vertical.is_some() {
-        return Err(over.wrong("[random] has `records` and the base moves up and down, by another record"));
+        return Err(over.wrong(
+            "[random] has `records` and the base moves up and down, by another record; a record of its own is { horizontal = \"a.smc\", vertical = \"b.smc\" }",
+        ));
     }
-    let base = |record: &String| {
-        let text = file
-            .beside(record)
-            .ok_or_else(|| over.wrong(format!("cannot read {record}: it is not read yet")))?;
-        let record = text.record(None, None).map_err(|error| over.wrong(error.to_string()))?;
-        let history = record.history(1.0).map_err(|error| over.wrong(error.to_string()))?;
-        Ok(BaseMotion { horizontal: Some(history), vertical: None })
+    let gravity = file.inputs().gravity();
+    let record = |name: &String| {
+        let text =
+            file.beside(name).ok_or_else(|| over.wrong(format!("cannot read {name}: it is not read yet")))?;
+        text.record(None, None).map_err(|error| over.wrong(error.to_string()))
     };
-    Ok((records.to_vec(), records.iter().map(base).collect::<Result<_, ProbabilityError>>()?))
+    let history = |record: Record| {
+        record.history(record.unit.si(gravity)).map_err(|error| over.wrong(error.to_string()))
+    };
+    let base = |of: &RandomRecord| {
+        let horizontal = record(&of.horizontal)?;
+        let vertical = match &of.vertical {
+            Some(name) => Some((name, record(name)?)),
+            None => None,
+        };
+        // One factor scales both, so that how they compare has to be known.
+        let is_named = |record: &Record| record.unit != RecordUnit::Unnamed;
+        if let Some((name, vertical)) = &vertical
+            && is_named(vertical) != is_named(&horizontal)
+        {
+            let [one, two] = if is_named(vertical) { [name, &of.horizontal] } else { [&of.horizontal, name] };
+            return Err(
+                over.wrong(format!("{one} says its unit, and {two} does not; expected both, or neither"))
+            );
+        }
+        let vertical = vertical.map(|(_, record)| history(record)).transpose()?;
+        Ok(BaseMotion { horizontal: Some(history(horizontal)?), vertical })
+    };
+    let names = records.iter().map(|record| record.horizontal.clone()).collect();
+    Ok((names, records.iter().map(base).collect::<Result<_, ProbabilityError>>()?))
 }
 
 /// Records that are given, called by their places.

@@ -1,6 +1,5 @@
 //! A number of a case that varies, and how its values are read: which key a name means, in which unit.
 
-use standfast_motion::record::STANDARD_GRAVITY;
 use thiserror::Error;
 
 use crate::case::{Bias, OF_PARTS};
@@ -18,6 +17,8 @@ pub struct Factor {
     unit: Counted,
     /// True if plain numbers have to have a unit, and none is said: of the acceleration of a base.
     unsaid: bool,
+    /// The acceleration of gravity of the case, m/s²; `None` if it varies as well.
+    gravity: Option<f64>,
 }
 
 /// What varies.
@@ -34,10 +35,8 @@ enum Counted {
     Si,
     /// Another unit.
     Unit(Unit),
-    /// The acceleration of gravity: that of the case, `None` if it varies as well.
-    Gravity(Option<f64>),
-    /// The standard acceleration of gravity.
-    StandardGravity,
+    /// The acceleration of gravity.
+    Gravity,
 }
 
 /// Reason why a name is not a number that can vary.
@@ -138,12 +137,10 @@ impl Factor {
                 }
             },
         };
-        let gravity = variable.id().key.info().kind == Kind::InGravity;
-        let of_base = variable.id().key.info().kind == Kind::Reached && variable.dimension().is_some();
-        let unsaid = unit.is_none() && (gravity || of_base);
+        let gravity = is_shaking(&variable);
+        let unsaid = unit.is_none() && gravity;
         let unit = match (unit, variable.dimension()) {
-            (None | Some("g"), _) if gravity => Counted::Gravity(Some(inputs.gravity())),
-            (Some("g"), _) if of_base => Counted::StandardGravity,
+            (None | Some("g"), _) if gravity => Counted::Gravity,
             (None, _) => Counted::Si,
             (Some(unit), None) if PLAIN.contains(&unit) => Counted::Si,
             (Some(unit), dimension) => {
@@ -154,7 +151,7 @@ impl Factor {
                 Counted::Unit(known.ok_or_else(wrong)?)
             }
         };
-        Ok(Factor { quantity: Varies::Number(variable), unit, unsaid })
+        Ok(Factor { quantity: Varies::Number(variable), unit, unsaid, gravity: Some(inputs.gravity()) })
     }
 
     fn of_bias(bias: Bias, unit: Option<&str>, inputs: &Inputs) -> Result<Factor, NoFactor> {
@@ -165,7 +162,7 @@ impl Factor {
             let (name, unit, expected) = (bias.name().to_owned(), unit.to_owned(), expected(None, false));
             return Err(NoFactor::Unit { name, unit, expected });
         }
-        Ok(Factor { quantity: Varies::Bias(bias), unit: Counted::Si, unsaid: false })
+        Ok(Factor { quantity: Varies::Bias(bias), unit: Counted::Si, unsaid: false, gravity: None })
     }
 
     /// What of a case can vary: the numbers that its file has, those that it leaves to what is taken for them, and factors on its loads.
@@ -194,10 +191,7 @@ impl Factor {
 
     /// The factor where gravity varies as well: multiples of gravity are then not said in other units.
     pub(super) fn under_any_gravity(self) -> Factor {
-        match self.unit {
-            Counted::Gravity(_) => Factor { unit: Counted::Gravity(None), ..self },
-            _ => self,
-        }
+        Factor { gravity: None, ..self }
     }
 
     /// The number of the case; `None` of a factor on its loads.
@@ -238,14 +232,9 @@ impl Factor {
         self.variable().and_then(Variable::dimension)
     }
 
-    /// True if it is the acceleration of a base that moves.
-    fn is_of_base(&self) -> bool {
-        self.id().is_some_and(|id| id.key.info().kind == Kind::Reached)
-    }
-
     /// True if its values count the acceleration of gravity, and are not in SI units.
     pub fn counts_gravity(&self) -> bool {
-        matches!(self.unit, Counted::Gravity(_))
+        matches!(self.unit, Counted::Gravity)
     }
 
     /// The value that a plain number stands for: in SI units, or in multiples of the acceleration of gravity.
@@ -257,16 +246,15 @@ impl Factor {
         Ok(0.0
             + match self.unit {
                 _ if self.unsaid && number != 0.0 => return Err(UnitError::Missing),
-                Counted::Si | Counted::Gravity(_) => number,
+                Counted::Si | Counted::Gravity => number,
                 Counted::Unit(unit) => unit.si(number),
-                Counted::StandardGravity => number * STANDARD_GRAVITY,
             })
     }
 
     /// The unit of plain numbers, where that is not the one of the values.
     pub fn unit(&self) -> Option<Unit> {
         match self.unit {
-            Counted::Si | Counted::Gravity(_) | Counted::StandardGravity => None,
+            Counted::Si | Counted::Gravity => None,
             Counted::Unit(unit) => Some(unit),
         }
     }
@@ -276,21 +264,22 @@ impl Factor {
     /// # Errors
     /// If it is neither.
     pub fn parse(&self, text: &str) -> Result<f64, UnitError> {
+        let unknown = |dimension: Dimension| UnitError::Unknown(dimension.si().to_owned());
         match (text.trim().parse::<f64>(), self.unit, self.dimension()) {
             (Ok(number), _, _) => self.value(number),
-            (_, Counted::Gravity(gravity), Some(dimension)) => {
-                match (in_gravity(text), dimension.parse(text)) {
-                    (Some(share), _) => Ok(0.0 + share),
-                    (None, Ok(acceleration)) => gravity
-                        .map(|gravity| share(acceleration, gravity))
-                        .ok_or_else(|| UnitError::Unknown(dimension.si().to_owned())),
-                    (None, Err(error)) => Err(error),
-                }
+            (_, unit, Some(dimension)) => {
+                let in_g = in_gravity(text).filter(|_| self.variable().is_some_and(is_shaking));
+                Ok(0.0
+                    + match (in_g, unit) {
+                        (Some(share), Counted::Gravity) => share,
+                        (Some(share), _) => share * self.gravity.ok_or_else(|| unknown(dimension))?,
+                        (None, Counted::Gravity) => {
+                            let acceleration = dimension.parse(text)?;
+                            share(acceleration, self.gravity.ok_or_else(|| unknown(dimension))?)
+                        }
+                        (None, _) => dimension.parse(text)?,
+                    })
             }
-            (_, _, Some(dimension)) => match in_gravity(text).filter(|_| self.is_of_base()) {
-                Some(share) => Ok(0.0 + share * STANDARD_GRAVITY),
-                None => Ok(0.0 + dimension.parse(text)?),
-            },
             // Two numbers to the one, a decimal to the other.
             (_, _, None) if text.trim().replace(',', ".").parse::<f64>().is_ok() => Err(UnitError::Separator),
             (_, _, None) => Err(UnitError::Number),
@@ -301,14 +290,14 @@ impl Factor {
     pub fn expected(&self) -> String {
         let name = self.key();
         match self.unit {
-            Counted::Gravity(None) => {
+            Counted::Gravity if self.gravity.is_none() => {
                 format!("a number with the unit g, as gravity varies as well; or the name `{name} [g]`")
             }
             _ if self.unsaid => {
                 let units = Dimension::Acceleration.understood();
                 format!("a number with its unit, g, {units}; or the unit behind the name, as `{name} [g]`")
             }
-            Counted::Gravity(Some(_)) => {
+            Counted::Gravity => {
                 let units = Dimension::Acceleration.understood();
                 format!("a number, which counts g, or one with its unit: g, {units}")
             }
@@ -320,6 +309,12 @@ impl Factor {
             },
         }
     }
+}
+
+/// True if it is an acceleration of the base, which g counts.
+fn is_shaking(variable: &Variable) -> bool {
+    let kind = variable.id().key.info().kind;
+    kind == Kind::InGravity || kind == Kind::Reached && variable.dimension().is_some()
 }
 
 /// Acceleration as a multiple of that of gravity: the share that gives it back, where a float does.

@@ -28,7 +28,7 @@ pub(super) fn text(assessed: &Assessed) -> String {
             (["k", "γ_F F/(m g), γ_F the factor of the combination"], ["k'", "(e − H)/H"])
         }
         Some(_) => (["k", "F/(m g)"], ["k'", "(e − H)/H"]),
-        None => (["k_eff", "|X|/P"], ["k'_eff", "−M/(X H)"]),
+        None => (["k_eff", "|X|/V"], ["k'_eff", "−M/(X H)"]),
     };
     let mut rows = vec![
         row!["γ", "H/B", digits(point.gamma())],

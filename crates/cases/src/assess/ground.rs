@@ -75,7 +75,7 @@ pub(in super::super) fn render(case: &Case, assessed: &Assessed) -> String {
         Some(Limit::Strength(strength)) => {
             rows.push(row!["strength", "q_u", Dimension::Pressure.written(strength)]);
             if let Some(omega) = ground.omega {
-                rows.push(row!["share that P crushes", "ω = P/(2B q_u)", digits(omega)]);
+                rows.push(row!["share that V crushes", "ω = V/(2B q_u)", digits(omega)]);
             }
         }
         Some(Limit::Ground(soil)) => {
@@ -140,13 +140,13 @@ fn reaction(assessed: &Assessed, ground: &BaseResponse) -> Vec<Vec<String>> {
         let pressure = reaction.effective_pressure();
         let pressure =
             if pressure.is_finite() { Dimension::Pressure.written(pressure) } else { "none".to_owned() };
-        rows.push(row!["pressure on it", "P/B'", pressure]);
+        rows.push(row!["pressure on it", "V/B'", pressure]);
     }
     if let Some(resistance) = ground.resistance {
         rows.push(row!["resistance", "R", assessed.extent.kilonewtons(resistance)]);
     }
     if let Some(factor) = ground.factor {
-        rows.push(row!["ground factor", "R/P", layout::factor(factor)]);
+        rows.push(row!["ground factor", "R/V", layout::factor(factor)]);
     }
     if let Some(factors) = ground.load_factors.filter(|_| assessed.rises()) {
         let word = |factor: f64| match factor {
@@ -158,7 +158,7 @@ fn reaction(assessed: &Assessed, ground: &BaseResponse) -> Vec<Vec<String>> {
         let others = others.map_or(String::new(), |(less, more)| {
             format!("; {} at φ − 2°, {} at φ + 2°", word(less), word(more))
         });
-        rows.push(row!["ground fails at", "λ of R/P = 1", word(factors.given) + &others]);
+        rows.push(row!["ground fails at", "λ of R/V = 1", word(factors.given) + &others]);
     }
     if let Some(k_bf) = ground.k_bf.filter(|k| k.is_finite()) {
         rows.push(row!["", "k_BF", digits(k_bf)]);

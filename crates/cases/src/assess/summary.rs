@@ -5,17 +5,21 @@ use standfast::{Boundary, Departure, Mode, Verdict};
 use super::{AnyCheck, Assessed, Assessment, ground, predicate, verdict};
 use crate::json::CheckEntry;
 use crate::layout::{self, percent};
-use crate::summary::{GoverningCriterion, Summary, criteria, criterion_words, once, quoted, sentence};
+use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted, sentence};
 
 /// A body at rest.
 const REST: Option<Verdict> = Some(Verdict::Begins(Mode::Rest));
 
 pub(super) fn summary(assessment: &Assessment) -> Summary {
     let checks = assessment.all_checks();
-    let words: Vec<(bool, String)> =
-        checks.iter().map(|check| (check.is_met(), check_words(assessment, check))).collect();
+    let told = |check: &AnyCheck<'_>| ToldCriterion {
+        name: check.name(),
+        met: check.is_met(),
+        words: check_words(assessment, check),
+    };
+    let told: Vec<ToldCriterion> = checks.iter().map(told).collect();
     Summary {
-        criteria: criteria(&words),
+        criteria: criteria(&told),
         answer: happens(assessment),
         met: assessment.met(),
         governing: checks.first().map(|check| {

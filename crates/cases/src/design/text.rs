@@ -4,8 +4,8 @@ use standfast::Verdict;
 
 use super::summary::summary;
 use super::{
-    Design, End, Extreme, OuterState, SensitivityChange, Stretch, Target, farthest, least, load_factor,
-    overturning, overturns, sliding, steepest, with_unit,
+    DIGITS, Design, End, Extreme, OuterState, SensitivityChange, Stretch, Target, farthest, least,
+    load_factor, overturning, overturns, sliding, steepest, with_unit,
 };
 use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, note, title};
@@ -163,6 +163,14 @@ fn sentence(words: String) -> String {
     format!("{}{}.", first.unwrap_or_default(), characters.as_str())
 }
 
+/// A change with its sign, to five decimals.
+pub fn change_words(change: f64) -> String {
+    match format!("{change:+.5}") {
+        zero if zero.ends_with("0.00000") => "0".to_owned(),
+        text => text,
+    }
+}
+
 fn sensitivities(design: &Design) -> String {
     let in_time = design.sensitivities.iter().any(|sensitivity| sensitivity.motion.is_some());
     let mut rows = vec![row!["input", "value", "SF sliding", "SF overturning", "load factor"]];
@@ -170,16 +178,14 @@ fn sensitivities(design: &Design) -> String {
         rows[0].extend(row!["slide", "|θ|"]);
     }
     let signed = |change: SensitivityChange| match change.number() {
-        Some(change) => format!("{change:+.5}"),
+        Some(change) => change_words(change),
         None => change.words().to_owned(),
     };
     rows.extend(design.sensitivities.iter().map(|sensitivity| {
         let variable = &sensitivity.variable;
         let mut row = row![
             variable.name(),
-            variable
-                .dimension()
-                .map_or_else(|| digits(sensitivity.value), |dimension| dimension.written(sensitivity.value)),
+            with_unit(sensitivity.value, variable, DIGITS),
             signed(sensitivity.sliding),
             signed(sensitivity.overturning),
             signed(sensitivity.load_factor),

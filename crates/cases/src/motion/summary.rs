@@ -1,7 +1,7 @@
 //! Top of the answer in time: criteria, what becomes of the body, how near another answer is.
 
 use standfast_answers::assess::AnyCheck;
-use standfast_answers::motion::Strength;
+use standfast_answers::motion::{MotionCheck, Strength};
 use standfast_motion::divergence::Divergence;
 use standfast_motion::strength::{Change, Tried, VerdictStrength};
 
@@ -9,7 +9,7 @@ use super::FollowedMotion;
 use super::text::{far, verdict};
 use crate::json::CheckEntry;
 use crate::layout::{digits, significant};
-use crate::summary::{GoverningCriterion, Summary, criteria, criterion_words, once, quoted};
+use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted};
 
 /// Relative spread of inputs of which nothing else is known.
 const SPREAD: f64 = 1e-3;
@@ -22,10 +22,11 @@ pub(super) fn summary(answers: &[FollowedMotion]) -> Option<Summary> {
 /// The top of one of so many answers.
 pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
     let checks = worst.checks();
-    let words: Vec<(bool, String)> = checks
-        .iter()
-        .map(|check| (check.met, criterion_words(&AnyCheck::Motion(*check, 0), false)))
-        .collect();
+    let told = |check: &MotionCheck| {
+        let any = AnyCheck::Motion(*check, 0);
+        ToldCriterion { name: any.name(), met: check.met, words: criterion_words(&any, false) }
+    };
+    let told: Vec<ToldCriterion> = checks.iter().map(told).collect();
     let situation = worst.case.situation.clone().filter(|_| count > 1);
     let place = situation
         .as_ref()
@@ -34,7 +35,7 @@ pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
     let rigid = if gives_way { "On a rigid base, as [ground] is not followed in time: " } else { "" };
     let names = worst.warnings.iter().map(|warning| warning.name);
     Summary {
-        criteria: criteria(&words),
+        criteria: criteria(&told),
         met: worst.met(),
         governing: checks
             .first()

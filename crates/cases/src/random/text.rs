@@ -220,6 +220,13 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
         // Rest is what a life begins with.
         let moved: Vec<_> = life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::REST).collect();
         text += &modes_table(life.method, &moved, life.not_rest, floor(answer));
+        if answer.sliding.is_some() {
+            text += &paragraph(
+                "Here each year has a wave of the whole H_max. The slides above are those of waves drawn up to H_max, which slide the body \
+                 in no more lives.",
+                2,
+            );
+        }
         if !life.precise {
             text += &imprecise(answer);
         }

@@ -6,7 +6,7 @@ use standfast_motion::record::{Baseline, Record, RecordUnit};
 
 use super::{Reader, Waves};
 use crate::error::{Fault, Problem};
-use crate::inputs::Value;
+use crate::inputs::{GRAVITY, Value};
 use crate::key::{Id, Key, Table};
 use crate::motion::MotionWarning;
 use crate::parse::BY_WAVES;
@@ -250,7 +250,9 @@ impl Field<'_> {
         let wrong = |words: String| Fault::new(Problem::Record { words, help: None }, id);
         let record =
             file.record(column, self.number(Key::RecordStep)).map_err(|error| wrong(error.to_string()))?;
-        let unit = if file.text().is_none() { 1.0 } else { self.unit_of(file.name(), &record, column)? };
+        // One that is given as an array, and not in a file, may be in the units of the case.
+        let is_in_its_units = file.text().is_none() && record.unit == RecordUnit::Unnamed;
+        let unit = if is_in_its_units { 1.0 } else { self.unit_of(file.name(), &record, column)? };
         let record = match inputs.choice(self.id(Key::Baseline)) {
             Some("mean") => record.corrected(Baseline::Mean),
             Some(_) => record.corrected(Baseline::Linear),
@@ -317,7 +319,7 @@ impl Field<'_> {
                         format!("{name} is not a record of an acceleration, as that of a base has to be");
                     return Err(wrong(words, None));
                 }
-                Ok(unit.si())
+                Ok(unit.si(self.given.inputs.gravity()))
             }
             HistoryOf::Force(force, extent) => of_own_force(Some((force, extent)), name, record)
                 .map_err(|(words, help)| wrong(words, Some(help))),
@@ -381,7 +383,7 @@ fn of_own_force(
             };
             Err((format!("{name} is a record of a force {found}; this case has forces {expected}"), UNITS))
         }
-        (unit, Some((force, _))) if force > 0.0 => Ok(unit.si() / force),
+        (unit, Some((force, _))) if force > 0.0 => Ok(unit.si(GRAVITY) / force),
         (_, Some(_)) => Err((
             format!("{name} is a record of a force, and the load has a force of 0"),
             "give the load the peak of its record as `force`",

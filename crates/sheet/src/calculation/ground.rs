@@ -6,7 +6,6 @@ mod springs;
 mod time;
 
 use standfast::ground::bearing::Reaction;
-use standfast::relation::Relation;
 use standfast_cases::assess::BaseResponse;
 use standfast_cases::assess::Component;
 use standfast_cases::assess::ground::left_out;
@@ -83,17 +82,10 @@ pub(super) fn decision(steps: &mut SheetSteps, assessed: &Assessed) {
          Coulomb’s law, and what the base bears.",
     );
     for relation in assessed.because() {
-        // P is the horizontal force on this sheet.
-        let quantity = match relation.quantity {
-            "R/P" => "R/V",
-            "R_s/P" => "R_s/V",
-            "|X|/P" => "|X|/V",
-            other => other,
-        };
         if let Some(motion) = assessed.motion() {
             steps.know("f_y", motion.f_y, KILONEWTON);
         }
-        steps.relation(&Relation { quantity, ..relation });
+        steps.relation(&relation);
     }
 }
 

@@ -34,8 +34,7 @@ pub(super) fn grouped(formula: &str) -> String {
 pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components: &[Component]) {
     steps.heading("Loads, at the centre of mass");
     steps.note(
-        "`X` to the right, `V` downwards, `M` counter-clockwise about the centre of mass C. `V` is the net vertical force, which the \
-         theory pages call P.",
+        "`X` to the right, `V` downwards, `M` counter-clockwise about the centre of mass C. `V` is the net vertical force.",
     );
     added_mass(steps, case);
     for (i, component) in components.iter().enumerate() {

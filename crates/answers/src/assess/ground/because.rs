@@ -94,7 +94,7 @@ impl Assessed {
         let sign = if slides { Sign::Greater } else { Sign::LessOrEqual };
         let equation = if slides { "slip" } else { "friction" };
         let mut all: Vec<_> = (p > 0.0)
-            .then(|| holds(equation, ("|X|/P", x.abs() / p), sign, ("μ", friction)))
+            .then(|| holds(equation, ("|X|/V", x.abs() / p), sign, ("μ", friction)))
             .into_iter()
             .collect();
         let towards = if x < 0.0 { Slip::Left } else { Slip::Right };
@@ -105,7 +105,7 @@ impl Assessed {
         let factor = reaction.map_or(0.0, |reaction| path.ground().factor(&reaction));
         let bears = holds(
             "bearing",
-            (if slides { "R_s/P" } else { "R/P" }, factor),
+            (if slides { "R_s/V" } else { "R/V" }, factor),
             Sign::GreaterOrEqual,
             ("1", 1.0),
         );

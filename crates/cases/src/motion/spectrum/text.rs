@@ -158,7 +158,7 @@ pub(super) fn text(spectrum: &Spectrum) -> String {
     if let Some(title) = &spectrum.title {
         let _ = writeln!(text, "{title}\n");
     }
-    text += &paragraph(&words(spectrum, 7), 0);
+    text += &paragraph(&words(spectrum, 5), 0);
     let _ = write!(text, "\n{}", columns(&table(spectrum), 2, &[0, 1, 2, 3, 4]));
     for warning in &spectrum.warnings {
         let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
@@ -170,6 +170,12 @@ pub(super) fn text(spectrum: &Spectrum) -> String {
 fn metres(spectrum: &Spectrum) -> &'static str {
     if spectrum.si { " m" } else { "" }
 }
+
+/// So many stretches are told one by one.
+const TOLD: usize = 5;
+
+/// A factor on the shaking and what it does.
+type OverturningAt<'a> = (f64, &'a Rocked);
 
 /// Sentences on the motions followed and on their outcome, with so many digits of the factors at which one turns into another.
 pub(super) fn words(spectrum: &Spectrum, digits: usize) -> String {
@@ -188,16 +194,30 @@ pub(super) fn words(spectrum: &Spectrum, digits: usize) -> String {
              right only, as on a slope, and on level ground.",
             ratios.len()
         ),
-        SpectrumPoints::Overturning { scales, stretches, .. } => {
-            let stretch = |[from, to]: &[f64; 2]| {
-                format!("from {} to {}", significant(*from, digits), significant(*to, digits))
-            };
+        SpectrumPoints::Overturning { scales, bodies, stretches } => {
+            let number = |factor: f64| significant(factor, digits);
+            let stretch = |[from, to]: &[f64; 2]| format!("from {} to {}", number(*from), number(*to));
             let found = match &stretches[..] {
-                [] => "it does not overturn at any of them".to_owned(),
+                [] => "The body overturns at none of them.".to_owned(),
                 all => {
-                    format!("it overturns {}", all.iter().map(stretch).collect::<Vec<_>>().join(" and "))
+                    let told = if all.len() <= TOLD { all.len() } else { TOLD - 1 };
+                    let mut words: Vec<_> = all[..told].iter().map(stretch).collect();
+                    if told < all.len() {
+                        let (more, last) = (all.len() - told, all[all.len() - 1][1]);
+                        words.push(format!("in {more} more stretches up to {}", number(last)));
+                    }
+                    let last = words.pop().unwrap_or_default();
+                    let before = if words.is_empty() { "" } else { " and " };
+                    format!("The body overturns {}{before}{last}.", words.join(", "))
                 }
             };
+            // Where it overturns, or if it does not, anywhere.
+            let is_near = |pair: &[OverturningAt<'_>]| {
+                stretches.is_empty() || pair.iter().any(|(_, body)| body.overturned)
+            };
+            let at: Vec<OverturningAt<'_>> = scales.iter().copied().zip(bodies).collect();
+            let widest = at.windows(2).filter(|pair| is_near(pair)).map(|pair| pair[1].0 / pair[0].0 - 1.0);
+            let widest = widest.fold(0.0, f64::max);
             let monotone = match &stretches[..] {
                 [] => true,
                 [one] => scales.last() == Some(&one[1]),
@@ -205,11 +225,12 @@ pub(super) fn words(spectrum: &Spectrum, digits: usize) -> String {
             };
             let says = if monotone { "" } else { " A stronger shaking may leave it standing." };
             format!(
-                "The shaking times {} factors from {} to {}, whose peak is {peak} at 1: {found}. Narrower stretches may lie \
-                 between the factors.{says}",
+                "The shaking was followed times {} factors from {} to {}; at 1 its peak is {peak}. {found}{says} Stretches narrower \
+                 than {} % may have been missed.",
                 scales.len(),
                 significant(scales[0], 4),
-                significant(scales[scales.len() - 1], 4)
+                significant(scales[scales.len() - 1], 4),
+                significant(100.0 * widest, 2)
             )
         }
     }
@@ -258,7 +279,14 @@ fn table(spectrum: &Spectrum) -> Vec<Vec<String>> {
             let mut rows = vec![head.map(str::to_owned).to_vec()];
             // A slide of rounding errors is none.
             let nothing = 1e-12 * bodies.iter().map(|body| body.max_slide).fold(0.0, f64::max);
-            for i in chosen(scales.len()) {
+            let (first, last) = (scales[0], scales[scales.len() - 1]);
+            let share = |i: usize| i as f64 / (SHOWN - 1) as f64;
+            let mut even: Vec<usize> = (0..SHOWN)
+                .map(|i| scales.partition_point(|scale| *scale < first + (last - first) * share(i) - 1e-9))
+                .map(|i| i.min(scales.len() - 1))
+                .collect();
+            even.dedup();
+            for i in even {
                 let body = &bodies[i];
                 let slide = if body.max_slide > nothing { body.max_slide } else { 0.0 };
                 rows.push(vec![
