@@ -159,6 +159,8 @@ def test_an_item_and_a_category_of_a_column_of_pandas_know_modes() -> None:
         with pytest.raises(StandfastError, match="'slides' is not a mode"):
             _ = words == "slides"
     assert COLUMN.astype(str).tolist() == ["RE", "SL", "RE"]
+    assert COLUMN.apply(lambda mode: mode.symbol).tolist() == ["RE", "SL", "RE"] and COLUMN.map({"SL": "slides"}).tolist()[1] == "slides"
+    assert COLUMN.astype(object).tolist() == [0, 1, 0] and COLUMN.to_csv(index=False).split() == ["mode", "0", "1", "0"]
     numbers = COLUMN.astype("int64")
     assert numbers.tolist() == [0, 1, 0] and str(COLUMN.dtype) == "UInt8" and repr(COLUMN).splitlines()[1].split() == ["1", "1"]
     missing = COLUMN.shift()

@@ -46,11 +46,11 @@ class LikeArray(NDArrayOperatorsMixin):
 
     def astype(self, dtype: DTypeLike, **options: Any) -> NDArray[Any]:
         """The values as a numpy array of another type; a null that it cannot show is an error."""
-        return np.asarray(self, dtype).astype(dtype, **options)
+        return np.asarray(self, dtype).astype(dtype, **{"copy": False, **options})
 
-    def copy(self, *args: Any, **options: Any) -> NDArray[Any]:
+    def copy(self) -> NDArray[Any]:
         """The values as a numpy array, which may be changed."""
-        return self.to_numpy().copy(*args, **options)
+        return self.to_numpy()
 
     def min(self, *args: Any, **options: Any) -> Any:
         """The least value; NaN where one is null."""

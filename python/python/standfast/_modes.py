@@ -191,7 +191,9 @@ def codes_of(other: Any) -> Any:
         return int(mode)
     if isinstance(other, (list, tuple, set, frozenset)):
         # numpy would make words of all of them where one is a word.
-        return np.array([codes_of(item) for item in other])
+        codes = np.array([codes_of(item) for item in other])
+        small = codes.size and codes.dtype.kind in "iu" and 0 <= codes.min() and codes.max() <= np.iinfo(np.uint8).max
+        return codes.astype(np.uint8) if small else codes
     items = np.asarray(other)
     if items.dtype.kind == "O" and any(isinstance(item, (str, bytes, Mode)) for item in items.flat):
         return np.array([codes_of(item) for item in items.flat], dtype=object).reshape(items.shape)

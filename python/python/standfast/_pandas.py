@@ -57,7 +57,8 @@ class ModeColumn(pd.arrays.IntegerArray):  # type: ignore[misc,unused-ignore]
     def astype(self, dtype: Any, copy: bool = True) -> Any:
         """As pandas'; as categories and as texts they are words."""
         is_category = isinstance(dtype, pd.CategoricalDtype) and dtype.categories is None or isinstance(dtype, str) and dtype == "category"
-        if not is_category and not pd.api.types.is_string_dtype(dtype):
+        is_text = pd.api.types.is_string_dtype(dtype) and dtype not in (object, "object", "O")
+        if not is_category and not is_text:
             return super().astype(dtype, copy=copy)
         codes = np.where(self._mask | (self._data >= len(SYMBOLS)), -1, self._data.astype(np.int8))
         words = categories(codes, SYMBOLS.tolist())
@@ -67,7 +68,9 @@ class ModeColumn(pd.arrays.IntegerArray):  # type: ignore[misc,unused-ignore]
         return super().isin(np.array([_codes(value) for value in values], dtype=object))
 
     def map(self, mapper: Any, na_action: Any = None) -> Any:
-        """What a dict says of symbols it says of their codes."""
+        """What a dict says of symbols it says of their codes; a function is called with modes."""
+        if callable(mapper) and not isinstance(mapper, (Mapping, pd.Series)):
+            return super().map(lambda item: mapper(_mode(item)), na_action)
         if isinstance(mapper, pd.Series):
             mapper = mapper.to_dict()
         if isinstance(mapper, Mapping) and any(isinstance(key, str) for key in mapper):
