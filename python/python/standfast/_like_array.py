@@ -24,6 +24,11 @@ class LikeArray(NDArrayOperatorsMixin):
     @abstractmethod
     def __len__(self) -> int: ...
 
+    def __pow__(self, other: Any) -> NDArray[Any]:
+        """As of an array, which multiplies where the exponent is small; the function of numpy is another in its last digit."""
+        found: NDArray[Any] = self.to_numpy() ** other
+        return found
+
     @property
     def dtype(self) -> np.dtype[Any]:
         """The type of the array of numpy."""
