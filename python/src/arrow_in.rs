@@ -14,7 +14,7 @@ use arrow_array::{
 };
 use arrow_buffer::{BooleanBuffer, NullBuffer, NullBufferBuilder};
 use arrow_schema::{DataType, Field, Fields, Schema, SchemaRef};
-use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyKeyError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyFloat;
 use pyo3_arrow::PyChunkedArray;
@@ -24,6 +24,7 @@ use standfast_cases::Interface;
 use standfast_cases::suggest::{closest, similar};
 
 use crate::arrow_out::{ArrowArray, ArrowTable, dictionary_of_symbols};
+use crate::errors::StandfastError;
 use crate::grid::{Grid, Halt, Labour};
 use crate::onset::{Choice, Column as Answers, Onset};
 use crate::operand::{Kind, Operand, floats, is_number};
@@ -216,7 +217,7 @@ fn stretches(given: Vec<ColumnArgument>) -> PyResult<(Vec<Stretch>, usize)> {
     if known.any(|&length| length != rows) {
         let named =
             lengths.iter().zip(NAMES).filter_map(|(length, name)| Some(format!("{name} {}", (*length)?)));
-        return Err(PyValueError::new_err(format!(
+        return Err(StandfastError::new_err(format!(
             "the columns have different lengths: {}",
             named.collect::<Vec<_>>().join(", ")
         )));
@@ -291,7 +292,7 @@ pub(crate) fn place(schema: &Schema, column: &str, name: &str, names: &[&str]) -
     let mut places = (0..found.len()).filter(|&place| found[place] == column);
     match (places.next(), places.count()) {
         (Some(place), 0) => Ok(place),
-        (Some(_), others) => Err(PyValueError::new_err(format!(
+        (Some(_), others) => Err(StandfastError::new_err(format!(
             "the table has {} columns {column}; expected one for {name}",
             others + 1
         ))),
@@ -316,10 +317,10 @@ fn batches(
         });
     }
     if picks.iter().all(Result::is_err) {
-        return Err(PyValueError::new_err("map names no column of the table, only numbers"));
+        return Err(StandfastError::new_err("map names no column of the table, only numbers"));
     }
     Ok(reader.map(move |batch| {
-        let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let batch = batch.map_err(|error| StandfastError::new_err(error.to_string()))?;
         let columns = picks.iter().map(|pick| match *pick {
             Ok(column) => Column::Array(batch.column(column).clone()),
             Err(value) => Column::Constant(value),
@@ -345,9 +346,9 @@ fn each(
                 work(&columns, rows, &mut monitor).map_err(|failure| match failure {
                     Failure::Value(row, source) => invalid(source, &[start + row]),
                     Failure::Type(name, found) => not_real(name, &found),
-                    Failure::Stopped => monitor
-                        .raised()
-                        .unwrap_or_else(|| PyValueError::new_err("the columns changed while they were read")),
+                    Failure::Stopped => monitor.raised().unwrap_or_else(|| {
+                        StandfastError::new_err("the columns changed while they were read")
+                    }),
                 })?;
             }
             start += rows;

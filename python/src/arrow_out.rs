@@ -11,11 +11,13 @@ use arrow_cast::cast;
 use arrow_schema::{ArrowError, DataType, Field, FieldRef, Schema, SchemaRef};
 use arrow_select::concat::concat;
 use numpy::{Element, PyArray1};
-use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyKeyError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyTuple};
 use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_schema_pycapsule, to_stream_pycapsule};
 use standfast::{Mode, Verdict};
+
+use crate::errors::StandfastError;
 
 /// An array of Arrow.
 #[pyclass(frozen, module = "standfast._standfast")]
@@ -101,7 +103,7 @@ impl ArrowArray {
     /// The values from `start` on, without a copy.
     fn slice(&self, start: usize, length: usize) -> PyResult<ArrowArray> {
         if start.checked_add(length).is_none_or(|end| end > self.array.len()) {
-            return Err(PyValueError::new_err("the slice reaches beyond the array"));
+            return Err(StandfastError::new_err("the slice reaches beyond the array"));
         }
         Ok(ArrowArray { array: self.array.slice(start, length), field: self.field.clone() })
     }
@@ -198,7 +200,7 @@ impl ArrowTable {
             [batch] => batch.column(place).clone(),
             batches => {
                 let parts: Vec<&dyn Array> = batches.iter().map(|batch| &**batch.column(place)).collect();
-                concat(&parts).map_err(|error| PyValueError::new_err(error.to_string()))?
+                concat(&parts).map_err(|error| StandfastError::new_err(error.to_string()))?
             }
         };
         Ok(ArrowArray { array, field })

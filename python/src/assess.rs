@@ -3,13 +3,15 @@
 use std::fs;
 use std::path::Path;
 
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
-use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Interface, UpToError, check_up_to};
+use standfast_cases::{
+    Assessment, AssessmentView, Case, CaseFile, Document, Interface, UpToError, check_up_to,
+};
 
-use crate::errors::of_case;
-use crate::{Figure, figures};
+use crate::errors::{StandfastError, of_case};
+use crate::figure::{Figure, figures};
 
 /// The answer to a case.
 #[pyclass(frozen, module = "standfast._standfast")]
@@ -30,10 +32,23 @@ impl CaseAnswer {
         py.detach(|| self.assessment.json(&self.view, &[]))
     }
 
+    /// Name and words of each of its warnings.
+    fn warnings(&self) -> Vec<Slip> {
+        slips(&self.assessment.case)
+    }
+
     /// The figures.
     fn figures(&self, py: Python<'_>) -> PyResult<Vec<Figure>> {
         py.detach(|| figures(&self.assessment, &self.view))
     }
+}
+
+/// Name and words of a warning.
+pub(crate) type Slip = (&'static str, String);
+
+/// The warnings of a case.
+pub(crate) fn slips(case: &Case) -> Vec<Slip> {
+    case.warnings().iter().map(|warning| (warning.name(), warning.to_string())).collect()
 }
 
 /// Reads the records that a case names, beside its file; those of a dict in the working directory.
@@ -53,7 +68,7 @@ pub(crate) fn checked_up_to(given: &Bound<'_, PyAny>) -> PyResult<f64> {
     };
     match given.extract() {
         Ok(factor) if !given.is_instance_of::<PyBool>() => {
-            check_up_to(factor).map_err(|error| PyValueError::new_err(words(error)))
+            check_up_to(factor).map_err(|error| StandfastError::new_err(words(error)))
         }
         _ => Err(PyTypeError::new_err(words(UpToError))),
     }

@@ -1,15 +1,14 @@
 //! The least or greatest value that meets a target, and the boundary of two: the program's answer as text, JSON, CSV and picture.
 
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast_cases::design::{
     BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, boundary_csv,
 };
 use standfast_cases::{CaseFile, Document};
 
-use crate::assess::beside;
-use crate::errors::{of_case, of_design};
-use crate::figures;
+use crate::assess::{Slip, beside, slips};
+use crate::errors::{StandfastError, of_case, of_design};
+use crate::figure::figures;
 use crate::watch::watched;
 
 /// Names of the arguments of `standfast.design` in errors.
@@ -31,12 +30,12 @@ type Ends = [Option<String>; 2];
 /// A request; `wanted` are the target, and whether the greatest value that meets it is.
 fn request(vary: String, (target, greatest): &(String, bool), [from, to]: Ends) -> PyResult<DesignRequest> {
     let target =
-        target.parse().map_err(|error| PyValueError::new_err(format!("target is {target:?}; {error}")))?;
+        target.parse().map_err(|error| StandfastError::new_err(format!("target is {target:?}; {error}")))?;
     let extreme = if *greatest { Extreme::Greatest } else { Extreme::Least };
     Ok(DesignRequest { vary, target, extreme, from, to, spelling: &SPELLING })
 }
 
-/// A design as text and as JSON; `file` is what errors call the case, and its text.
+/// A design as text and as JSON, and the warnings of what it finds; `file` is what errors call the case, and its text.
 #[pyfunction]
 pub(crate) fn design(
     py: Python<'_>,
@@ -45,12 +44,12 @@ pub(crate) fn design(
     wanted: (String, bool),
     ends: Ends,
     progress: Option<Py<PyAny>>,
-) -> PyResult<(String, String)> {
+) -> PyResult<(String, String, Vec<Slip>)> {
     let request = request(vary, &wanted, ends)?;
     watched(py, progress.as_ref(), move |portion| {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
         let design = Design::of(&file, request, portion).map_err(|error| of_design(&error))?;
-        Ok((design.text(&()), design.json(&(), &[])))
+        Ok((design.text(&()), design.json(&(), &[]), slips(&design.found().answer.case)))
     })?
 }
 
@@ -73,7 +72,7 @@ pub(crate) fn boundary(
         let (and, [from, to]) = and_;
         let request = BoundaryRequest { design, and, from, to };
         let rendered = |boundary: DesignBoundary| {
-            let svg = figures(&boundary, &())?.pop().map(|(_, _, svg)| svg);
+            let svg = figures(&boundary, &())?.pop().map(|(_, _, svg, _)| svg);
             Ok((boundary.text(&()), boundary.json(&(), &[]), boundary_csv(&boundary), svg))
         };
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;

@@ -1,7 +1,6 @@
 //! The k–μ diagram as tuples and lists, which the Python class turns into arrays.
 
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use standfast::diagram::Window;
@@ -11,6 +10,7 @@ use standfast::{Diagram, InputError, Point};
 use standfast_figures::outlines::{Polyline, Tick};
 use standfast_figures::{DesignPoint, DiagramContent, KMuPlane, axis_numbers, diagram_with, outlines};
 
+use crate::errors::StandfastError;
 use crate::invalid;
 
 /// Value, markup, and the point whose coordinate it is.
@@ -50,7 +50,7 @@ fn failing(gamma: f64, k_prime: f64, law: &str, share: f64) -> PyResult<BearingP
         "hansen" => Ground::new(GroundLaw::Hansen, 35.0, 1.0),
         "envelope" => Ground::envelope(1.0),
         _ => {
-            return Err(PyValueError::new_err(format!("law is {law:?}; expected ec7, hansen or envelope")));
+            return Err(StandfastError::new_err(format!("law is {law:?}; expected ec7, hansen or envelope")));
         }
     };
     BearingPlane::of_share(ground.map_err(error)?, gamma, k_prime, share).map_err(error)
@@ -95,13 +95,13 @@ impl Marked {
         let plane = plane(gamma, k_prime, base)?;
         let count = names.len();
         if places.shape()[1] != 2 || places.shape()[0] < count {
-            return Err(PyValueError::new_err("expected rows of (k, μ), at least one for each name"));
+            return Err(StandfastError::new_err("expected rows of (k, μ), at least one for each name"));
         }
         let mut rows: Vec<(f64, f64)> = Vec::with_capacity(places.shape()[0]);
         for (i, row) in places.as_array().rows().into_iter().enumerate() {
             let (k, mu) = (row[0], row[1]);
             Point::new(gamma, k_prime, k, mu).map_err(|error| match names.get(i) {
-                Some(name) => PyValueError::new_err(format!("point {name:?}: {error}")),
+                Some(name) => StandfastError::new_err(format!("point {name:?}: {error}")),
                 None => invalid(error, &[i - count]),
             })?;
             rows.push((k, mu));

@@ -1,4 +1,5 @@
-//! The exceptions of the package. All are `ValueError`s, which they were before they had names.
+//! The exceptions of the package. All are `ValueError`s, which they were before they had names; what is of a wrong type is a `TypeError`, a
+//! column that is not there a `KeyError`, as elsewhere in Python.
 
 use pyo3::PyErr;
 use pyo3::create_exception;
@@ -12,7 +13,7 @@ create_exception!(
     standfast,
     StandfastError,
     PyValueError,
-    "What standfast refuses of a case, or finds no answer to."
+    "What standfast refuses of a value, in a case, a table, a range, a record or a point, or finds no answer to."
 );
 create_exception!(
     standfast,

@@ -1,12 +1,12 @@
 //! One point explained, and the conditions of a contact mode.
 
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
 use standfast::{Mode, Point, contact};
 use standfast_cases::point::{self, PlacedPoint};
 
+use crate::errors::StandfastError;
 use crate::invalid;
 
 /// Text of `standfast classify --explain`, and its JSON document; `right` says where the force points, and ω is 0 on a
@@ -37,7 +37,7 @@ pub(crate) fn contact_conditions(row: [f64; contact::INPUTS.len()], code: Option
     let Some(mode) = code.map_or(solution.mode(), Mode::from_code) else { return Ok(Vec::new()) };
     if !solution.modes.contains(mode) {
         let consistent = solution.modes;
-        return Err(PyValueError::new_err(format!(
+        return Err(StandfastError::new_err(format!(
             "mode is {mode}, which is not consistent here; expected one of {consistent}"
         )));
     }

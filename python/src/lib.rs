@@ -9,6 +9,7 @@ mod design;
 mod diagram;
 mod errors;
 mod explain;
+mod figure;
 mod grid;
 mod limits;
 mod ndarray;
@@ -26,11 +27,11 @@ mod table;
 mod watch;
 
 use numpy::PyArrayDyn;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use standfast::{InputError, Mode, Verdict};
-use standfast_cases::Document;
+
+use crate::errors::StandfastError;
 
 /// All modes in the order of their codes and ground that fails, as (name, symbol, words).
 #[pyfunction]
@@ -47,26 +48,17 @@ const NAMES: [&str; 5] = ["gamma", "k_prime", "k", "mu", "omega"];
 fn expect_numbers(found: usize) -> PyResult<()> {
     match found {
         4 | 5 => Ok(()),
-        _ => Err(PyValueError::new_err(format!("{found} operands; expected 4, or 5 with omega"))),
+        _ => Err(StandfastError::new_err(format!("{found} operands; expected 4, or 5 with omega"))),
     }
 }
 
 /// An invalid value as an exception, with its index if it has one.
 fn invalid(error: InputError, index: &[usize]) -> PyErr {
     if index.is_empty() {
-        return PyValueError::new_err(error.to_string());
+        return StandfastError::new_err(error.to_string());
     }
     let words = format!("{} at index {}; expected {}", error.given(), written(index), error.expected);
-    at_index(PyValueError::new_err(words), index)
-}
-
-/// Words, suffix and SVG of a figure.
-type Figure = (String, String, String);
-
-/// The figures of an answer.
-fn figures<D: Document + ?Sized>(answer: &D, view: &D::View) -> PyResult<Vec<Figure>> {
-    let figures = answer.figures(view).map_err(|error| invalid(error, &[]))?.into_iter();
-    Ok(figures.map(|figure| (figure.words, figure.suffix, figure.figure.svg().to_owned())).collect())
+    at_index(StandfastError::new_err(words), index)
 }
 
 /// An index as Python writes it.
@@ -106,6 +98,8 @@ mod _standfast {
     #[pymodule_export]
     use super::explain::{contact_conditions, explain};
     #[pymodule_export]
+    use super::figure::picture;
+    #[pymodule_export]
     use super::limits::{limit_state_names, limit_states};
     #[pymodule_export]
     use super::probability::{ChanceAnswer, draws, plain_effort, probability};
@@ -125,7 +119,7 @@ mod _standfast {
     #[pymodule_export]
     use super::ndarray::{classify, classify_point, onset};
     #[pymodule_export]
-    use super::numbers::{closest, make_array, make_table, read_column, read_table, refuse_column};
+    use super::numbers::{closest, heading, make_array, make_table, read_column, read_table, refuse_column};
     #[pymodule_export]
     use super::table::Sweep;
 }

@@ -3,12 +3,13 @@
 use numpy::{
     PyArray1, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods,
 };
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use standfast::Point;
 
+use crate::errors::StandfastError;
 use crate::grid::{Grid, Halt};
 use crate::onset::{Choice, Column, NO_MODE, Onset};
 use crate::operand::{Kind, Operand};
@@ -61,7 +62,7 @@ fn broadcast(arrays: &[Bound<'_, PyUntypedArray>], mask: Option<&Mask<'_>>) -> P
             Ok(format!("{name} {}", shape.repr()?))
         });
         match shapes.collect::<PyResult<Vec<_>>>() {
-            Ok(shapes) => PyValueError::new_err(format!(
+            Ok(shapes) => StandfastError::new_err(format!(
                 "these shapes do not broadcast together: {}; expected each axis to have one length, or 1",
                 shapes.join(", ")
             )),
@@ -84,7 +85,7 @@ fn halted(py: Python<'_>, halt: Halt, grid: &Grid, run: &Run, mut monitor: Monit
     match (monitor.raised(), found) {
         (Some(error), _) => error,
         (None, Some((index, source))) => invalid(source, &grid.unravel(index)),
-        (None, None) => PyValueError::new_err("the arrays changed while they were read"),
+        (None, None) => StandfastError::new_err("the arrays changed while they were read"),
     }
 }
 
@@ -148,7 +149,7 @@ pub(crate) fn classify<'py>(
     if out.shape() != grid.shape {
         let shapes = [PyTuple::new(py, out.shape())?.repr()?, PyTuple::new(py, &grid.shape)?.repr()?];
         let [found, expected] = shapes;
-        return Err(PyValueError::new_err(format!(
+        return Err(StandfastError::new_err(format!(
             "out has shape {found}; expected {expected}, that of the operands broadcast together"
         )));
     }
@@ -161,7 +162,7 @@ pub(crate) fn classify<'py>(
         Some(axes) => {
             // Until it is written, no other call may write it, be it one that `progress` makes.
             let _claimed = out.try_readwrite().map_err(|_| {
-                PyValueError::new_err(
+                StandfastError::new_err(
                     "out is an array that another call is writing to; expected one for each",
                 )
             })?;

@@ -10,12 +10,13 @@ use arrow_array::{
 use arrow_buffer::{BooleanBuffer, NullBuffer};
 use arrow_schema::ArrowError;
 use numpy::{PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3_arrow::input::AnyRecordBatch;
 
 use crate::arrow_in::{ColumnArgument, no_column, numbers, place};
 use crate::arrow_out::{ArrowArray, ArrowTable};
+use crate::errors::StandfastError;
 
 /// A column's numbers, and which of them are missing if any is.
 type Column<'py> = (Bound<'py, PyArray1<f64>>, Option<Bound<'py, PyArray1<bool>>>);
@@ -68,7 +69,7 @@ pub(crate) fn read_table<'py>(
     let read = py.detach(|| {
         let mut read: Vec<Numbers> = columns.iter().map(|_| Numbers::default()).collect();
         for batch in reader {
-            let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
+            let batch = batch.map_err(|error| StandfastError::new_err(error.to_string()))?;
             for ((read, &place), (_, name)) in read.iter_mut().zip(&places).zip(&columns) {
                 read.append(batch.column(place), name)?;
             }
@@ -105,7 +106,7 @@ pub(crate) fn make_array(
         NullBuffer::new(valid)
     });
     let valid = |row| nulls.as_ref().is_none_or(|nulls| nulls.is_valid(row));
-    let failed = |error: ArrowError| PyValueError::new_err(error.to_string());
+    let failed = |error: ArrowError| StandfastError::new_err(error.to_string());
     let array: ArrayRef = match (values, words) {
         (Values::Codes(codes), Some(words)) => {
             // Codes under a null are to be a place all the same.
@@ -141,7 +142,7 @@ pub(crate) fn make_array(
 /// A table in Arrow, of columns of one length.
 #[pyfunction]
 pub(crate) fn make_table(columns: Vec<PyRef<'_, ArrowArray>>) -> PyResult<ArrowTable> {
-    ArrowTable::of_columns(&columns).map_err(|error| PyValueError::new_err(error.to_string()))
+    ArrowTable::of_columns(&columns).map_err(|error| StandfastError::new_err(error.to_string()))
 }
 
 /// Raises the error for a column that a table lacks; `names` are those of all operands.
@@ -160,4 +161,10 @@ pub(crate) fn refuse_column(
 #[pyfunction]
 pub(crate) fn closest(word: &str, known: Vec<String>) -> Option<String> {
     standfast_cases::suggest::closest(word, known.iter().map(String::as_str)).map(str::to_owned)
+}
+
+/// The name that heads a column, and the unit in brackets behind it.
+#[pyfunction]
+pub(crate) fn heading(column: &str) -> (&str, Option<&str>) {
+    standfast_cases::sweep::heading(column)
 }

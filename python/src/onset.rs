@@ -1,8 +1,9 @@
 //! The columns of an onset that are asked for.
 
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::batch::{MOTION, OnsetColumns};
+
+use crate::errors::StandfastError;
 
 /// Code of no mode, in an array of codes where a point has no answer.
 pub(crate) const NO_MODE: u8 = u8::MAX;
@@ -46,10 +47,10 @@ impl<'py> FromPyObject<'_, 'py> for Choice {
         for name in &names {
             let found = OnsetColumn::all().find(|asked| asked.name() == name).ok_or_else(|| {
                 let all: Vec<&str> = OnsetColumn::all().map(OnsetColumn::name).collect();
-                PyValueError::new_err(format!("columns has {name:?}; expected {}", all.join(", ")))
+                StandfastError::new_err(format!("columns has {name:?}; expected {}", all.join(", ")))
             })?;
             if choice.contains(&found) {
-                return Err(PyValueError::new_err(format!("columns has {name:?} twice; expected it once")));
+                return Err(StandfastError::new_err(format!("columns has {name:?} twice; expected it once")));
             }
             choice.push(found);
         }

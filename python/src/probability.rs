@@ -3,19 +3,18 @@
 use std::num::NonZero;
 
 use numpy::PyArray1;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast_cases::random::{
     ChanceRequest, Draws, Effort, Happening, MethodAsked, Probability, ValueRange,
 };
 use standfast_cases::{CaseFile, Document};
 
-use crate::assess::beside;
-use crate::errors::{of_case, of_chance};
+use crate::assess::{Slip, beside};
+use crate::errors::{StandfastError, of_case, of_chance};
+use crate::figure::{Figure, figures};
 use crate::onset::NO_MODE;
 use crate::simulate::{Samples, given_base};
 use crate::watch::{patiently, watched};
-use crate::{Figure, figures};
 
 /// Arguments of a call, as `_probability.py` gives them.
 #[derive(FromPyObject)]
@@ -48,6 +47,11 @@ impl ChanceAnswer {
         self.0.json(&(), &[])
     }
 
+    /// Name and words of each of its warnings.
+    fn warnings(&self) -> Vec<Slip> {
+        self.0.warnings().iter().map(|warning| (warning.name(), warning.to_string())).collect()
+    }
+
     /// The figures.
     fn figures(&self, py: Python<'_>) -> PyResult<Vec<Figure>> {
         py.detach(|| figures(&self.0, &()))
@@ -64,7 +68,7 @@ pub(crate) fn probability(
 ) -> PyResult<ChanceAnswer> {
     let records = records.into_iter().map(given_base).collect::<PyResult<Vec<_>>>()?;
     let method = asked.method.as_deref().map(str::parse::<MethodAsked>).transpose();
-    let method = method.map_err(|error: String| PyValueError::new_err(error))?;
+    let method = method.map_err(|error: String| StandfastError::new_err(error))?;
     let plain = Effort::default();
     let effort = Effort {
         seed: asked.seed,
@@ -78,7 +82,7 @@ pub(crate) fn probability(
     let request = method.map_or(request, |method| request.with(method));
     let over = asked.over.as_deref().map(str::parse::<ValueRange>).transpose();
     let over = over.map_err(|error| {
-        PyValueError::new_err(format!("over is {:?}: {error}", asked.over.as_deref().unwrap_or_default()))
+        StandfastError::new_err(format!("over is {:?}: {error}", asked.over.as_deref().unwrap_or_default()))
     })?;
     watched(py, asked.progress.as_ref(), move |portion| {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));

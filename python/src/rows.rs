@@ -5,9 +5,10 @@
 use std::thread;
 
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::InputError;
+
+use crate::errors::StandfastError;
 
 /// The most numbers of an answer.
 pub(crate) const NUMBERS: usize = 12;
@@ -140,7 +141,7 @@ pub(crate) fn columns<'a, const N: usize>(
         *column = array.as_slice()?;
     }
     if columns.iter().any(|column| column.len() != columns[0].len()) {
-        return Err(PyValueError::new_err("columns of different lengths"));
+        return Err(StandfastError::new_err("columns of different lengths"));
     }
     Ok(columns)
 }
@@ -154,7 +155,7 @@ pub(crate) fn numbers<'a>(
         .iter_mut()
         .map(|(place, column)| match column.as_slice_mut()? {
             column if column.len() == rows && *place < NUMBERS => Ok((*place, column)),
-            _ => Err(PyValueError::new_err("a column of another length, or no such number")),
+            _ => Err(StandfastError::new_err("a column of another length, or no such number")),
         })
         .collect()
 }

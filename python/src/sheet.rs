@@ -1,6 +1,6 @@
 //! The calculation sheet of a case, as HTML or printed to PDF.
 
-use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use standfast_cases::CaseFile;
@@ -9,7 +9,7 @@ use standfast_cases::report;
 use standfast_sheet::{Date, Paper, Sheet, SheetError, SheetOptions};
 
 use crate::assess::{beside, checked_up_to};
-use crate::errors::of_sheet;
+use crate::errors::{StandfastError, of_sheet};
 use crate::watch::watched;
 
 /// The keys of the title block.
@@ -31,7 +31,7 @@ pub(crate) fn sheet(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, Option<Py<PyBytes>>)> {
     let read = |date: &str| -> PyResult<Date> {
-        date.parse().map_err(|error| PyValueError::new_err(format!("date is {date:?}; {error}")))
+        date.parse().map_err(|error| StandfastError::new_err(format!("date is {date:?}; {error}")))
     };
     let key = |(name, text): (String, String)| {
         let key = TITLE_BLOCK.into_iter().find(|key| key.name() == name);
@@ -43,7 +43,7 @@ pub(crate) fn sheet(
     let date = date.map(read).transpose()?;
     let options = SheetOptions { title_block, date, up_to: checked_up_to(up_to)?, short };
     let paper: Paper =
-        paper.parse().map_err(|error| PyValueError::new_err(format!("paper is {paper:?}; {error}")))?;
+        paper.parse().map_err(|error| StandfastError::new_err(format!("paper is {paper:?}; {error}")))?;
     let (html, pdf) = watched(py, progress.as_ref(), move |portion| -> PyResult<_> {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(SheetError::from);
         let sheet = file.and_then(|file| Sheet::of_file(&file, &options, portion));

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
 use numpy::{PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::{PyIndexError, PyValueError};
+use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use standfast::Mode;
 use standfast_cases::motion::{
@@ -14,9 +14,10 @@ use standfast_cases::motion::{
 };
 use standfast_cases::{CaseFile, Document, Interface};
 
+use crate::assess::Slip;
 use crate::errors::{StandfastError, of_case};
+use crate::figure::{Figure, figures};
 use crate::watch::{patiently, watched};
-use crate::{Figure, figures};
 
 /// The motion of a case in each of its situations, the worst first.
 #[pyclass(frozen, module = "standfast._standfast")]
@@ -49,6 +50,13 @@ impl MotionAnswer {
         self.answers.iter().all(|followed| followed.case.si)
     }
 
+    /// Name and words of each warning of the worst situation.
+    fn warnings(&self) -> Vec<Slip> {
+        let worst = self.answers.first();
+        let warnings = worst.into_iter().flat_map(|worst| &worst.warnings);
+        warnings.map(|warning| (warning.name, warning.words.clone())).collect()
+    }
+
     /// The contents of the files that the case names.
     fn files(&self) -> BTreeMap<String, String> {
         self.files.clone()
@@ -65,7 +73,7 @@ impl MotionAnswer {
         let outcome = self.whole(py, place)?.outcome;
         let count = (outcome.t_final / dt + 1e-9).floor();
         if count >= 1e9 {
-            return Err(PyValueError::new_err(format!("{count:e} steps; expected a longer dt")));
+            return Err(StandfastError::new_err(format!("{count:e} steps; expected a longer dt")));
         }
         let rows = (0..=count as u64).map_while(|i| outcome.at(i as f64 * dt));
         let mut columns: [Vec<f64>; 6] = Default::default();

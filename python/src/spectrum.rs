@@ -3,7 +3,6 @@
 use std::num::NonZero;
 use std::thread;
 
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast_cases::Document;
 use standfast_cases::motion::{
@@ -11,7 +10,7 @@ use standfast_cases::motion::{
 };
 
 use crate::errors::StandfastError;
-use crate::figures;
+use crate::figure::figures;
 use crate::simulate::{MotionCase, Samples, cases, given_base};
 use crate::watch::watched;
 
@@ -49,7 +48,7 @@ fn values(name: &str, given: Option<Values>) -> PyResult<Option<SpectrumValues>>
             )
         }),
     };
-    found.map(Some).map_err(PyValueError::new_err)
+    found.map(Some).map_err(StandfastError::new_err)
 }
 
 /// The spectrum of a case.
@@ -63,7 +62,7 @@ pub(crate) fn spectrum(
     let base = given_base(base)?;
     let kind = asked.kind.parse();
     let kind =
-        kind.map_err(|error: String| PyValueError::new_err(format!("kind is {:?}; {error}", asked.kind)))?;
+        kind.map_err(|error: String| StandfastError::new_err(format!("kind is {:?}; {error}", asked.kind)))?;
     let request = SpectrumRequest {
         size: values("size", asked.size)?,
         slenderness: values("slenderness", asked.slenderness)?,
@@ -77,7 +76,7 @@ pub(crate) fn spectrum(
         let (found, _) = cases(case, &base)?;
         let case = found.into_iter().next().ok_or_else(|| refused(SpectrumError::NoShaking))?;
         let spectrum = Spectrum::of(&case, &request, portion).map_err(refused)?;
-        let svg = figures(&spectrum, &())?.pop().map_or_else(String::new, |(_, _, svg)| svg);
+        let svg = figures(&spectrum, &())?.pop().map_or_else(String::new, |(_, _, svg, _)| svg);
         Ok((spectrum.text(&()), spectrum.json(&(), &[]), spectrum_csv(&spectrum), svg, spectrum.si))
     })?
 }

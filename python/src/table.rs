@@ -8,7 +8,7 @@ use std::thread;
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, RecordBatchReader, StringArray};
 use arrow_schema::{Field, Schema};
 use numpy::{PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyKeyError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 use pyo3_arrow::input::AnyRecordBatch;
@@ -20,12 +20,15 @@ use standfast_tables::{
 };
 
 use crate::arrow_out::ArrowTable;
-use crate::errors::of_case;
+use crate::errors::{StandfastError, of_case};
 use crate::watch::{Caller, Watch, aside};
 use crate::{at_index, written};
 
 /// Name of the table in errors.
 const NAME: &str = "the table";
+
+/// The column that says what is wrong with a row.
+const PROBLEM: &str = "problem";
 
 /// A table of cases, of which the columns are known.
 #[pyclass(frozen, module = "standfast._standfast")]
@@ -71,9 +74,23 @@ impl Sweep {
         let case = match results {
             None => case,
             Some(names) if names.is_empty() => {
-                return Err(PyValueError::new_err("columns is empty; expected the names of results"));
+                return Err(StandfastError::new_err("columns is empty; expected the names of results"));
             }
-            Some(names) => case.with_results(names.iter().map(|name| found(name)).collect::<PyResult<_>>()?),
+            Some(names) if !null && names.iter().any(|name| name == PROBLEM) => {
+                return Err(StandfastError::new_err(
+                    "columns has 'problem', which says why a row has no results; expected on_error='null' beside it",
+                ));
+            }
+            Some(names) => {
+                // It is there wherever rows without results are.
+                let names: Vec<_> = names.iter().filter(|name| *name != PROBLEM).collect();
+                if names.is_empty() {
+                    return Err(StandfastError::new_err(
+                        "columns has 'problem' alone; expected a result beside it, as 'mode'",
+                    ));
+                }
+                case.with_results(names.into_iter().map(|name| found(name)).collect::<PyResult<_>>()?)
+            }
         };
         let options = TableOptions {
             case: Some(case.into()),
@@ -147,7 +164,7 @@ impl Sweep {
         let fields = fields.map(|(i, array)| Field::new(i.to_string(), array.data_type().clone(), true));
         let schema = Arc::new(Schema::new(fields.collect::<Vec<_>>()));
         let batch = RecordBatch::try_new(schema.clone(), arrays);
-        let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let batch = batch.map_err(|error| StandfastError::new_err(error.to_string()))?;
         let caller = Caller { progress: progress.as_ref(), total: Some(batch.num_rows()) };
         let table = Arc::clone(&self.table);
         let answer =
@@ -170,7 +187,7 @@ impl Sweep {
         let reader =
             reader.ok_or_else(|| PyTypeError::new_err("there is no table, or it has been answered"))?;
         let places = self.table.places();
-        let unreadable = |error: arrow_schema::ArrowError| PyValueError::new_err(error.to_string());
+        let unreadable = |error: arrow_schema::ArrowError| StandfastError::new_err(error.to_string());
         let schema = reader.schema().project(places).map_err(unreadable)?;
         let (caller, table) = (Caller { progress: progress.as_ref(), total }, Arc::clone(&self.table));
         let answer = aside(py, &caller, true, move |watch| {
@@ -286,7 +303,7 @@ fn raised(error: TableError, shape: &[usize]) -> PyErr {
     if let TableError::Row { place: TablePlace::Row(row), problem, .. } = &error {
         let index = index(row - 1, shape);
         let words = format!("at index {}, {problem}", written(&index));
-        return at_index(PyValueError::new_err(words), &index);
+        return at_index(StandfastError::new_err(words), &index);
     }
     let help = error.help().map_or_else(String::new, |help| format!("; {help}"));
     let words = format!("{error}{help}");
@@ -294,7 +311,7 @@ fn raised(error: TableError, shape: &[usize]) -> PyErr {
         TableError::Case(error) => of_case(&error),
         TableError::MissingColumn { .. } => PyKeyError::new_err(words),
         TableError::Type { .. } => PyTypeError::new_err(words),
-        _ => PyValueError::new_err(words),
+        _ => StandfastError::new_err(words),
     }
 }
 

@@ -14,7 +14,7 @@ import polars as pl
 import pyarrow as pa
 import pytest
 import standfast
-from standfast import ArrowArray, ArrowTable, Mode, Modes
+from standfast import ArrowArray, ArrowTable, Mode, Modes, _standfast
 
 POINTS = "select 1 gamma, -0.5 k_prime, unnest([0.1, 4, 0.6, null, 0.5]) k, unnest([0.3, 3, 0.3, 1, 0.2]) mu"
 CODES = [0, 1, 1, None, 1]
@@ -210,3 +210,30 @@ def test_pandas_has_what_is_missing(modes: ArrowArray, names: ArrowArray, table:
     assert codes.dtype == "UInt8" and codes.isna().tolist() == words.isna().tolist() == [False] * 3 + [True, False]
     assert (codes == "SL").tolist() == [False, True, True, pd.NA, True] and isinstance(words.dtype, pd.CategoricalDtype)
     assert frame.columns.tolist() == table.column_names and frame.unique.dtype == "boolean" and frame.isna().to_numpy()[3].all()
+
+
+def test_what_an_analyst_types_is_numpys() -> None:
+    """As of the numpy array of the same values, which is its witness."""
+    values = np.array([0.25, -1.5, 3.0, 3.0, 0.5])
+    column = ArrowArray(_standfast.make_array("x", values, None, None, {}))
+    for name in ("min", "max", "sum", "mean", "std", "var", "argmin", "argmax", "any", "all"):
+        found, expected = getattr(column, name)(), getattr(values, name)()
+        assert found == expected and type(found) is type(expected), name
+    assert column.std(ddof=1) == values.std(ddof=1) and column.var(ddof=1) == values.var(ddof=1)
+    assert column.tolist() == values.tolist() == column.to_pylist()
+    for found, expected in (
+        (column.cumsum(), values.cumsum()), (column.round(), values.round()), (column.clip(0, 1), values.clip(0, 1)), (column.copy(), values),
+        (column.argsort(), values.argsort(kind="stable")), (column.astype(np.float32), values.astype(np.float32)),
+    ):  # fmt: skip
+        assert type(found) is np.ndarray and found.dtype == expected.dtype and found.tolist() == expected.tolist()
+    assert (column.dtype, column.shape, column.ndim, column.size) == (values.dtype, values.shape, 1, 5)
+    assert np.median(column) == 0.5 and np.percentile(column, 50) == 0.5 and np.argmax(column) == 2
+    for function in (np.std, np.mean, np.var, np.max, np.round, np.argsort, np.cumsum, np.any, np.diff):
+        assert np.array_equal(function(column), function(values)), function
+    holed = ArrowArray(_standfast.make_array("x", values, np.array([True, False, False, False, False]), None, {}))
+    assert np.isnan(holed.std()) and np.nanstd(holed) == values[1:].std() and holed.dtype == np.float64
+
+
+def test_codes_of_an_arrow_array_stay_of_modes(modes: ArrowArray) -> None:
+    assert modes[:3].max() is Mode.SLIDE_LEFT and modes[:3].min() == "RE" and modes[:3].dtype == np.uint8 and modes.dtype == np.float64
+    assert modes.tolist() == [Mode.REST, Mode.SLIDE_LEFT, Mode.SLIDE_LEFT, None, Mode.SLIDE_LEFT]

@@ -364,7 +364,7 @@ def test_values_along_a_number_are_a_text_or_one_by_one() -> None:
     [
         ({"width": [20, 18]}, ValueError, "`width`: it does not rise from 20.0 to 18.0; expected rising values"),
         ({"width": [18]}, ValueError, "expected NAME=FROM..TO:COUNT or NAME=VALUE,VALUE with two values or more"),
-        ({"width": (18, 22, 3)}, TypeError, r"over\['width'\] is \(18, 22, 3\), a tuple; expected a text such as '12 m..20 m:9', or a list of values"),
+        ({"width": (18, 22, 3)}, TypeError, r"over\['width'\] is \(18, 22, 3\), which may be .*; expected the list \[18, 22, 3\], or the text '18..22:3'"),
         ({"width": 18}, TypeError, r"over\['width'\] is 18, an int; expected a text such as '12 m..20 m:9', or a list of values"),
         ({"width": [18, 22], "mu": [1, 2]}, TypeError, "or a dict of one name with its values"),
         ({"width": [18, np.nan]}, ValueError, "width"),

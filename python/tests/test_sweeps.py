@@ -114,3 +114,17 @@ def test_the_sea_is_among_the_results_that_are_named() -> None:
     assert [one.unit for one in said.values()] == ["Pa", "m", None]
     with pytest.raises(ValueError, match="columns p1: there is no such result here"):
         assess_table(BLOCK, {"friction": [0.5]}, columns=["p1"])
+
+
+@pytest.mark.parametrize("made", [lambda f: {"friction": f}, lambda f: pd.DataFrame({"friction": f}), lambda f: pl.DataFrame({"friction": f})])
+def test_the_problem_of_a_row_may_be_asked_for_by_its_name(made: Any) -> None:
+    block = {"body": {"width": 1, "height": 2, "mass": 4800, "friction": 0.7}, "load": [{"force": 20e3, "elevation": 1.5}]}
+    with pytest.raises(standfast.StandfastError, match="columns has 'problem' alone; expected a result beside it, as 'mode'"):
+        assess_table(block, made([0.5]), columns=["problem"], on_error="null")
+    for columns in (["mode", "problem"], ["problem", "mode"]):
+        found = assess_table(block, made([0.5, -0.5]), columns=columns, on_error="null")
+        assert list(found)[-1] == "problem" if isinstance(found, dict) else list(found.columns)[-1] == "problem"
+        assert sorted(found if isinstance(found, dict) else found.columns) == sorted(columns)
+        assert (found["problem"][0] is None or pd.isna(found["problem"][0]) or found["problem"][0] == "") and "friction" in found["problem"][1]
+        with pytest.raises(standfast.StandfastError, match="columns has 'problem', which says why a row has no results; expected on_error='null'"):
+            assess_table(block, made([0.5]), columns=columns)

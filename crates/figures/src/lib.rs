@@ -119,6 +119,12 @@ pub struct Figure {
 }
 
 impl Figure {
+    /// A figure that was drawn before, of what is kept of it: its SVG document, its title, every label with its box, and its size. For faces
+    /// that hold figures as data.
+    pub fn kept(svg: String, title: String, labels: Vec<Label>, size: (f64, f64)) -> Figure {
+        Figure { svg, title, caption: String::new(), labels, size }
+    }
+
     /// The SVG document; in a dark page it takes dark colours.
     pub fn svg(&self) -> &str {
         &self.svg
@@ -156,8 +162,7 @@ impl Figure {
         self.size
     }
 
-    /// Every label with its box, for tests of the placement.
-    #[doc(hidden)]
+    /// Every label with its box: what a PDF can be searched for.
     pub fn labels(&self) -> &[Label] {
         &self.labels
     }

@@ -3,13 +3,29 @@
 /// Likeness of two words, from 0 to 1, from which one is suggested in place of the other.
 const ALIKE: f64 = 0.6;
 
-/// The candidate most like `word`, upper and lower case alike, if any is like it.
+/// The candidate most like `word`, upper and lower case alike, if any is like it. Of a key with its table, as `wave.heigth`, it is one of
+/// that table where one is like it, whole or by one of its words: what tables have in common makes no likeness.
 pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let Some((table, key)) = word.rsplit_once('.') else { return most_like(word, pairs(candidates)) };
+    let (own, others): (Vec<_>, Vec<_>) = pairs(candidates).partition(|(_, candidate)| {
+        candidate.rsplit_once('.').is_some_and(|(other, _)| other.eq_ignore_ascii_case(table))
+    });
+    let keys = || own.iter().map(|(_, candidate)| (&candidate[table.len() + 1..], *candidate));
+    let words = || keys().flat_map(|(key, candidate)| key.split('_').map(move |word| (word, candidate)));
+    most_like(key, keys()).or_else(|| most_like(key, words())).or_else(|| most_like(word, others.into_iter()))
+}
+
+/// Candidates, each under its own name.
+fn pairs<'a>(candidates: impl IntoIterator<Item = &'a str>) -> impl Iterator<Item = (&'a str, &'a str)> {
+    candidates.into_iter().map(|candidate| (candidate, candidate))
+}
+
+/// What stands beside the name that is most like `word`.
+fn most_like<'a>(word: &str, named: impl Iterator<Item = (&'a str, &'a str)>) -> Option<&'a str> {
     let word = word.to_lowercase();
-    let likeness = |candidate: &str| strsim::normalized_damerau_levenshtein(&word, &candidate.to_lowercase());
-    candidates
-        .into_iter()
-        .map(|candidate| (likeness(candidate), candidate))
+    let likeness = |name: &str| strsim::normalized_damerau_levenshtein(&word, &name.to_lowercase());
+    named
+        .map(|(name, candidate)| (likeness(name), candidate))
         .filter(|(likeness, _)| *likeness >= ALIKE)
         // Of several that are as like the first.
         .reduce(|best, other| if other.0 > best.0 { other } else { best })
@@ -60,4 +76,34 @@ pub fn similar<'a>(column: &str, found: &[&'a str], needed: &[&str]) -> Option<&
     let free = || found.iter().copied().filter(|name| !needed.contains(name));
     let exact = free().find(|name| others().any(|other| other == name.to_lowercase()));
     exact.or_else(|| others().find_map(|other| closest(other, free())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::closest;
+
+    /// The keys of waves and of a body, as a case has them.
+    const KEYS: [&str; 7] = [
+        "wave.deep_water_height",
+        "wave.period",
+        "wave.berm_width",
+        "wave.crest_height",
+        "body.width",
+        "body.friction",
+        "load[1].force",
+    ];
+
+    #[test]
+    fn a_key_is_looked_for_in_its_own_table() {
+        let found = |word| closest(word, KEYS);
+        assert_eq!(found("wave.heigth"), Some("wave.deep_water_height"));
+        assert_eq!(found("wave.perid"), Some("wave.period"));
+        assert_eq!(found("Wave.Period"), Some("wave.period"));
+        assert_eq!(found("wave.width"), Some("wave.berm_width"));
+        assert_eq!(found("load[1].forse"), Some("load[1].force"));
+        // Of no key of its table it is one of another, and of an unknown table the whole counts.
+        assert_eq!(found("wave.friction"), Some("body.friction"));
+        assert_eq!(found("wav.period"), Some("wave.period"));
+        assert_eq!(found("wave.zzzzzz"), None);
+    }
 }

@@ -58,7 +58,7 @@ pub fn value(row: &Sensitivity) -> Markup {
         @match row.variable.shown_unit() {
             None => data value=(row.value) { (number(row.value)) },
             Some(unit) => {
-                data value=(row.value) { (number(unit.of_si(row.value))) } "\u{a0}" span.unit { (unit.symbol()) }
+                data value=(unit.of_si(row.value)) { (number(unit.of_si(row.value))) } "\u{a0}" span.unit { (unit.symbol()) }
             }
         }
     }

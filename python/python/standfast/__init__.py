@@ -23,19 +23,22 @@ k = F/(m g) (``k``), k' the height of the force above the centre of mass in H (`
 from ._answer import Answer
 from ._arrays import Onset, OnsetArrays, classify, onset, symbols
 from ._arrow import ArrowArray, ArrowTable
-from ._assess import Assessment, Figure, assess
+from ._assess import Assessment, assess
 from ._contact import Contact, ContactArrays, contact, contact_conditions
 from ._design import Boundary, Design, design
 from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
 from ._explain import Explanation, explain
+from ._figure import Figure
 from ._limits import LimitStates, LimitStatesArrays, limit_states
-from ._modes import Mode, ModeArray, Modes
+from ._mode_arrays import ModeArray, ModeNames
+from ._modes import Mode, Modes
 from ._probability import Probability, draws, probability
 from ._sheet import sheet
 from ._simulate import Simulation, simulate
 from ._spectrum import Spectrum, spectrum
 from ._standfast import CaseError, NoSolution, StandfastError, __version__
-from ._table import ResultColumn, StandfastWarning, Varied, assess_table, varied
+from ._table import ResultColumn, Varied, assess_table, varied
+from ._warnings import StandfastWarning
 from .answers import Criterion, Situation
 
 __all__ = [
@@ -58,6 +61,7 @@ __all__ = [
     "LimitStatesArrays",
     "Mode",
     "ModeArray",
+    "ModeNames",
     "Modes",
     "NamedPoint",
     "NoSolution",

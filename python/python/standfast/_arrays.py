@@ -15,8 +15,10 @@ from . import _standfast
 from ._arrow import ArrowArray, ArrowTable
 from ._frames import Arrays, Arrow, Fields, Point
 from ._inputs import Operands, are_plain, called, chosen, read
-from ._modes import SYMBOLS, Mode, ModeArray, Modes
+from ._mode_arrays import ModeArray, ModeNames
+from ._modes import SYMBOLS, Mode, Modes
 from ._run import Run, run
+from ._standfast import StandfastError
 from ._types import Array, Map, Number, OnError, Options, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
 from ._types import PyarrowArray, PyarrowTable, Side
@@ -112,7 +114,7 @@ def classify(
 @overload
 def classify(
     gamma: Array, k_prime: Array, k: Array, mu: Array, *, omega: Array | None = None, on_error: Literal["raise"] = "raise", names: Literal[True], **options: Unpack[Options]
-) -> NDArray[np.str_]: ...
+) -> ModeNames: ...
 @overload
 def classify(
     gamma: Array, k_prime: Array, k: Array, mu: Array, *, omega: Array | None = None, on_error: Literal["null"], names: Literal[False] = False, **options: Unpack[Options]
@@ -196,7 +198,7 @@ def classify(
         operands                                  the answer                          with ``names``
         ========================================  ==================================  =================================
         numbers                                   :class:`Mode`                       ``str``
-        arrays, lists; numbers beside them        :class:`ModeArray`, of codes        array of strings
+        arrays, lists; numbers beside them        :class:`ModeArray`, of codes        :class:`ModeNames`, of words
         masked arrays                             masked array                        masked array
         pandas Series, arrays beside them         Series of ``UInt8`` with the index  Series of dtype ``category``
         pandas DataFrame                          the same                            the same
@@ -210,7 +212,7 @@ def classify(
         returned if it is given; after an error it holds some of the answers. The GIL is released, and Ctrl-C obeyed.
 
     Raises:
-        ValueError: for the first value, in the order of C, that no body, force or friction can have (not finite,
+        StandfastError: for the first value, in the order of C, that no body, force or friction can have (not finite,
             beyond 1e50, negative, a slenderness of zero), with its index; for shapes that do not broadcast, and for
             lengths and indexes that differ.
         TypeError: for operands that are not real numbers, or that are to be unwrapped first; the error says how.
@@ -222,13 +224,13 @@ def classify(
     ModeArray([[0, 2, 2],
                [1, 3, 4]], dtype=uint8)
     >>> classify(3, 0.8, [0.1, 0.5, 3], 0.1, names=True)
-    array(['RE', 'SRO-', 'SRO+'], dtype='<U5')
+    ModeNames(['RE', 'SRO-', 'SRO+'], dtype='<U5')
     >>> classify(0.8, 0.9167, 0.61, 0.6, omega=[0, 0.08, 1], names=True)
-    array(['SL', 'RO', 'BF'], dtype='<U5')
+    ModeNames(['SL', 'RO', 'BF'], dtype='<U5')
     >>> classify(1, 0.4, [0.5, 0.7], [0.6, -0.5])
     Traceback (most recent call last):
     ...
-    ValueError: friction μ is -0.5 at index 1; expected a number from 0 to 1e50
+    standfast.StandfastError: friction μ is -0.5 at index 1; expected a number from 0 to 1e50
     """
     if columns is not None:
         raise TypeError("columns is what onset computes; which column of a table holds what is said by map={...}")
@@ -332,7 +334,7 @@ def onset(
     bears (docs/theory/5-base.md).
 
     Raises:
-        ValueError, TypeError, KeyError: as :func:`classify`.
+        StandfastError, TypeError, KeyError: as :func:`classify`.
 
     >>> rocks = onset(1, 1, 2, 5)
     >>> rocks.mode, rocks.unique, rocks.theta_ddot, rocks.f_y
@@ -367,13 +369,13 @@ def _check_out(out: object, names: bool, operands: Operands, null_errors: bool) 
         found = f"an array of {out.dtype}" if type(out) is np.ndarray else f"a {type(out).__name__}"
         raise TypeError(f"out is {found}; expected a numpy array of uint8")
     if not out.flags.writeable:
-        raise ValueError("out is read-only; expected an array that can be written to")
+        raise StandfastError("out is read-only; expected an array that can be written to")
 
 
 @overload
 def symbols(codes: int | np.integer[Any]) -> str: ...
 @overload
-def symbols(codes: Array) -> NDArray[np.str_]: ...
+def symbols(codes: Array) -> ModeNames: ...
 @overload
 def symbols(codes: PandasSeries) -> pd.Series[Any]: ...
 @overload
@@ -388,11 +390,11 @@ def symbols(codes: Any) -> Any:
     A pandas or polars Series or an Arrow array gives one of its kind, with categories; what is missing stays missing.
 
     Raises:
-        ValueError: if a code is not that of a mode.
+        StandfastError: if a code is not that of a mode.
         TypeError: for bits of sets of modes.
 
     >>> symbols([0, 5])
-    array(['RE', "SRO'-"], dtype='<U5')
+    ModeNames(['RE', "SRO'-"], dtype='<U5')
     >>> symbols(Mode.SLIDE_LEFT)
     'SL'
     """
@@ -402,5 +404,5 @@ def symbols(codes: Any) -> Any:
     (values,), missing = operands.arrays()
     right = (values >= 0) & (values < len(SYMBOLS)) & (values == np.floor(values))
     if not np.all(right):
-        raise ValueError(f"{values[~right].flat[0]:g} is not the code of a mode; expected 0 to {len(SYMBOLS) - 1}")
+        raise StandfastError(f"{values[~right].flat[0]:g} is not the code of a mode; expected 0 to {len(SYMBOLS) - 1}")
     return operands.form.column("mode", values.astype(np.uint8), missing, symbols=True)

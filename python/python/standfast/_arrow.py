@@ -9,11 +9,13 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
-from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import DTypeLike, NDArray
 
 from . import _standfast
-from ._modes import SYMBOLS, Mode, ModeArray, Modes, code_of, codes_of
+from ._like_array import LikeArray
+from ._mode_arrays import ModeArray, ModeNames
+from ._modes import Mode, Modes, are_modes, codes_of, words_of
+from ._standfast import StandfastError
 
 if TYPE_CHECKING:
     import pandas as pd  # type: ignore[import-untyped,unused-ignore]
@@ -32,7 +34,7 @@ class _Left(enum.Enum):
 _SHOWN = 5
 
 
-class ArrowArray(NDArrayOperatorsMixin):
+class ArrowArray(LikeArray):
     """A column of answers, for any library that speaks the Arrow PyCapsule interface.
 
     polars, pyarrow, DuckDB and others take it over without a copy: ``pl.Series(column)``, ``pa.array(column)``. It also
@@ -49,7 +51,7 @@ class ArrowArray(NDArrayOperatorsMixin):
     >>> modes
     <standfast.ArrowArray mode: 3 × uint8, 1 null: [2, 3, null]>
     >>> modes[0], modes == "RO", modes.to_numpy(missing=255)
-    (<Mode.ROCK_O: 2>, array([ True, False, False]), array([  2,   3, 255], dtype=uint8))
+    (<Mode.ROCK_O: 2>, array([ True, False, False]), ModeArray([  2,   3, 255], dtype=uint8))
     """
 
     __slots__ = ("_native",)
@@ -87,7 +89,7 @@ class ArrowArray(NDArrayOperatorsMixin):
         return np.zeros(len(self), dtype=np.bool_) if missing is None else missing
 
     def to_numpy(self, missing: float | str | np.generic | _Left = _Left.OUT) -> NDArray[Any]:
-        """The values as a numpy array, which is a copy.
+        """The values as a numpy array, which is a copy; of modes a :class:`ModeArray`, of their words :class:`ModeNames`.
 
         Args:
             missing: what stands for a null, as 255 for a code. If it is left out, nulls are shown as by pyarrow and
@@ -95,11 +97,16 @@ class ArrowArray(NDArrayOperatorsMixin):
                 words, in an array of objects.
 
         Raises:
-            ValueError: if the type of the values cannot hold ``missing``.
+            StandfastError: if the type of the values cannot hold ``missing``.
         """
         values, mask, words = self._native.parts()
-        if words is not None:
-            values = _texts(values, mask, words)
+        found = self._filled(values if words is None else _texts(values, mask, words), mask, missing)
+        if self.type == "uint8":
+            return found.view(ModeArray)
+        return found.view(ModeNames) if are_modes(words) else found
+
+    def _filled(self, values: NDArray[Any], mask: NDArray[np.bool_] | None, missing: Any) -> NDArray[Any]:
+        """The values with what stands for a null."""
         if mask is None:
             return values
         if missing is _Left.OUT:
@@ -117,12 +124,14 @@ class ArrowArray(NDArrayOperatorsMixin):
             held = held and filler.dtype.kind in "biufU" and np.array_equal(filler.astype(wide), filler, equal_nan=wide.kind == "f")
         if not held:
             expected = "a word" if values.dtype.kind == "U" else f"a value that {values.dtype} can hold"
-            raise ValueError(f"missing is {missing!r}; expected {expected}")
+            raise StandfastError(f"missing is {missing!r}; expected {expected}")
         return np.where(mask, filler.astype(wide), values)
 
     def to_pylist(self) -> list[Value]:
         """The items as a list."""
         return list(self)
+
+    tolist = to_pylist
 
     def to_pandas(self) -> pd.Series[Any]:
         """The column as a Series of pandas: words as categories, what is null as missing."""
@@ -139,32 +148,16 @@ class ArrowArray(NDArrayOperatorsMixin):
             return pd.Series(np.array([*words, None], dtype=object)[places], name=self.name)
         return pd.Series(categories(places, words), name=self.name)
 
-    def min(self) -> Any:
-        """The least value; NaN where one is null."""
-        return self.to_numpy().min()
-
-    def max(self) -> Any:
-        """The greatest value; NaN where one is null."""
-        return self.to_numpy().max()
-
-    def sum(self) -> Any:
-        """The sum of the values; NaN where one is null."""
-        return self.to_numpy().sum()
-
-    def mean(self) -> Any:
-        """The mean of the values; NaN where one is null."""
-        return self.to_numpy().mean()
-
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         """What :meth:`to_numpy` gives; a null that ``dtype`` cannot show is an error."""
         if copy is False:
-            raise ValueError("an ArrowArray is copied to be an array of numpy; expected copy=None or copy=True")
+            raise StandfastError("an ArrowArray is copied to be an array of numpy; expected copy=None or copy=True")
         values = self.to_numpy()
         if dtype is None or np.dtype(dtype) == values.dtype:
             return values
         kind = np.dtype(dtype)
         if self.null_count and kind.kind in "iub":
-            raise ValueError(
+            raise StandfastError(
                 f"{self.null_count} of {len(self)} values are null, for which {kind} has no value; say one by to_numpy(missing=…)"
             )
         return values.astype(kind)
@@ -252,22 +245,13 @@ class ArrowArray(NDArrayOperatorsMixin):
         if isinstance(other, ArrowArray):
             missing = missing | other.is_null()
             other = other.to_numpy(missing=_blank(other))
-        if words is not None:
-            other = self._words_of(other, words)
-        elif self.type == "uint8":
+        if are_modes(words):
+            # In an array an empty word is of no mode, and equal to none.
+            other = words_of(other, blank=not isinstance(other, str))
+        elif words is None and self.type == "uint8":
             other = codes_of(other)
         found = np.asarray(compare(values, np.asarray(other)))
         return np.where(missing, if_null, np.broadcast_to(found, np.broadcast_shapes(found.shape, missing.shape)))
-
-    def _words_of(self, other: object, words: list[str]) -> object:
-        """Words in place of modes; a word is to be one of a mode's where all words are."""
-        if isinstance(other, Mode):
-            return other.symbol
-        if isinstance(other, Modes):
-            raise TypeError(f"{other!r} is a set of modes; expected a mode or a word")
-        if isinstance(other, str) and words == SYMBOLS.tolist():
-            code_of(other)
-        return other.names if isinstance(other, ModeArray) else other
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _array, (self.name, self.type, *self._native.parts(), self.metadata)
@@ -364,7 +348,7 @@ class ArrowTable:
         if isinstance(key, slice):
             start, stop, step = key.indices(len(self))
             if step != 1:
-                raise ValueError(f"an ArrowTable is sliced in steps of {step}; expected steps of 1")
+                raise StandfastError(f"an ArrowTable is sliced in steps of {step}; expected steps of 1")
             return ArrowTable(self._native.slice(start, max(stop - start, 0)))
         try:
             place = operator.index(key)

@@ -7,46 +7,21 @@ import json
 import math
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _standfast
 from ._advice import short, unit_of
 from ._answer import Lazy, copied, parts, with_infinity
+from ._figure import Figure, figures_of
 from ._schema import attribute
 from ._standfast import CaseError
+from ._warnings import mind
 from .answers import Document, OnlySituation, Situation
 
 #: How many modes a representation lists.
 _SHOWN = 8
-
-
-class Figure(NamedTuple):
-    """A figure of a case; a notebook shows it."""
-
-    #: What it shows.
-    title: str
-    #: The SVG document.
-    svg: str
-
-    def __repr__(self) -> str:
-        return f"<Figure {self.title!r}: {len(self.svg) / 1e3:.0f} kB of SVG>"
-
-    def _repr_svg_(self) -> str:
-        return self.svg
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the SVG document to a file.
-
-        Raises:
-            ValueError: for a name that does not end in ``.svg``.
-            OSError: if the file cannot be written.
-        """
-        if os.path.splitext(os.fspath(path))[1].lower() != ".svg":
-            raise ValueError(f"path is {os.fspath(path)!r}; expected a name that ends in .svg")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.svg)
 
 
 class Assessment(Lazy, Document, OnlySituation):
@@ -88,7 +63,7 @@ class Assessment(Lazy, Document, OnlySituation):
     @functools.cached_property
     def figures(self) -> list[Figure]:
         """The figures of the case. The item ``"figures"`` names the files of the program's, and is empty here."""
-        return [Figure(words, svg) for words, _, svg in self._answer.figures()]
+        return figures_of(self._answer)
 
     @functools.cached_property
     def situations(self) -> list[Situation]:
@@ -163,6 +138,9 @@ def assess(case: str | os.PathLike[str] | Mapping[str, object], *, up_to: float 
         CaseError: for a case that is not understood; the message shows where, and what is expected.
         OSError: if the file cannot be read.
 
+    Warns:
+        StandfastWarning: for each of the answer's ``warnings``, once from one line.
+
     >>> block = {
     ...     "title": "Block",
     ...     "body": {"width": "1 m", "height": "2 m", "density": "2.4 t/m3", "friction": 0.7},
@@ -178,7 +156,9 @@ def assess(case: str | os.PathLike[str] | Mapping[str, object], *, up_to: float 
     """
     if not isinstance(all, (bool, np.bool_)):
         raise TypeError(f"all is {all!r}; expected True or False")
-    return Assessment(*case_text(case), up_to, bool(all))
+    found = Assessment(*case_text(case), up_to, bool(all))
+    mind(found._answer.warnings())
+    return found
 
 
 def case_text(case: str | os.PathLike[str] | Mapping[str, object]) -> tuple[str, str]:

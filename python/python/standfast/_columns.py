@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from . import _standfast
 from ._advice import Advice, called, is_of, short, shown, unit_of
 from ._frames import Missing
+from ._standfast import StandfastError
 
 
 class Numbers(NamedTuple):
@@ -106,7 +107,7 @@ def column_of(value: Any, name: str, advice: Advice) -> Column:
         try:
             array = np.asarray(value)
         except ValueError:
-            raise ValueError(f"{name} is a ragged list; expected rows of one length") from None
+            raise StandfastError(f"{name} is a ragged list; expected rows of one length") from None
         return _array(array, name)
     if isinstance(value, (Mapping, str, bytes, Iterator, set, frozenset)):
         raise TypeError(f"{name} is {shown(value)}; expected a number, an array or a column")
@@ -117,7 +118,7 @@ def number_of(value: Any, name: str) -> Numbers:
     try:
         return Numbers(np.asarray(value, dtype=np.float64))
     except OverflowError:
-        raise ValueError(f"{name} is {short(str(value))}; expected a number within float64") from None
+        raise StandfastError(f"{name} is {short(str(value))}; expected a number within float64") from None
 
 
 _REAL = "fiu"
@@ -156,7 +157,7 @@ def _from_objects(array: NDArray[Any], mask: Missing, name: str) -> NDArray[np.f
     try:
         return array.astype(np.float64)
     except (TypeError, ValueError, OverflowError) as error:
-        raise ValueError(f"{name} holds what is not a number within float64: {error}") from None
+        raise StandfastError(f"{name} holds what is not a number within float64: {error}") from None
 
 
 def _check_leaves(items: Sequence[Any], name: str, index: tuple[int, ...]) -> None:

@@ -15,7 +15,8 @@ from . import _standfast
 from ._arrow import ArrowTable
 from ._frames import Fields
 from ._inputs import called, chosen, read
-from ._modes import Mode, ModeArray, Modes
+from ._mode_arrays import ModeArray
+from ._modes import Mode, Modes
 from ._rows import CONTACT_INPUTS, MOTION, Columns, Fault, Wrong, answer, numbers, point
 from ._types import Array, Map, Number, OnError, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
@@ -206,7 +207,7 @@ def contact(
         μ_s = μ_k some mode is always consistent; for μ_s > μ_k that is not proven, and ``mode`` and the motion would be missing.
 
     Raises:
-        ValueError, TypeError, KeyError: as :func:`classify`.
+        StandfastError, TypeError, KeyError: as :func:`classify`.
 
     The report's block with γ = 1, k' = -1/2, k = 4, μ = 3 has X = -k and M = k k' γ; the answer is not unique:
 
@@ -261,7 +262,7 @@ def contact_conditions(
         mode: the mode; the one that :func:`contact` reports if not given.
 
     Raises:
-        ValueError: for values that no block or wrench has, and for a mode that is not consistent.
+        StandfastError: for values that no block or wrench has, and for a mode that is not consistent.
 
     >>> for condition in contact_conditions(1, 1, 1, 2 / 3, 1, 1, -0.5, 1, 0.2, 0.6, 0.6)[:2]:
     ...     print(condition.statement, round(condition.margin, 9))

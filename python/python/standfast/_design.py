@@ -14,7 +14,9 @@ from ._advice import is_plain
 from ._answer import Rendered
 from ._assess import case_text
 from ._progress import shown
+from ._ranges import ends_of
 from ._types import Progress
+from ._warnings import mind
 from .designs import BoundaryDocument, DesignDocument
 
 
@@ -133,13 +135,15 @@ def design(
     Args:
         case: the path of a case file, or a dict with the same keys, as in :func:`assess`.
         vary: the quantity: ``"width"``, ``"height"``, ``"mass"``, ``"friction"``, ``"water_level"``, ``"crest_height"``, or any
-            number of the case by table and key, as ``"wave.period"`` or ``"load[2].force"``.
+            number of the case by table and key, as ``"wave.period"`` or ``"load[2].force"``; with where to look behind it, in place of
+            ``lower`` and ``upper``, as ``"width=10 m..20 m"``.
         target: ``"rest"``, ``"factor=1.2"`` (both safety factors), ``"no-rock"``, ``"no-slide"``, ``"criteria"`` of the case,
             ``"utilisation=0.9"`` of them, or one criterion, as ``"bearing_max=300kPa"`` or ``"load_factor=1.2"``.
         greatest: the greatest value that meets the target in place of the least.
         lower, upper: where to look, a number in SI units or a text with a unit, as the case file has the quantity; a fifth and
             five times the present value if not given.
-        and_: another quantity: the answer for each of many values of it, as a curve.
+        and_: another quantity, with its range behind it in place of ``and_lower`` and ``and_upper``, as ``"friction=0.5..0.7"``: the
+            answer for each of many values of it, as a curve. How many is the curve's own choice.
         and_lower, and_upper: its range; half and twice the present value if not given.
         progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
             A target that asks for a chance or a motion, and a curve, may take minutes.
@@ -152,7 +156,7 @@ def design(
     Raises:
         NoSolution: where no value meets the target, or it is met without an end on the side that is wanted. The message says what to do.
         CaseError: for a case that is not understood.
-        ValueError: for a quantity or a target that is not understood; the others are `ValueError` as well.
+        StandfastError: for a quantity or a target that is not understood; the others are `StandfastError` as well, and all of them `ValueError`.
         OSError: if the case file cannot be read.
 
     >>> goda = design("examples/goda-2000.toml", vary="width", target="factor=1.2")
@@ -172,14 +176,18 @@ def design(
     if not isinstance(greatest, (bool, np.bool_)):
         raise TypeError(f"greatest is {greatest!r}; expected True or False")
     file = case_text(case)
-    ends = _end(lower, "lower"), _end(upper, "upper")
+    vary, ends = ends_of(vary, "vary", _end(lower, "lower"), _end(upper, "upper"))
     and_ends = _end(and_lower, "and_lower"), _end(and_upper, "and_upper")
-    if and_ is None and and_ends != (None, None):
+    if and_ is not None:
+        and_, and_ends = ends_of(and_, "and_", *and_ends)
+    elif and_ends != (None, None):
         raise TypeError("and_lower and and_upper are ends of the range of and_, which is not given")
     wanted = target, bool(greatest)
     with shown(progress, None) as told:
         if and_ is None:
-            return Design(*_standfast.design(file, vary, wanted, ends, told))
+            text, document, slips = _standfast.design(file, vary, wanted, ends, told)
+            mind(slips)
+            return Design(text, document)
         return Boundary(*_standfast.boundary(file, vary, wanted, ends, (and_, and_ends), told))
 
 

@@ -17,9 +17,11 @@ from ._advice import shown
 from ._arrays import classify
 from ._arrow import ArrowArray
 from ._inputs import read
-from ._modes import Mode, ModeArray, Modes
+from ._mode_arrays import ModeArray
+from ._modes import Mode, Modes
 from ._points import Marks, Points, marks
 from ._rows import point
+from ._standfast import StandfastError
 from ._types import Array, Number, PandasSeries, PolarsSeries, PyarrowArray
 from ._types import Arrow as ArrowLike
 
@@ -106,7 +108,7 @@ def _window(window: Any) -> tuple[float, float]:
         raise TypeError(f"window is {shown(window)}; {expected}")
     k, mu = point("Diagram", ("the largest k of window", "the largest μ of window"), pair)
     if not (0 < k <= 1e50 and 0 < mu <= 1e50):
-        raise ValueError(f"window is {(k, mu)}; {expected}, above zero and 1e50 at most")
+        raise StandfastError(f"window is {(k, mu)}; {expected}, above zero and 1e50 at most")
     return k, mu
 
 
@@ -123,7 +125,7 @@ class Diagram:
             show the named points and all points to be marked.
 
     Raises:
-        ValueError: for a slenderness or elevation that no body or force has, or a window that is empty.
+        StandfastError: for a slenderness or elevation that no body or force has, or a window that is empty.
 
     In a notebook it shows itself as the report's figure.
 
@@ -298,7 +300,7 @@ class Diagram:
 
         Raises:
             ImportError: without matplotlib (``pip install "standfast[plot]"``).
-            ValueError: for a point that there cannot be.
+            StandfastError: for a point that there cannot be.
 
         Warns:
             UserWarning: if points of a cloud lie outside of the window that was asked for.

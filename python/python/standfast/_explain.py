@@ -76,7 +76,7 @@ def explain(
             motions are mirrored.
 
     Raises:
-        ValueError: for a value that no body, force or friction can have.
+        StandfastError: for a value that no body, force or friction can have.
         TypeError: for what is not a plain number.
 
     >>> why = explain(0.8, 0.9167, 0.7281, 0.6)

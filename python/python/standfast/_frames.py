@@ -31,7 +31,9 @@ from numpy.typing import NDArray
 
 from . import _standfast
 from ._arrow import ArrowArray, ArrowTable
-from ._modes import SYMBOLS, Mode, ModeArray, Modes
+from ._mode_arrays import ModeArray, ModeNames
+from ._modes import SYMBOLS, Mode, Modes
+from ._standfast import StandfastError
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -112,7 +114,7 @@ class Form(ABC):
         index: tuple[int, ...] | None = getattr(error, "index", None)
         if index is None or len(index) != 1 or (place := self.place(index[0])) == f"index {index[0]}":
             return error
-        told = ValueError(str(error).replace(f"at index {index[0]}", f"at {place}", 1))
+        told = type(error)(str(error).replace(f"at index {index[0]}", f"at {place}", 1))
         vars(told)["index"] = index
         return told
 
@@ -171,8 +173,8 @@ class Arrays(Form):
         values, missing = _parted(values, missing)
         # What is missing may be the code of no mode.
         shown = SYMBOLS[values if missing is None else np.where(missing, 0, values)] if symbols else values
-        if shown.dtype == np.uint8:
-            shown = shown.view(ModeArray)
+        if symbols or shown.dtype == np.uint8:
+            shown = np.asarray(shown).view(ModeNames if symbols else ModeArray)
         if not self.masked and missing is None:
             return shown
         # What `filled` puts there is no answer: the code of no mode, bits of no set of modes.

@@ -30,6 +30,7 @@ from ._frames import Arrays, Form, Missing, Pandas, Point, plain_label
 from ._tables import FORMS, Frame, Label, frame_of, pick, places_of
 from ._progress import shown as told
 from ._run import Run, run
+from ._standfast import StandfastError
 from ._types import Map, OnError, Progress, Side
 
 _T = TypeVar("_T")
@@ -165,7 +166,7 @@ def read(
     Raises:
         TypeError: for what is not a real number, or comes from a library whose objects have to be unwrapped by the caller;
             the error says how.
-        ValueError: for lengths or indexes that differ, and for a wrong ``map``.
+        StandfastError: for lengths or indexes that differ, and for a wrong ``map``.
         KeyError: if a table lacks a column.
     """
     if optional is not None and (optional[1] is not None or any(value is None for value in given)):
@@ -237,7 +238,7 @@ def chosen(columns: Sequence[str] | None, known: Sequence[str]) -> list[str]:
     """The columns to compute, in the order asked for; all that are known if none are.
 
     Raises:
-        TypeError, ValueError: for what is not a list of known names, each once.
+        TypeError, StandfastError: for what is not a list of known names, each once.
     """
     if columns is None:
         return list(known)
@@ -246,11 +247,11 @@ def chosen(columns: Sequence[str] | None, known: Sequence[str]) -> list[str]:
         if name not in known:
             near = _standfast.closest(str(name), list(known))
             meant = f"did you mean {near!r}? There are" if near else "expected"
-            raise ValueError(f"columns has {name!r}; {meant} {', '.join(known)}")
+            raise StandfastError(f"columns has {name!r}; {meant} {', '.join(known)}")
         if name in names[:i]:
-            raise ValueError(f"columns has {name!r} twice; expected it once")
+            raise StandfastError(f"columns has {name!r} twice; expected it once")
     if not names:
-        raise ValueError(f"columns is empty; expected some of {', '.join(known)}")
+        raise StandfastError(f"columns is empty; expected some of {', '.join(known)}")
     return names
 
 
@@ -273,7 +274,7 @@ def _table(names: Sequence[str], frame: Frame, map: Map | None) -> Operands:
     table, pandas = frame.value, frame.kind == "pandas"
     places = places_of(names, map, table.columns if pandas else None)
     if all(type(place) is float for place in places):
-        raise ValueError("map names no column of the table, only numbers")
+        raise StandfastError("map names no column of the table, only numbers")
     operands = Operands(names, frame.form)
     if pandas:
         operands.numbers = [
@@ -333,11 +334,11 @@ def _common_index(names: Sequence[str], columns: Sequence[Column]) -> Any:
         if other is index or other.equals(index):
             continue
         if len(other) != len(index):
-            raise ValueError(f"{first} has {len(index)} rows and {name} {len(other)}; expected Series of one index")
+            raise StandfastError(f"{first} has {len(index)} rows and {name} {len(other)}; expected Series of one index")
         at = next((i for i, (ours, theirs) in enumerate(zip(index, other)) if not same(ours, theirs)), None)
         if at is None:
             continue
-        raise ValueError(
+        raise StandfastError(
             f"the indexes of {first} and {name} differ: at row {at}, {_label(index[at])} and {_label(other[at])}; expected Series of "
             f"one index. {first}.align({name}) matches the labels, .to_numpy() pairs rows by their place"
         )
@@ -352,7 +353,7 @@ def _check_lengths(names: Sequence[str], columns: Sequence[Numbers], rows: int) 
     """Beside columns of rows, arrays have as many; they are not broadcast."""
     for name, (values, *_) in zip(names, columns):
         if values.ndim > 0 and values.shape != (rows,):
-            raise ValueError(f"{name} has the shape {values.shape} beside columns of {rows} rows; expected ({rows},)")
+            raise StandfastError(f"{name} has the shape {values.shape} beside columns of {rows} rows; expected ({rows},)")
 
 
 def broadcast(names: Sequence[str], arrays: Sequence[NDArray[Any]]) -> tuple[int, ...]:
@@ -361,6 +362,6 @@ def broadcast(names: Sequence[str], arrays: Sequence[NDArray[Any]]) -> tuple[int
         return np.broadcast_shapes(*(array.shape for array in arrays))
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in zip(names, arrays))
-        raise ValueError(
+        raise StandfastError(
             f"these shapes do not broadcast together: {shapes}; expected each axis to have one length, or 1"
         ) from None

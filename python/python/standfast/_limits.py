@@ -180,7 +180,7 @@ def limit_states(
         tables.
 
     Raises:
-        ValueError, TypeError, KeyError: as :func:`classify`.
+        StandfastError, TypeError, KeyError: as :func:`classify`.
 
     >>> states = limit_states(1, 0.4, 0.5, 0.6)
     >>> round(states.slide, 9), round(states.rock_O, 9), states.load_factor

@@ -5,13 +5,14 @@ from __future__ import annotations
 import enum
 import operator
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
+from ._standfast import StandfastError
 
 _NATIVE = _standfast.modes()
 
@@ -41,7 +42,7 @@ class Mode(enum.IntEnum, metaclass=_ModeType):
     >>> Mode.ROCK_O == "R0"
     Traceback (most recent call last):
     ...
-    ValueError: 'R0' is not a mode; expected RE, SL, RO, SRO-, SRO+, SRO'-, RO', SL+, SRO'+, FL or BF
+    standfast.StandfastError: 'R0' is not a mode; expected RE, SL, RO, SRO-, SRO+, SRO'-, RO', SL+, SRO'+, FL or BF
     >>> print(Mode.ROCK_O, f"{Mode.REST:>4}")
     RO   RE
     >>> print("The body", Mode.ROCK_O.words)
@@ -72,7 +73,7 @@ class Mode(enum.IntEnum, metaclass=_ModeType):
             if value == mode.symbol:
                 return mode
         expected = ", ".join(f"{mode.symbol} or {mode.value}" for mode in cls)
-        raise ValueError(f"{value!r} is not a mode; expected {expected}")
+        raise StandfastError(f"{value!r} is not a mode; expected {expected}")
 
     #: Above that of all columns of pandas, which so leave it to this class to be compared.
     __pandas_priority__ = 5000
@@ -81,7 +82,7 @@ class Mode(enum.IntEnum, metaclass=_ModeType):
         """Whether it is the same mode, its code or its symbol; item by item beside a column.
 
         Raises:
-            ValueError: for a word that names no mode.
+            StandfastError: for a word that names no mode.
             TypeError: for a set of modes.
         """
         return self._compared(other, operator.eq)
@@ -165,35 +166,96 @@ BY_SYMBOL = {mode.symbol: mode for mode in Mode}
 SYMBOLS: NDArray[np.str_] = np.array(list(BY_SYMBOL))
 
 
-def code_of(word: str) -> int:
+def code_of(word: object) -> int:
     """The code of the mode that a word names.
 
     Raises:
-        ValueError: if it names none.
+        StandfastError: if it names none.
     """
-    if (mode := BY_SYMBOL.get(word)) is not None:
+    if isinstance(word, str) and (mode := BY_SYMBOL.get(word)) is not None:
         return int(mode)
     *others, last = BY_SYMBOL
-    raise ValueError(f"{word!r} is not a mode; expected {', '.join(others)} or {last}")
+    raise StandfastError(f"{word!r} is not a mode; expected {', '.join(others)} or {last}")
 
 
 def codes_of(other: Any) -> Any:
-    """Codes in place of words and modes, alone or in what holds many; anything else as it is."""
-    if isinstance(other, Modes):
-        raise TypeError(f"{other!r} is a set of modes; expected a mode, a code or a word")
-    if isinstance(other, str):
+    """Codes in place of words and modes, alone or in what holds many; anything else as it is.
+
+    Raises:
+        StandfastError: for a word that names no mode.
+        TypeError: for a set of modes.
+    """
+    if isinstance(other, (str, bytes)):
         return code_of(other)
-    if isinstance(other, Mode):
-        return int(other)
+    if (mode := _of_mode(other)) is not None:
+        return int(mode)
     if isinstance(other, (list, tuple, set, frozenset)):
         # numpy would make words of all of them where one is a word.
-        return np.array([codes_of(item) for item in other])
+        codes = np.array([codes_of(item) for item in other])
+        small = codes.size and codes.dtype.kind in "iu" and 0 <= codes.min() and codes.max() <= np.iinfo(np.uint8).max
+        return codes.astype(np.uint8) if small else codes
     items = np.asarray(other)
-    if items.dtype.kind == "O" and any(isinstance(item, (str, Mode)) for item in items.flat):
+    if items.dtype.kind == "O" and any(isinstance(item, (str, bytes, Mode)) for item in items.flat):
         return np.array([codes_of(item) for item in items.flat], dtype=object).reshape(items.shape)
-    if items.dtype.kind not in "UT":
+    if items.dtype.kind not in "SUT":
         return other
-    return np.array([code_of(str(word)) for word in items.flat], dtype=np.uint8).reshape(items.shape)
+    return np.array([code_of(word) for word in items.ravel().tolist()], dtype=np.uint8).reshape(items.shape)
+
+
+def words_of(other: Any, *, blank: bool = False) -> Any:
+    """Symbols in place of modes and codes, alone or in what holds many; anything else as it is.
+
+    Args:
+        blank: whether a word may be empty, which is of no mode.
+
+    Raises:
+        StandfastError: for a word that names no mode.
+        TypeError: for a set of modes.
+    """
+    if isinstance(other, (str, bytes)):
+        return other if blank and other == "" else str(SYMBOLS[code_of(other)])
+    if (mode := _of_mode(other)) is not None:
+        return mode.symbol
+    if isinstance(other, (int, np.integer)) and not isinstance(other, bool):
+        return str(SYMBOLS[other]) if 0 <= other < len(SYMBOLS) else other
+    if isinstance(other, (list, tuple, set, frozenset)):
+        return _worded([words_of(item, blank=blank) for item in other])
+    items = np.asarray(other)
+    if items.dtype.kind in "SUT":
+        unknown = ~np.isin(items, [*BY_SYMBOL, *([""] if blank else [])]) if items.dtype.kind != "S" else np.ones(items.shape, np.bool_)
+        if unknown.any():
+            code_of(items[unknown].tolist()[0])
+        return other
+    if items.dtype.kind in "iu" and items.size and 0 <= items.min() and items.max() < len(SYMBOLS):
+        return SYMBOLS[items]
+    if items.dtype.kind not in "iuO":
+        return other
+    return _worded([words_of(item, blank=blank) for item in items.flat]).reshape(items.shape)
+
+
+def _worded(items: list[Any]) -> NDArray[Any]:
+    """Words, and what is none beside them."""
+    if all(isinstance(item, str) for item in items):
+        return np.array(items, dtype=np.str_)
+    found = np.empty(len(items), dtype=object)
+    found[:] = items
+    return found
+
+
+def are_modes(words: Sequence[str] | None) -> bool:
+    """Whether all words are those of modes; where there are none they are not."""
+    return bool(words) and all(word in BY_SYMBOL for word in words or ())
+
+
+def _of_mode(other: object) -> Mode | None:
+    """The mode, of what is one, and ``None`` of all else.
+
+    Raises:
+        TypeError: for a set of modes.
+    """
+    if isinstance(other, Modes):
+        raise TypeError(f"{other!r} is a set of modes; expected a mode, a code or a word")
+    return other if isinstance(other, Mode) else None
 
 
 def _alone(mode: Mode, words: bool, objects: bool) -> Any:
@@ -218,63 +280,6 @@ def _kind(column: Any) -> str | None:
     return "objects" if dtype == object and not isinstance(column.dtype, pd.CategoricalDtype) else "words"
 
 
-class ModeArray(np.ndarray[Any, np.dtype[np.uint8]]):
-    """Codes of modes in an array of ``uint8``, which may be compared with modes, codes and words.
-
-    What is computed with it is plain. An item is a :class:`Mode`. It is made of codes, of modes or of words, as those of a column
-    ``mode``.
-
-    >>> modes = ModeArray(["RE", "SL", "RO"])
-    >>> modes
-    ModeArray([0, 1, 2], dtype=uint8)
-    >>> modes == "SL", "RO" in modes, modes[1]
-    (array([False,  True, False]), True, <Mode.SLIDE_LEFT: 1>)
-    >>> modes.names, modes.code
-    (array(['RE', 'SL', 'RO'], dtype='<U5'), array([0, 1, 2], dtype=uint8))
-    """
-
-    def __new__(cls, modes: Any) -> ModeArray:
-        codes = np.asarray(codes_of(modes))
-        known = codes.size == 0 or codes.dtype.kind in "iuO"
-        if not known or not np.isin(codes.astype(np.float64), np.arange(len(Mode))).all():
-            raise ValueError(f"codes of modes are 0 to {len(Mode) - 1}, or words: {', '.join(BY_SYMBOL)}")
-        return codes.astype(np.uint8).view(cls)
-
-    @property
-    def code(self) -> NDArray[np.uint8]:
-        """The codes as a plain array."""
-        return self.view(np.ndarray)
-
-    @property
-    def names(self) -> NDArray[np.str_]:
-        """The report's symbols, an array of words."""
-        return SYMBOLS[self.code]
-
-    def __getitem__(self, index: Any) -> Any:
-        found = super().__getitem__(index)
-        return Mode(int(found)) if isinstance(found, np.uint8) and found < len(Mode) else found
-
-    def __contains__(self, mode: object) -> bool:
-        return bool(np.any(self == mode))
-
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
-        compares = ufunc in (np.equal, np.not_equal)
-        if any(isinstance(one, Modes) for one in inputs):
-            raise TypeError("an array of modes beside a set of modes; expected a mode, a code or a word")
-        plain = [_codes_alone(one) if isinstance(one, ModeArray) else codes_of(one) if compares else one for one in inputs]
-        if (out := options.get("out")) is not None:
-            options["out"] = tuple(_codes_alone(one) for one in out)
-        return getattr(ufunc, method)(*plain, **options)
-
-    def __array_function__(self, function: Any, types: Any, args: Any, options: Any) -> Any:
-        if function is np.isin and len(args) > 1:
-            args = (args[0], codes_of(args[1]), *args[2:])
-        return super().__array_function__(function, types, args, options)
-
-
-def _codes_alone(array: Any) -> Any:
-    return array.view(np.ndarray) if isinstance(array, ModeArray) else array
-
 #: Above all sets of modes.
 _BITS = 1 << Mode.BEARING_FAILURE
 
@@ -284,7 +289,7 @@ class _SetType(enum.EnumMeta):
 
     def __call__(cls, value: Any, *args: Any, **options: Any) -> Any:
         if value is Mode.BEARING_FAILURE:
-            raise ValueError("bearing failure is in no set of modes; compare with the mode itself")
+            raise StandfastError("bearing failure is in no set of modes; compare with the mode itself")
         bits = 1 << value if isinstance(value, Mode) else value
         return super().__call__(bits, *args, **options)
 
@@ -368,7 +373,7 @@ class Modes(enum.IntFlag, metaclass=_SetType):
             found = super()._missing_(value)
             assert isinstance(found, cls)
             return found
-        raise ValueError(f"{value!r} is not a set of modes; expected bits from 0 to {_BITS - 1}, or symbols in a string")
+        raise StandfastError(f"{value!r} is not a set of modes; expected bits from 0 to {_BITS - 1}, or symbols in a string")
 
     def __contains__(self, other: object) -> bool:
         """Whether a mode, or each of a set of modes, is in the set."""

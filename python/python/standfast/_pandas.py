@@ -5,13 +5,13 @@ Imported only where a program has pandas.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import pandas as pd  # type: ignore[import-untyped,unused-ignore]
 
-from ._modes import BY_SYMBOL, SYMBOLS, Mode, Modes, codes_of
+from ._modes import SYMBOLS, Mode, Modes, are_modes, codes_of, words_of
 
 
 class ModeDtype(pd.UInt8Dtype):  # type: ignore[misc,unused-ignore]
@@ -41,11 +41,36 @@ class ModeColumn(pd.arrays.IntegerArray):  # type: ignore[misc,unused-ignore]
     def _cmp_method(self, other: Any, op: Any) -> Any:
         return super()._cmp_method(_codes(other) if op.__name__ in ("eq", "ne") else other, op)
 
+    def __getitem__(self, item: Any) -> Any:
+        """An item is a mode, which is compared as it is in the column."""
+        found = super().__getitem__(item)
+        return _mode(found) if isinstance(found, np.integer) else found
+
+    def __iter__(self) -> Iterator[Any]:
+        return map(_mode, super().__iter__())
+
+    def _reduce(self, name: str, **options: Any) -> Any:
+        """The least and the greatest are modes."""
+        found = super()._reduce(name, **options)
+        return _mode(found) if name in ("min", "max") else found
+
+    def astype(self, dtype: Any, copy: bool = True) -> Any:
+        """As pandas'; as categories and as texts they are words."""
+        is_category = isinstance(dtype, pd.CategoricalDtype) and dtype.categories is None or isinstance(dtype, str) and dtype == "category"
+        is_text = pd.api.types.is_string_dtype(dtype) and dtype not in (object, "object", "O")
+        if not is_category and not is_text:
+            return super().astype(dtype, copy=copy)
+        codes = np.where(self._mask | (self._data >= len(SYMBOLS)), -1, self._data.astype(np.int8))
+        words = categories(codes, SYMBOLS.tolist())
+        return words if is_category else words.astype(dtype)
+
     def isin(self, values: Any) -> Any:
         return super().isin(np.array([_codes(value) for value in values], dtype=object))
 
     def map(self, mapper: Any, na_action: Any = None) -> Any:
-        """What a dict says of symbols it says of their codes."""
+        """What a dict says of symbols it says of their codes; a function is called with modes."""
+        if callable(mapper) and not isinstance(mapper, (Mapping, pd.Series)):
+            return super().map(lambda item: mapper(_mode(item)), na_action)
         if isinstance(mapper, pd.Series):
             mapper = mapper.to_dict()
         if isinstance(mapper, Mapping) and any(isinstance(key, str) for key in mapper):
@@ -83,27 +108,20 @@ class ModeWords(pd.Categorical):  # type: ignore[misc,unused-ignore]
         return super().map(mapper, na_action)
 
 
+def _mode(code: Any) -> Any:
+    """The mode of a code; what is missing, or of no mode, as it is."""
+    return Mode(int(code)) if isinstance(code, (int, np.integer)) and 0 <= code < len(SYMBOLS) else code
+
+
 def categories(places: Any, words: Sequence[str]) -> Any:
     """A column of words, of which each row has the place; those that are modes know it."""
-    kind = ModeWords if len(words) and all(word in BY_SYMBOL for word in words) else pd.Categorical
+    kind = ModeWords if are_modes(words) else pd.Categorical
     return kind.from_codes(places, categories=words)
 
 
 def _words(other: Any) -> Any:
-    """A mode's symbol for it or its code, alone or in what holds many.
-
-    Raises:
-        ValueError: for a word that names no mode.
-        TypeError: for a set of modes.
-    """
-    if isinstance(other, (str, Mode, Modes)):
-        return str(SYMBOLS[codes_of(other)])
-    if isinstance(other, (int, np.integer)) and not isinstance(other, bool):
-        return str(SYMBOLS[other]) if 0 <= other < len(SYMBOLS) else other
-    if isinstance(other, (list, tuple, np.ndarray)):
-        items = np.asarray(other, dtype=object)
-        return np.array([_words(item) for item in items.flat], dtype=object).reshape(items.shape)
-    return other
+    """A mode's symbol for it or its code, alone or in what holds many; columns of pandas as they are."""
+    return other if isinstance(other, (pd.Series, pd.Index, pd.api.extensions.ExtensionArray)) else words_of(other)
 
 
 def _codes(other: Any) -> Any:

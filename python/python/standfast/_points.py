@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._advice import Advice, called
 from ._arrow import ArrowTable
 from ._inputs import read
+from ._standfast import StandfastError
 from ._tables import frame_of
 from ._types import Arrow, PandasFrame, PolarsFrame, PyarrowTable
 
@@ -40,7 +41,7 @@ def marks(points: Points | None) -> Marks:
         return Marks(np.empty((0, 2)), [])
     if isinstance(points, Mapping):
         if any(map(_is_missing, points)):
-            raise ValueError(f"points has a point of the name {next(filter(_is_missing, points))!r}; expected a text")
+            raise StandfastError(f"points has a point of the name {next(filter(_is_missing, points))!r}; expected a text")
         pairs = [_pair(f"point {name!r}", at) for name, at in points.items()]
         return Marks(np.array(pairs, dtype=np.float64).reshape(-1, 2), [str(name) for name in points])
     if any(hasattr(points, way) for way in ("collect", "compute")):
@@ -50,7 +51,7 @@ def marks(points: Points | None) -> Marks:
     places = _numbers("points", points)
     if places.ndim != 2 or places.shape[1] != 2:
         hint = "; np.column_stack([k, mu]) makes one of two columns" if len(places) == 2 else ""
-        raise ValueError(f"points is an array of shape {places.shape}; {_EXPECTED}{hint}")
+        raise StandfastError(f"points is an array of shape {places.shape}; {_EXPECTED}{hint}")
     return Marks(places, [])
 
 
@@ -58,7 +59,7 @@ def _pair(what: str, at: Any) -> NDArray[np.float64]:
     pair = _numbers(what, at)
     if pair.shape != (2,):
         hint = "; many points without names are an array with rows of (k, μ)" if pair.ndim else ""
-        raise ValueError(f"{what} is {at!r}; expected (k, μ){hint}")
+        raise StandfastError(f"{what} is {at!r}; expected (k, μ){hint}")
     return pair
 
 
@@ -76,14 +77,14 @@ def _table(table: Any, kind: str) -> Marks:
     for column in ("k", "mu"):
         if found is not None and found.count(column) != 1:
             what = "no column" if column not in found else f"{found.count(column)} columns"
-            raise ValueError(f"points is a table with {what} {column!r} (it has {', '.join(map(str, found))}); {_EXPECTED}")
+            raise StandfastError(f"points is a table with {what} {column!r} (it has {', '.join(map(str, found))}); {_EXPECTED}")
     columns, missing = read("Diagram.plot", ("k", "mu"), (table, None)).arrays()
     if missing is not None:
-        raise ValueError(f"points has no k or no mu in row {int(np.argmax(missing))}; expected numbers, without what is missing")
+        raise StandfastError(f"points has no k or no mu in row {int(np.argmax(missing))}; expected numbers, without what is missing")
     names = _names(table, kind) if found is not None and "name" in found else []
     for row, name in enumerate(names):
         if _is_missing(name):
-            raise ValueError(f"points has no name in row {row}; expected one for each, or no column 'name'")
+            raise StandfastError(f"points has no name in row {row}; expected one for each, or no column 'name'")
     return Marks(np.ascontiguousarray(np.column_stack(columns), dtype=np.float64), [str(name) for name in names])
 
 
@@ -94,7 +95,7 @@ def _names(table: Any, kind: str) -> list[Any]:
         raise TypeError(f"points is a {called(table)} with names; expected a DataFrame of pandas or polars, or a pyarrow Table")
     if kind == "pandas":
         if column.ndim != 1:
-            raise ValueError("points is a table with several columns 'name'; expected one")
+            raise StandfastError("points is a table with several columns 'name'; expected one")
         return [None if missing else name for name, missing in zip(column, column.isna())]
     return list(column.to_list() if kind == "polars" else column.to_pylist())
 
@@ -105,7 +106,7 @@ def _is_missing(name: object) -> bool:
 
 def _numbers(what: str, values: Any) -> NDArray[np.float64]:
     if np.ma.is_masked(values):
-        raise ValueError(f"{what} is masked in part; expected numbers, without what is missing: np.ma.compress_rows(...)")
+        raise StandfastError(f"{what} is masked in part; expected numbers, without what is missing: np.ma.compress_rows(...)")
     array = np.asarray(values)
     if array.dtype.kind not in "iuf" and not (array.dtype.kind == "O" and all(map(_is_number, array.flat))):
         raise TypeError(f"{what} holds {array.dtype} such as {array.ravel().tolist()[0]!r}; expected numbers")

@@ -15,13 +15,16 @@ from ._advice import Advice
 from ._advice import shown as said
 from ._answer import Rendered
 from ._arrow import ArrowTable
-from ._assess import Figure, case_text
+from ._assess import case_text
+from ._figure import Figure, figures_of
 from ._modes import SYMBOLS
 from ._progress import shown
 from ._ranges import Over, over_of
+from ._records import Records, check_unit, records_of
 from ._run import Told, run
-from ._simulate import Records, check_unit, records_of
+from ._standfast import StandfastError
 from ._types import Array, Progress
+from ._warnings import mind
 from .chances import ProbabilityDocument
 
 _SEED, _PRECISION, _FLOOR, _SAMPLES = _standfast.plain_effort()
@@ -43,12 +46,12 @@ class Probability(ProbabilityDocument, Rendered):
     """
 
     _what = "this answer"
-    _drawn: Callable[[], list[tuple[str, str]]]
+    _drawn: Callable[[], list[Figure]]
     #: That of a case that is a dict.
     _title: str | None
 
     def __init__(
-        self, text: str, document: str, figures: list[tuple[str, str]] | Callable[[], list[tuple[str, str]]], title: str | None = None
+        self, text: str, document: str, figures: list[Figure] | Callable[[], list[Figure]], title: str | None = None
     ) -> None:
         super().__init__(text, document)
         vars(self).update(_drawn=figures if callable(figures) else lambda: figures, _title=title)
@@ -57,7 +60,7 @@ class Probability(ProbabilityDocument, Rendered):
     def figures(self) -> list[Figure]:
         """The figures: draws, probabilities with their intervals, what matters, and, where there is such a thing, how the answer settled, what
         there is along a number, and how far it slides. The item ``"figures"`` names the files of the program's, and is empty here."""
-        return [Figure(*figure) for figure in self._drawn()]
+        return self._drawn()
 
     def _repr_svg_(self) -> str | None:
         """The probabilities, of which every answer to a body has a figure."""
@@ -65,7 +68,7 @@ class Probability(ProbabilityDocument, Rendered):
         return chosen[0].svg if chosen else None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self._text, self._json, [tuple(figure) for figure in self.figures], self._title)
+        return type(self), (self._text, self._json, self.figures, self._title)
 
     def __repr__(self) -> str:
         others = f"; {len(self.others)} other set{'s' if len(self.others) > 1 else ''} of loads" if self.others else ""
@@ -134,7 +137,7 @@ def probability(
         years: of a life, before those of the case.
         over: the same along a number of the case, with what goes with it: ``"width=12 m..20 m:9"``, its name, the first and the last
             value as a case file has them, and how many; or ``{"width": [12, 14, 18]}``, a dict of its name with values, rising: numbers in
-            SI units, a list, a tuple, an array, a Series, or texts with units. The answer is ``fragility``, with a lognormal curve. ``"pga=0.2 g..1 g:9"`` of a
+            SI units, a list, a tuple, an array, a Series, a DataArray of one dimension, or texts with units. The answer is ``fragility``, with a lognormal curve. ``"pga=0.2 g..1 g:9"`` of a
             case whose base moves follows bodies in time: ``overturning``.
         records: of ``over="pga=…"``, accelerations of the base in place of those of the case, each as likely, and scaled to each peak to the
             sides: arrays, or dicts of arrays under ``"horizontal"`` and ``"vertical"``, with ``"dt"`` where that is their own. The vertical
@@ -149,7 +152,7 @@ def probability(
 
     Raises:
         CaseError: for a case, law or correlation that is not understood; the message shows where, and what is expected.
-        ValueError: for a case without random numbers, and for other arguments.
+        StandfastError: for a case without random numbers, and for other arguments.
         OSError: if the case file cannot be read.
 
     >>> plane = {
@@ -169,12 +172,12 @@ def probability(
         raise TypeError(f"method is {method!r}; expected the name of a method")
     for name, share in (("precision", precision), ("floor", floor)):
         if not _is_number(share) or not 0 < share < 1:
-            raise ValueError(f"{name} is {share!r}; expected a share, above zero and below 1")
+            raise StandfastError(f"{name} is {share!r}; expected a share, above zero and below 1")
     if years is not None and (not _is_number(years) or not 0 < years < float("inf")):
-        raise ValueError(f"years is {years!r}; expected a number above zero")
+        raise StandfastError(f"years is {years!r}; expected a number above zero")
     along = None if over is None else over_of(over, "width=12 m..20 m:9", _ADVICE)
     if rotations not in ("count", "simulate"):
-        raise ValueError(f"rotations is {rotations!r}; expected 'count' or 'simulate'")
+        raise StandfastError(f"rotations is {rotations!r}; expected 'count' or 'simulate'")
     how = run(threads)
     file, bases = case_text(case), _given(records, dt, unit, along)
     with shown(progress, None) as told:
@@ -183,13 +186,10 @@ def probability(
             None if years is None else float(years), along, rotations == "simulate", how.threads, told,
         )  # fmt: skip
         found = _standfast.probability(file, asked, bases)
+    mind(found.warnings())
     title = case.get("title") if isinstance(case, Mapping) else None
-    drawn = functools.partial(_drawn, found)
+    drawn = functools.partial(figures_of, found)
     return Probability(found.text(), found.json(), drawn, None if title is None else str(title))
-
-
-def _drawn(found: _standfast.ChanceAnswer) -> list[tuple[str, str]]:
-    return [(words, svg) for words, _, svg in found.figures()]
 
 
 def _given(records: Any, dt: Any, unit: str | None, over: str | None) -> list[Records]:
@@ -200,7 +200,9 @@ def _given(records: Any, dt: Any, unit: str | None, over: str | None) -> list[Re
         return []
     if over is None or over.partition("=")[0].strip() != "pga":
         raise TypeError("records are scaled to peaks; expected over='pga=0.2 g..1 g:9' beside them")
-    if isinstance(records, Mapping) or not isinstance(records, Sequence) or not records or np.ndim(records[0]) == 0 and not isinstance(records[0], Mapping):
+    if isinstance(records, Sequence) and not isinstance(records, str) and len(records) == 0:
+        raise StandfastError("records is empty; expected one record or more, each an array or a dict of arrays")
+    if isinstance(records, Mapping) or not isinstance(records, Sequence) or np.ndim(records[0]) == 0 and not isinstance(records[0], Mapping):
         raise TypeError(f"records is {said(records)}; expected a list of records, each an array or a dict of arrays")
     given = []
     for place, record in enumerate(records):
@@ -210,7 +212,7 @@ def _given(records: Any, dt: Any, unit: str | None, over: str | None) -> list[Re
         given.append(records_of(record, step, unit, f"records[{place}]"))
         check_unit(given[-1], unit, True)
         if given[-1][0] is None:
-            raise ValueError(f"records[{place}] has nothing 'horizontal', whose peak is asked for")
+            raise StandfastError(f"records[{place}] has nothing 'horizontal', whose peak is asked for")
     return given
 
 
@@ -234,7 +236,7 @@ def draws(
         together. :class:`ArrowTable` says how it becomes one of pandas, polars or pyarrow.
 
     Raises:
-        ValueError: as :func:`probability`; and where the case has several sets of loads and none of them is named.
+        StandfastError: as :func:`probability`; and where the case has several sets of loads and none of them is named.
 
     >>> plane = {"point": {"gamma": 0.8, "k_prime": 0.9, "k": 0.5}, "random": {"mu": {"uniform": {"from": 0.4, "to": 0.6}}}}
     >>> found = draws(plane, 1000)
@@ -269,5 +271,5 @@ def _whole(value: Any, name: str, least: int) -> int:
     except TypeError:
         number = least - 1
     if isinstance(value, (bool, np.bool_)) or not least <= number < 1 << 64:
-        raise ValueError(f"{name} is {value!r}; expected a whole number from {least}")
+        raise StandfastError(f"{name} is {value!r}; expected a whole number from {least}")
     return number

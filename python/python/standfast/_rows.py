@@ -14,6 +14,7 @@ from . import _standfast
 from ._frames import Missing
 from ._inputs import Operands, read
 from ._run import Run
+from ._standfast import StandfastError
 
 #: How many rows a thread answers before anything else is looked at: some milliseconds, or some tenths of a second where each needs
 #: exact arithmetic.
@@ -98,9 +99,9 @@ def numbers(columns: Columns, places: Mapping[str, int]) -> list[tuple[int, NDAr
 def _raise(fault: tuple[int, str, str], before: int, shape: tuple[int, ...]) -> NoReturn:
     row, given, expected = fault
     if not shape:
-        raise ValueError(f"{given}; expected {expected}")
+        raise StandfastError(f"{given}; expected {expected}")
     index = tuple(map(int, np.unravel_index(before + row, shape)))
-    error = ValueError(f"{given} at index {index[0] if len(index) == 1 else index}; expected {expected}")
+    error = StandfastError(f"{given} at index {index[0] if len(index) == 1 else index}; expected {expected}")
     vars(error)["index"] = index
     raise error
 

@@ -6,6 +6,8 @@ import operator
 from collections.abc import Callable
 from typing import Literal, NamedTuple
 
+from ._standfast import StandfastError
+
 #: Called with how many points are done and how many there are, ``None`` if that is not known.
 Told = Callable[[int, "int | None"], object]
 
@@ -13,7 +15,7 @@ Told = Callable[[int, "int | None"], object]
 def is_right(to: str) -> bool:
     """Whether the force points right."""
     if to not in ("left", "right"):
-        raise ValueError(f"to is {to!r}; expected 'left' or 'right', where the force points")
+        raise StandfastError(f"to is {to!r}; expected 'left' or 'right', where the force points")
     return to == "right"
 
 
@@ -46,7 +48,7 @@ def run(
     """The options of a call, checked.
 
     Raises:
-        ValueError: for a number of threads below one, and for another word than ``"raise"`` and ``"null"``, or ``"left"`` and
+        StandfastError: for a number of threads below one, and for another word than ``"raise"`` and ``"null"``, or ``"left"`` and
             ``"right"``.
     """
     if threads is not None:
@@ -55,8 +57,8 @@ def run(
         except TypeError:
             number = 0
         if number < 1 or isinstance(threads, bool):
-            raise ValueError(f"threads is {threads!r}; expected a whole number above zero, or None for all processors")
+            raise StandfastError(f"threads is {threads!r}; expected a whole number above zero, or None for all processors")
         threads = number
     if on_error not in ("raise", "null"):
-        raise ValueError(f"on_error is {on_error!r}; expected 'raise' or 'null'")
+        raise StandfastError(f"on_error is {on_error!r}; expected 'raise' or 'null'")
     return Run(threads, on_error == "null", right=is_right(to), progress=progress)

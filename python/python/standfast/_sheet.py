@@ -13,6 +13,7 @@ from typing import Literal
 from . import _standfast
 from ._assess import case_text
 from ._progress import shown
+from ._standfast import StandfastError
 from ._types import Progress
 
 
@@ -55,7 +56,7 @@ def sheet(
     Ctrl-C ends the call at once, and nothing is written.
 
     Raises:
-        ValueError: for a case that is not understood, and for a wrong date, paper or extension.
+        StandfastError: for a case that is not understood, and for a wrong date, paper or extension.
         OSError: if a file cannot be read or written.
         RuntimeError: if there is no browser to print a PDF, or it prints nothing.
 
@@ -74,9 +75,9 @@ def sheet(
     extension = "" if target is None else target.suffix.lower()
     if target is not None and extension not in (".html", ".pdf"):
         found = f"unknown extension {target.suffix!r}" if extension else "no extension"
-        raise ValueError(f"path is {str(target)!r}, with {found}; the extension has to be .html or .pdf")
+        raise StandfastError(f"path is {str(target)!r}, with {found}; the extension has to be .html or .pdf")
     if target is not None and not isinstance(case, Mapping) and target.exists() and os.path.samefile(case, target):
-        raise ValueError(f"the sheet would be written over the case file {os.fspath(case)}; choose another path")
+        raise StandfastError(f"the sheet would be written over the case file {os.fspath(case)}; choose another path")
     if target is not None and not target.parent.is_dir():
         raise FileNotFoundError(f"path is {str(target)!r}, and there is no folder {str(target.parent)!r}")
     if isinstance(date, datetime.datetime):

@@ -12,28 +12,19 @@ from collections.abc import Mapping
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _standfast
-from ._advice import Advice, is_of
-from ._advice import shown as said
 from ._answer import Lazy, with_infinity
 from ._arrow import ArrowTable
-from ._assess import Figure, case_text
-from ._columns import column_of
+from ._assess import case_text
+from ._figure import Figure, figures_of
 from ._modes import SYMBOLS
 from ._progress import shown
+from ._records import Records, check_unit, positive, records_of
 from ._run import Told
 from ._types import Array, Progress
+from ._warnings import mind
 from .motions import MotionDocument
-
-_ADVICE = Advice("simulate")
-
-#: Units of a record; g counts the gravity of the case.
-_UNITS = ("m/s2", "g", "cm/s2")
-_DIRECTIONS = ("horizontal", "vertical")
-#: Times that differ by this share of a record's length are the same.
-_SAME = 1e-6
 
 #: The columns of a series, with their units of a body and what they are.
 _SERIES = (
@@ -44,11 +35,6 @@ _SERIES = (
     ("theta", "rad", "angle, counter-clockwise"),
     ("omega", "rad/s", "angular velocity"),
 )
-
-#: Times and values of a record, and their unit.
-_Record = tuple[NDArray[np.float64], NDArray[np.float64], str | None]
-#: Those to the right and upwards, where they are given.
-Records = tuple[_Record | None, _Record | None]
 
 
 class _Given(NamedTuple):
@@ -95,7 +81,7 @@ class Simulation(Lazy, MotionDocument):
     def figures(self) -> list[Figure]:
         """The figures: histories, positions, and the motion in real time, which a browser shows moving. The item ``"figures"`` names the
         files of the program's, and is empty here."""
-        return [Figure(words, svg) for words, _, svg in self._answer.figures()]
+        return figures_of(self._answer)
 
     def _repr_svg_(self) -> str | None:
         return self.figures[0].svg if self.figures else None
@@ -123,7 +109,7 @@ class Simulation(Lazy, MotionDocument):
             ``pyarrow.table(series)`` and ``pandas.DataFrame(series.to_dict())`` tables; ``series.theta.metadata`` has unit and words.
 
         Raises:
-            ValueError: for a step that is not above zero, or so short that there would be 10⁹ rows.
+            StandfastError: for a step that is not above zero, or so short that there would be 10⁹ rows.
             IndexError: if there is no such situation.
         """
         step = positive(dt, "dt")
@@ -173,10 +159,11 @@ def simulate(
             ``history``, or whose base moves (``[motion.base]``); or a ``[block]``. Records that a file names lie beside it, those of a dict
             in the working directory.
         base: accelerations of the base in place of those of the case: an array, to the right, or a dict of arrays under
-            ``"horizontal"`` and ``"vertical"``, upwards. Lines join the values; before and after them there is none.
-        dt: the step of time between the values of ``base``, in seconds, or their times. Left out, a Series of pandas has them in its index,
-            as seconds, time deltas or dates; where it has them, ``dt`` may not say others.
-        unit: that of the values in ``base``; of a ``[block]``, which has none, it is left out.
+            ``"horizontal"`` and ``"vertical"``, upwards, at the same times. Lines join the values; before and after them there is none.
+        dt: the step of time between the values of ``base``, in seconds, or their times. Left out, a Series of pandas has them in its index
+            and a DataArray of xarray along its dimension, as seconds, time deltas or dates; where it has them, ``dt`` may not say others.
+        unit: that of the values in ``base``; of a ``[block]``, which has none, it is left out. An attribute ``units`` of a DataArray
+            has to be the same.
         strength: whether to follow it under stronger and weaker loads, some fifty motions, for ``strength``: which change its verdict;
             left to itself where no record is as long as 20,000 points. False where many motions are followed one by one.
         all: whether the text lists every event, of more than 24 too.
@@ -186,10 +173,13 @@ def simulate(
     Ctrl-C ends the call at once.
 
     Raises:
-        ValueError: for a case that is not understood, a record that is none, and values that no motion has; the message shows where,
+        StandfastError: for a case that is not understood, a record that is none, and values that no motion has; the message shows where,
             and what is expected.
-        TypeError: for what is not a array of numbers.
+        TypeError: for what is not an array of numbers.
         OSError: if the case file cannot be read.
+
+    Warns:
+        StandfastWarning: for each of the answer's ``warnings``, once from one line.
 
     >>> caisson = simulate("examples/motion/caisson-breaking-wave.toml")
     >>> round(caisson.slide, 4), caisson.overturned, [event.state.symbol for event in caisson.events]
@@ -210,108 +200,11 @@ def simulate(
     records = records_of(base, dt, unit)
     given: tuple[Any, ...] = *case_text(case), folder_of(case), {}, records, unit, None if strength is None else bool(strength), bool(all)
     with shown(progress, None) as told:
-        return Simulation(*given, told=told)
+        found = Simulation(*given, told=told)
+    mind(found._answer.warnings())
+    return found
 
 
 def folder_of(case: str | os.PathLike[str] | Mapping[str, object]) -> str:
     """Where the files lie that a case names."""
     return "" if isinstance(case, Mapping) else os.path.dirname(os.fspath(case))
-
-
-def check_unit(base: Records, unit: str | None, is_si: bool) -> None:
-    """Accelerations of a body have their unit said, those of a block have none."""
-    if base == (None, None) or is_si == (unit is not None):
-        return
-    if unit is None:
-        raise ValueError(f"unit is missing; expected that of the accelerations in base: {', '.join(map(repr, _UNITS))}")
-    raise ValueError(f"unit is {unit!r}, and the case has a [block], whose accelerations have no unit; leave it out")
-
-
-def records_of(base: Any, dt: Any, unit: str | None, called: str = "base") -> Records:
-    """Horizontal and vertical record; ``called`` is what errors call them."""
-    if unit is not None and unit not in _UNITS:
-        raise ValueError(f"unit is {unit!r}; expected one of {', '.join(map(repr, _UNITS))}")
-    if base is None:
-        if dt is not None or unit is not None:
-            raise TypeError(f"{'dt' if dt is not None else 'unit'} is that of base, which is not given")
-        return None, None
-    if isinstance(base, Mapping):
-        for direction in base:
-            if direction not in _DIRECTIONS:
-                raise ValueError(f"{called} has {direction!r}; expected 'horizontal' and 'vertical'")
-        named = {direction: (f"{called}[{direction!r}]", values) for direction, values in base.items()}
-        if not named:
-            raise ValueError(f"{called} is empty; expected an array, or arrays under 'horizontal' and 'vertical'")
-    else:
-        named = {"horizontal": (called, base)}
-    found = {direction: _record(name, values, dt, unit) for direction, (name, values) in named.items()}
-    lengths = {direction: len(values) for direction, (_, values, _) in found.items()}
-    if len(set(lengths.values())) > 1:
-        counted = " and ".join(f"{count} values {direction}" for direction, count in lengths.items())
-        raise ValueError(f"{called} has {counted}; expected as many")
-    return found.get("horizontal"), found.get("vertical")
-
-
-def _record(name: str, given: Any, dt: Any, unit: str | None) -> _Record:
-    values = _values(given, name)
-    own = _own_times(given)
-    if dt is None:
-        if own is None:
-            raise TypeError(f"dt is missing; expected the step of time between the values of {name}, or their times")
-        return _rising(own, f"the index of {name}"), values, unit
-    if np.ndim(dt) == 0 and not hasattr(dt, "__len__"):
-        times = np.arange(len(values), dtype=np.float64) * positive(dt, "dt")
-    else:
-        times = _rising(_values(dt, "dt"), "dt")
-    if times.shape != values.shape:
-        raise ValueError(f"dt has {len(times)} times and {name} {len(values)} values; expected as many")
-    if own is not None:
-        apart = np.abs(own - times) > _SAME * max(own[-1] - own[0], times[-1] - times[0])
-        if apart.any():
-            at = int(np.argmax(apart))
-            raise ValueError(
-                f"{name} has the time {own[at]:.6g} in its index at row {at}, and {times[at]:.6g} by dt; leave dt out, or give {name}.to_numpy()"
-            )
-    return times, values, unit
-
-
-def _own_times(given: Any) -> NDArray[np.float64] | None:
-    """The times in the index of a Series of pandas; ``None`` of numbers and labels of rows."""
-    if not is_of(given, "pandas", "Series"):
-        return None
-    index = given.index
-    if index.dtype.kind == "M":
-        index = index - index[0]
-    if index.dtype.kind == "m":
-        return np.asarray(index.total_seconds(), dtype=np.float64)
-    return np.asarray(index, dtype=np.float64) if index.dtype.kind == "f" else None
-
-
-def _rising(times: NDArray[np.float64], name: str) -> NDArray[np.float64]:
-    """Times that rise."""
-    back = np.flatnonzero(~(np.diff(times) > 0))
-    if len(back):
-        raise ValueError(f"{name} is {times[back[0] + 1]:g} at index {back[0] + 1}, after {times[back[0]]:g}; expected times that rise")
-    return times
-
-
-def _values(given: Any, name: str) -> NDArray[np.float64]:
-    """Finite numbers of one axis."""
-    column = column_of(given, name, _ADVICE)
-    found = column.read(name)
-    if found.missing() is not None or found.values.ndim != 1 or len(found.values) < 2:
-        what = "missing values" if found.missing() is not None else f"the shape {found.values.shape}"
-        raise ValueError(f"{name} has {what}; expected two numbers or more, along one axis, none missing")
-    values = np.require(found.values, np.float64, ["C", "A"])
-    wrong = np.flatnonzero(~(np.abs(values) < 1e50))
-    if len(wrong):
-        raise ValueError(f"{name} is {values[wrong[0]]:g} at index {wrong[0]}; expected a finite number")
-    return values
-
-
-def positive(value: Any, name: str) -> float:
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
-        raise TypeError(f"{name} is {said(value)}; expected a number above zero")
-    if not 0 < value < float("inf"):
-        raise ValueError(f"{name} is {value}; expected a number above zero")
-    return float(value)

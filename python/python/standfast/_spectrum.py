@@ -14,11 +14,15 @@ from ._advice import Advice
 from ._answer import Rendered
 from ._arrow import ArrowTable
 from ._assess import case_text
+from ._named import units_of
 from ._progress import shown
 from ._ranges import Range, values_of
+from ._records import check_unit, records_of
 from ._run import Told, run
-from ._simulate import check_unit, folder_of, records_of
+from ._simulate import folder_of
+from ._standfast import StandfastError
 from ._types import Array, Progress
+from ._warnings import mind
 from .motions import SpectrumDocument
 
 _ADVICE = Advice("spectrum")
@@ -109,7 +113,7 @@ def spectrum(
         kind: ``"rocking"``, uniform blocks over size and slenderness; ``"newmark"``, a block that can only slide, over its yield
             acceleration; ``"overturning"``, the body of the case over the strength of the shaking, which need not be monotone.
         size, slenderness: of a rocking spectrum half diagonals (m), at equal factors, and heights over widths: ``"1..8:41"``, from, to, and
-            how many, or ``"1..8"``; or the values one by one, rising: a list, a tuple, an array, a Series.
+            how many, or ``"1..8"``; or the values one by one, rising: a list, a tuple, an array, a Series, a DataArray of one dimension.
         ratio: of Newmark's yield accelerations over the peak of the shaking.
         scale: of an overturning curve factors on the shaking.
         base, dt, unit: as for :func:`simulate`.
@@ -117,7 +121,7 @@ def spectrum(
         progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
 
     Raises:
-        ValueError, TypeError, OSError: as :func:`simulate`; and for a range that is none, or does not belong to the kind.
+        StandfastError, TypeError, OSError: as :func:`simulate`; and for a range that is none, or does not belong to the kind.
 
     >>> block = {"block": {"b1": 1, "b2": 1, "d": 3, "mu_s": 50, "gravity": 1}}
     >>> found = spectrum(block, "overturning", scale="0.5..2:4", base=[0.5, 0.5], dt=4)
@@ -125,7 +129,7 @@ def spectrum(
     ([0.5, 1.0, 1.5, 2.0], [False, True, True, True])
     """
     if kind not in _OVER:
-        raise ValueError(f"kind is {kind!r}; expected one of {', '.join(map(repr, _OVER))}")
+        raise StandfastError(f"kind is {kind!r}; expected one of {', '.join(map(repr, _OVER))}")
     ranges = {"size": size, "slenderness": slenderness, "ratio": ratio, "scale": scale}
     for name, given in ranges.items():
         if given is not None and name not in _OVER[kind]:
@@ -136,8 +140,13 @@ def spectrum(
         asked = _Asked(kind, **texts, threads=run(threads).threads, progress=told)
         found = _standfast.spectrum((*case_text(case), folder_of(case), {}), records, asked)
     check_unit(records, unit, found[-1])
-    return Spectrum(*found)
+    answer = Spectrum(*found)
+    mind((warning.name, warning.message) for warning in answer.warnings)
+    return answer
 
 
 def _range(given: Range | None, name: str) -> str | list[float] | None:
+    unit = units_of(given)
+    if unit is not None and unit not in (_UNITS.get(name), "1", "-", ""):
+        raise StandfastError(f"{name} is in {unit!r} by its attribute units; expected {_UNITS.get(name, 'numbers without unit')}")
     return None if given is None else values_of(given, name, "a text as '0.5..2:41', from, to, and how many", _ADVICE)

@@ -35,6 +35,7 @@ __all__ = [
     "diagram_svg",
     "failing_modes",
     "explain",
+    "heading",
     "limit_state_names",
     "limit_states",
     "make_array",
@@ -44,6 +45,7 @@ __all__ = [
     "onset_columns",
     "onset_table",
     "plain_effort",
+    "picture",
     "probability",
     "read_column",
     "read_table",
@@ -128,6 +130,10 @@ def make_array(
 ) -> ArrowArray: ...
 def make_table(columns: Sequence[ArrowArray]) -> ArrowTable: ...
 def closest(word: str, known: Sequence[str]) -> str | None: ...
+#: Title, size, and labels, each with its box and its type size.
+_Kept = tuple[str, tuple[float, float], list[tuple[str, list[float]]]]
+def picture(svg: str, kept: _Kept, scale: float | None) -> bytes: ...
+def heading(column: str) -> tuple[str, str | None]: ...
 def read_column(column: Any, name: str) -> _Read: ...
 def read_table(table: Any, columns: Sequence[tuple[str, str]], names: Sequence[str]) -> list[_Read]: ...
 def refuse_column(name: str, column: str, found: Sequence[str], names: Sequence[str]) -> None: ...
@@ -154,7 +160,7 @@ def contact_conditions(row: Sequence[float], code: int | None) -> list[_Relation
 def explain(gamma: float, k_prime: float, k: float, mu: float, omega: float, right: bool) -> tuple[str, str]: ...
 def design(
     file: tuple[str, str], vary: str, wanted: tuple[str, bool], ends: _Ends, progress: _Progress
-) -> tuple[str, str]: ...
+) -> tuple[str, str, list[tuple[str, str]]]: ...
 def boundary(
     file: tuple[str, str],
     vary: str,
@@ -186,14 +192,17 @@ class MotionAnswer:
     def json(self) -> str:
         """As one JSON document."""
 
+    def warnings(self) -> list[tuple[str, str]]:
+        """Name and words of each warning of the worst situation."""
+
     def is_si(self) -> bool:
         """Whether quantities are in SI units; those of a block are in the units of its case."""
 
     def files(self) -> dict[str, str]:
         """The contents of the files that the case names."""
 
-    def figures(self) -> list[tuple[str, str, str]]:
-        """Words, suffix and SVG of each figure of the worst situation."""
+    def figures(self) -> list[tuple[str, str, str, _Kept]]:
+        """Words, suffix and SVG of each figure of the worst situation, and what else a picture is made of."""
 
     def series(
         self, place: int, dt: float
@@ -258,8 +267,11 @@ class ChanceAnswer:
     def json(self) -> str:
         """As one JSON document."""
 
-    def figures(self) -> list[tuple[str, str, str]]:
-        """Words, suffix and SVG of each figure."""
+    def warnings(self) -> list[tuple[str, str]]:
+        """Name and words of each of its warnings."""
+
+    def figures(self) -> list[tuple[str, str, str, _Kept]]:
+        """Words, suffix and SVG of each figure, and what else a picture is made of."""
 
 def probability(
     file: tuple[str, str], asked: _Asked, records: Sequence[tuple[_RecordOf, _RecordOf]]
@@ -334,8 +346,11 @@ class CaseAnswer:
     def json(self) -> str:
         """As one JSON document."""
 
-    def figures(self) -> list[tuple[str, str, str]]:
-        """Words, suffix and SVG of each figure."""
+    def warnings(self) -> list[tuple[str, str]]:
+        """Name and words of each of its warnings."""
+
+    def figures(self) -> list[tuple[str, str, str, _Kept]]:
+        """Words, suffix and SVG of each figure, and what else a picture is made of."""
 
 def assess(name: str, text: str, up_to: float, all: bool) -> CaseAnswer: ...
 

@@ -7,9 +7,8 @@ from __future__ import annotations
 
 import os
 import sys
-import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,12 +21,16 @@ from ._arrow import ArrowTable
 from ._frames import Arrow, Form, Missing
 from ._inputs import broadcast, check_indexes, listed
 from ._measured import array_of, column_of_cases
+from ._mode_arrays import ModeNames
+from ._modes import are_modes
 from ._named import Broadcast, is_named, variables_of
 from ._progress import shown
 from ._run import run
+from ._standfast import StandfastError
 from ._tables import Frame, column_names, frame_of
 from ._types import Arrow as ArrowObject
 from ._types import OnError, PandasFrame, PolarsFrame, Progress, PyarrowTable, XarrayArray
+from ._warnings import warn
 
 if TYPE_CHECKING:
     import pandas as pd  # type: ignore[import-untyped,unused-ignore]
@@ -41,40 +44,6 @@ _ADVICE = Advice("assess_table")
 
 #: A column of results as the native module gives it: name, values, and of truth where it is missing, of words the words.
 _Result = tuple[str, NDArray[Any], "NDArray[np.bool_] | list[str] | None"]
-
-
-class StandfastWarning(UserWarning):
-    """Something possible that may be a slip.
-
-    Attributes:
-        name: its name, by which programs tell it apart: ``"column-like-key"``, or that of one of the ``warnings`` of an
-            :class:`Assessment`.
-    """
-
-    def __init__(self, name: str, words: str) -> None:
-        super().__init__(name, words)
-        self.name = name
-
-    def __str__(self) -> str:
-        return f"{self.args[1]} ({self.name})"
-
-
-class _OncePerPlace(StandfastWarning):
-    """A warning that a search, which calls again and again with other numbers, shows once: Python knows those it has shown from a
-    place by their category and text, and this one has for text what does not change."""
-
-    #: Names and words, by what Python knows a warning by.
-    said: ClassVar[dict[str, tuple[str, str]]] = {}
-
-    def __init__(self, name: str, words: str | None = None) -> None:
-        super().__init__(*(_OncePerPlace.said[name] if words is None else (name, words)))
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return StandfastWarning, self.args
-
-
-# As a traceback and a filter of the command line name it.
-_OncePerPlace.__name__ = _OncePerPlace.__qualname__ = "StandfastWarning"
 
 
 class ResultColumn(NamedTuple):
@@ -186,10 +155,12 @@ def assess_table(
         table: a DataFrame (pandas, polars), a pyarrow Table, or anything else that speaks the Arrow PyCapsule interface. Columns
             that vary nothing are left alone. Or a dict of arrays, columns and scalars by the names of what they vary, which broadcast by
             numpy's rules; Series of pandas have one index. Or a Dataset of xarray, or a dict of its DataArrays, which broadcast by the
-            names of their dimensions, in the units of their attribute ``units``. Numbers are in SI units, accelerations of the base in g; the name ``"wave.Hmax [cm]"`` gives another
-            unit, and so does a text in place of a number: ``"8 m"``.
+            names of their dimensions, in the units of their attribute ``units``. Numbers are in SI units; the name ``"wave.Hmax [cm]"`` gives another
+            unit, and so does a text in place of a number: ``"8 m"``. An acceleration of the base has to have one, as
+            ``"earthquake.horizontal [g]"``.
         columns: the results that are computed, by their names in ``docs/answer.schema.json``; all of a situation if it is left out. Those
-            of the waves, as ``"Hmax"`` or ``"p1"``, are given where they are named.
+            of the waves, as ``"Hmax"`` or ``"p1"``, are given where they are named. ``"problem"`` may be among them beside
+            ``on_error="null"``, where it is always there, and last.
         map: which column of the table varies a key, ``{"wave.Hmax": "H"}``, where it has another name.
         on_error: with ``"raise"``, the first row whose values no case can have is an error; with ``"null"``, such rows have no
             results, and the column ``problem`` says why.
@@ -205,7 +176,7 @@ def assess_table(
         none. Units are SI. A number without bound is infinite. A row with a missing value has no results; of arrays it is masked.
 
     Raises:
-        ValueError: for a case that is not understood, a column that begins like a key and is none, values that the case cannot
+        StandfastError: for a case that is not understood, a column that begins like a key and is none, values that the case cannot
             have: the error has the column, the value and the index of the row.
         TypeError: for columns that hold no numbers.
         KeyError: if ``map`` names a column that the table lacks.
@@ -221,8 +192,8 @@ def assess_table(
     ... }
     >>> found = assess_table(block, {"friction": [0.3, 0.5], "load[1].force": [[10e3], [30e3]]}, columns=["mode", "SF_sliding"])
     >>> found["mode"]
-    array([['RE', 'RE'],
-           ['SRO-', 'RO']], dtype='<U5')
+    ModeNames([['RE', 'RE'],
+               ['SRO-', 'RO']], dtype='<U5')
     >>> found["SF_sliding"].round(3)
     array([[1.413, 2.354],
            [0.471, 0.785]])
@@ -297,7 +268,7 @@ def varied(case: _Case, table: Any, *, columns: Sequence[str] | None = None, map
         table: the same, or only the names of its columns.
 
     Raises:
-        ValueError, KeyError: as :func:`assess_table`.
+        StandfastError, KeyError: as :func:`assess_table`.
 
     >>> found = varied("examples/goda-2000.toml", ["wave.period", "water_level"])
     >>> found.keys
@@ -343,7 +314,7 @@ def _sweep(case: _Case, given: Any, options: _Options) -> _standfast.Sweep:
     names = [str(column) for column in given] if isinstance(given, Mapping) else given
     sweep = _standfast.Sweep(name, text, names, options.map, options.results, options.null, options.threads)
     for slip, words in () if isinstance(given, Mapping) else sweep.warnings:
-        _warn(slip, words, words)
+        warn(slip, words, words)
     return sweep
 
 
@@ -354,16 +325,7 @@ def _mind(minded: Sequence[_standfast._Minded], sweep: _standfast.Sweep, form: F
         place = index[0] if len(index) == 1 else tuple(index)
         at = f"index {place}" if form is None or len(index) != 1 else form.place(index[0])
         of = f"at {at}" if rows == 1 else f"in {rows} rows, the first at {at}"
-        _warn(name, f"{name}, where {columns} vary", f"{of}: {words}")
-
-
-def _warn(name: str, known: str, words: str) -> None:
-    """A warning of the line that called this package; from there once of what is ``known`` by these words."""
-    _OncePerPlace.said[known] = name, words
-    frame, level = sys._getframe(1), 2
-    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
-        frame, level = frame.f_back, level + 1
-    warnings.warn(known, _OncePerPlace, stacklevel=level)
+        warn(name, f"{name}, where {columns} vary", f"{of}: {words}")
 
 
 def _pairs(map: Mapping[str, str] | None) -> list[tuple[str, str]]:
@@ -386,7 +348,7 @@ def _refuse_idle(table: Mapping[str, object], sweep: _standfast.Sweep) -> None:
         if place not in sweep.places:
             meant = next((words for _, words in sweep.warnings if words.startswith(f"column {name} ")), None)
             words = f"{name!r} is not a number of the case" if meant is None else meant
-            raise ValueError(f"{words}; the numbers that vary are given by their keys, or by map={{...}}")
+            raise StandfastError(f"{words}; the numbers that vary are given by their keys, or by map={{...}}")
 
 
 def _sweep_of(
@@ -416,6 +378,7 @@ def _numpy(column: _Result, shape: tuple[int, ...], missing: Missing) -> NDArray
     _, values, more = column
     if isinstance(more, list):
         values = np.array([*more, ""])[values]
+        values = values.view(ModeNames) if are_modes(more) else values
     values = values.reshape(shape)
     return values if missing is None else np.ma.MaskedArray(values, missing.reshape(shape))
 

@@ -14,6 +14,7 @@ from ._advice import Advice, is_of, short
 from ._arrow import ArrowArray
 from ._columns import TABLES, exported, number_of, same, speaks_arrow
 from ._frames import Arrow, Form, Pandas, Polars, Pyarrow
+from ._standfast import StandfastError
 from ._types import Map
 
 #: What makes the answers to Arrow objects.
@@ -90,7 +91,7 @@ def places_of(names: Sequence[str], map: Map | None, labels: Any) -> list[Any]:
     named: dict[str, Any] = {} if map is None else dict(map)
     unknown = [name for name in named if name not in names]
     if unknown:
-        raise ValueError(f"map has the key {unknown[0]!r}; expected {', '.join(names)}")
+        raise StandfastError(f"map has the key {unknown[0]!r}; expected {', '.join(names)}")
     places = [named.get(name, name) for name in names]
     for i, (place, name) in enumerate(zip(places, names)):
         if labels is not None and (isinstance(place, (str, tuple)) or _is_label(place, labels)):
@@ -117,5 +118,5 @@ def pick(frame: Any, label: Any, name: str, names: Sequence[str] = ()) -> Any:
         _standfast.refuse_column(name, str(label), [str(column) for column in columns], names)
     column = frame[label]
     if column.ndim != 1:
-        raise ValueError(f"the table has {column.shape[1]} columns {label!r}; expected one for {name}")
+        raise StandfastError(f"the table has {column.shape[1]} columns {label!r}; expected one for {name}")
     return column

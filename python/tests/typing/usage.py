@@ -16,6 +16,7 @@ from standfast import (
     Figure,
     Mode,
     ModeArray,
+    ModeNames,
     Modes,
     Onset,
     OnsetArrays,
@@ -25,7 +26,7 @@ from standfast import (
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6), Mode)
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6, names=True), str)
 assert_type(standfast.classify(1, 0.4, np.ones(3), [0.6]), ModeArray)
-assert_type(standfast.classify(1, 0.4, np.ones(3), 0.6, names=True), NDArray[np.str_])
+assert_type(standfast.classify(1, 0.4, np.ones(3), 0.6, names=True), ModeNames)
 assert_type(standfast.classify(1, np.float32(0.4), np.int64(1), 0.6), Mode)
 assert_type(standfast.classify([[1, 2], [3, 4]], 0.4, 1, 0.6, threads=None, progress=True), ModeArray)
 assert_type(standfast.classify(1, 0.4, 0.5, -0.6, on_error="null"), Mode | None)
@@ -56,7 +57,7 @@ assert_type(standfast.onset(1, 0.4, storms["k"], 0.6), pl.DataFrame)
 assert_type(standfast.onset(duckdb.table("storms"), columns=["mode"]), ArrowTable)
 
 assert_type(standfast.symbols(Mode.REST), str)
-assert_type(standfast.symbols(np.zeros(3, dtype=np.uint8)), NDArray[np.str_])
+assert_type(standfast.symbols(np.zeros(3, dtype=np.uint8)), ModeNames)
 assert_type(standfast.symbols(storms["k"]), pl.Series)
 assert_type(standfast.symbols(modes), ArrowArray)
 assert_type(Mode("SL"), Mode)

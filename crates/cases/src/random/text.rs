@@ -35,9 +35,15 @@ fn asked(answer: &Probability) -> String {
     parts.into_iter().flatten().collect::<Vec<_>>().join("\n")
 }
 
-/// The modes under each set of loads.
+/// The modes under each set of loads. Beside a curve of motions it is said that they are none of them.
 fn static_modes(answer: &Probability) -> String {
-    let mut text = answer.situations.first().map_or(String::new(), |worst| chances(answer, worst));
+    let worst = answer.situations.first().map_or(String::new(), |worst| chances(answer, worst));
+    let mut text = match &answer.overturning {
+        Some(_) if !worst.is_empty() => {
+            paragraph("At the first instant, not in time: all peaks that the case itself has act at once", 0) + &worst
+        }
+        _ => worst,
+    };
     for chances in answer.situations.iter().skip(1) {
         let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
         text += &event_table(chances, floor(answer));
