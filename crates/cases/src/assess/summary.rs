@@ -5,7 +5,9 @@ use standfast::{Boundary, Departure, Mode, Verdict};
 use super::{AnyCheck, Assessed, Assessment, ground, predicate, verdict};
 use crate::json::CheckEntry;
 use crate::layout::{self, percent};
-use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted, sentence};
+use crate::summary::{
+    GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted, sentence,
+};
 
 /// A body at rest.
 const REST: Option<Verdict> = Some(Verdict::Begins(Mode::Rest));

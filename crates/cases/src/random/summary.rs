@@ -8,7 +8,7 @@ use super::{Chances, Fragility, FragilityPoint, Happening, Overturning, PeakChan
 use crate::json::RequiredBound;
 use crate::key::Key;
 use crate::layout::{apart, digits, factor, significant};
-use crate::summary::{GoverningCriterion, Summary, criteria, once};
+use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, once};
 
 /// So few records tell nothing of how the next one differs.
 pub(super) const FEW: usize = 3;
@@ -17,9 +17,9 @@ pub(super) const FEW: usize = 3;
 const NEARLY_ALL: f64 = 0.99;
 
 pub(super) fn summary(answer: &Probability) -> Summary {
-    let words = criterion_words(answer);
+    let told = told_criterion(answer);
     Summary {
-        criteria: criteria(words.as_slice()),
+        criteria: criteria(told.as_slice()),
         answer: asked(answer),
         met: answer.criterion.map(|criterion| criterion.is_met()),
         governing: answer.criterion.map(|criterion| GoverningCriterion {
@@ -35,7 +35,7 @@ pub(super) fn summary(answer: &Probability) -> Summary {
 }
 
 /// The criterion with its value, the upper end of the interval.
-fn criterion_words(answer: &Probability) -> Option<(bool, String)> {
+fn told_criterion(answer: &Probability) -> Option<ToldCriterion> {
     let criterion = answer.criterion?;
     let (counted, required) = (criterion.counted(), criterion.required);
     let [value, bound] = &apart(&[counted, required])[..] else { unreachable!("of two") };
@@ -45,7 +45,7 @@ fn criterion_words(answer: &Probability) -> Option<(bool, String)> {
         period(answer),
         factor(counted / required)
     );
-    Some((criterion.is_met(), words))
+    Some(ToldCriterion { name: Key::GreatestNotRest.name(), met: criterion.is_met(), words })
 }
 
 /// Period that the probabilities of the modes are of.

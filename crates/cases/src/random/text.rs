@@ -40,7 +40,8 @@ fn static_modes(answer: &Probability) -> String {
     let worst = answer.situations.first().map_or(String::new(), |worst| chances(answer, worst));
     let mut text = match &answer.overturning {
         Some(_) if !worst.is_empty() => {
-            paragraph("At the first instant, not in time: all peaks that the case itself has act at once", 0) + &worst
+            paragraph("At the first instant, not in time: all peaks that the case itself has act at once", 0)
+                + &worst
         }
         _ => worst,
     };
