@@ -104,7 +104,7 @@ pub use scene::Label;
 pub use scene::Rect;
 pub use screen::{Map, Picture, tint_on_screen};
 pub use section::{
-    Arrow, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, SectionArrow,
+    Arrow, Backfill, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, SectionArrow,
     SectionNumber, SectionPicture, Side, section, section_on_screen,
 };
 
