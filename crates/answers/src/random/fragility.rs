@@ -25,7 +25,9 @@ use super::quantity::Coordinate;
 use super::resolve::find;
 use super::subject::{ChanceSubject, problems_of};
 use crate::couple::vary;
+use crate::key::Id;
 use crate::key::Key;
+use crate::units::Dimension;
 use standfast_model::{CaseFile, GivenBase};
 
 /// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`, or one by one, `NAME=VALUE,VALUE`.
@@ -74,8 +76,10 @@ impl FromStr for ValueRange {
 pub struct Fragility {
     /// The number's name.
     pub name: String,
-    /// Its unit in SI, where it has one.
-    pub unit: Option<&'static str>,
+    /// Its meaning in a few words.
+    pub words: String,
+    /// Its dimension, where it has one.
+    pub dimension: Option<Dimension>,
     /// The probabilities at each value.
     pub points: Vec<FragilityPoint>,
     /// The curve through the probabilities of not resting.
@@ -106,6 +110,13 @@ pub struct Fit {
 
 /// Probabilities that are as near to each other, relatively, are the same.
 const AS_LIKELY: f64 = 1e-9;
+
+impl Fragility {
+    /// The number's unit in SI, where it has one.
+    pub fn unit(&self) -> Option<&'static str> {
+        self.dimension.map(Dimension::si)
+    }
+}
 
 impl Fit {
     /// The curve through values with their chances of something; none where fewer than two tell anything, or they do not rise.
@@ -215,7 +226,7 @@ impl ValueRange {
         request: &ChanceRequest,
         portion: Portion<'_>,
     ) -> Result<Fragility, ProbabilityError> {
-        let (unit, points) = match asked {
+        let (words, dimension, points) = match asked {
             ChanceSubject::Point(of) => {
                 let coordinate = Coordinate::ALL.into_iter().find(|c| c.name() == self.name);
                 let Some(coordinate) = coordinate else {
@@ -234,7 +245,8 @@ impl ValueRange {
                 };
                 let read =
                     |text: &str| text.parse::<f64>().map_err(|_| format!("\"{text}\" is not a number"));
-                (None, self.points(self.values(read)?, (request, portion), at)?)
+                let points = self.points(self.values(read)?, (request, portion), at)?;
+                (Id::from(coordinate.key()).words(), None, points)
             }
             ChanceSubject::Storm(_) => return Err(ProbabilityError::NoBody),
             ChanceSubject::Case { file, .. } => {
@@ -263,13 +275,13 @@ impl ValueRange {
                     let changed = file.varied(vary(file.inputs(), &case, &[(&variable, value)]));
                     problems_of(&changed, None, None)
                 };
-                let unit = variable.dimension().map(crate::units::Dimension::si);
-                (unit, self.points(self.values(read)?, (request, portion), at)?)
+                let points = self.points(self.values(read)?, (request, portion), at)?;
+                (variable.id().words(), variable.dimension(), points)
             }
         };
         let told: Vec<(f64, f64)> = points.iter().map(|point| (point.value, point.not_rest.value)).collect();
         let fit = Fit::of(&told);
-        Ok(Fragility { name: self.name.clone(), unit, points, fit })
+        Ok(Fragility { name: self.name.clone(), words, dimension, points, fit })
     }
 
     fn points(
