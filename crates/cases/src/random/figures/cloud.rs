@@ -172,6 +172,8 @@ fn outside(panels: &[CloudPanel<'_>]) -> String {
         panel.points.iter().filter(|(x, y)| beyond(&panel.across, *x) || beyond(&panel.up, *y)).count()
     };
     match panels.iter().map(out).max() {
+        Some(1) => "; one of them lies outside".to_owned(),
+        Some(count) if count > 0 && panels.len() == 1 => format!("; {count} of them lie outside"),
         Some(count) if count > 0 => format!("; up to {count} of them lie outside"),
         _ => String::new(),
     }
