@@ -30,7 +30,7 @@ pub(crate) fn title(drawing: &Drawing) -> String {
 pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) -> Vec<Text> {
     // What lies outside the frame is not drawn.
     let shown = drawing.named().filter(|point| drawing.window.shows(point.k, point.mu));
-    let named = shown.map(|point| format!("{} {}", letter_markup(point.name), pair(point.k, point.mu)));
+    let named = shown.map(|point| format!("{}~{}", letter_markup(point.name), pair(point.k, point.mu)));
     let parts: Vec<_> = named.chain(legend.iter().cloned()).collect();
     let stop = if parts.is_empty() { "" } else { "." };
     let mut words = margins::words(&format!("{} {}{stop}", drawing.preface, parts.join(", ")), SMALL);

@@ -281,7 +281,7 @@ impl Draft {
         let heading = margins::words(&format!("{} {}", plane.heading(), plane.given()), SIZE);
         // What lies outside the frame is not drawn.
         let shown = self.shape.points.iter().filter(|point| axes.shows(point.k, point.mu));
-        let parts = shown.map(|point| format!("{} {}", point.markup, pair(point.k, point.mu)));
+        let parts = shown.map(|point| format!("{}~{}", point.markup, pair(point.k, point.mu)));
         let parts: Vec<String> = parts.chain(std::mem::take(&mut self.legend)).collect();
         let stop = if parts.is_empty() { "" } else { "." };
         let known = format!("{}{stop} Grey: on rigid ground. {}", parts.join(", "), self.remark(plane));

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::{fs, io};
 
+use standfast::Diagram;
 use standfast::initiation::Chart;
 use standfast::wave::Goda;
-use standfast::{Diagram, Mode};
 use standfast_cases::CaseFile;
 use standfast_cases::Document;
 use standfast_cases::random::{ChanceRequest, Effort, Probability, ValueRange};
@@ -185,11 +185,7 @@ fn years() -> io::Result<Figure> {
     let [once, yearly] = lines;
     let lines = [
         ChanceLine { name: "friction drawn once", look: LineLook::Answer, points: once? },
-        ChanceLine {
-            name: "friction drawn each year",
-            look: LineLook::Mode(Mode::SlideLeft),
-            points: yearly?,
-        },
+        ChanceLine { name: "friction drawn each year", look: LineLook::Other, points: yearly? },
     ];
     let axis = |name, from, to| SpectrumAxis { name, from, to, logarithmic: false };
     Ok(chance_lines(&ChanceLines {

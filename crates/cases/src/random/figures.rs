@@ -285,7 +285,6 @@ fn overturns(overturning: &Overturning, title: &str) -> Figure {
         points.iter().enumerate().map(|(i, at)| (at.peak / gravity, of(i))).collect()
     };
     let is_few = records.len() < FEW;
-    let of_mode = |mode| if is_few { LineLook::Points(Some(mode)) } else { LineLook::Mode(mode) };
     let mut lines = vec![ChanceLine {
         name: "overturns",
         look: if is_few { LineLook::Points(None) } else { LineLook::Answer },
@@ -325,12 +324,12 @@ fn overturns(overturning: &Overturning, title: &str) -> Figure {
     }
     lines.push(ChanceLine {
         name: "rocks",
-        look: of_mode(Mode::RockO),
+        look: if is_few { LineLook::Points(Some(Mode::RockO)) } else { LineLook::Mode(Mode::RockO) },
         points: along(&|i| certain(points[i].rocked.value)),
     });
     lines.push(ChanceLine {
         name: "slips or rocks",
-        look: of_mode(Mode::SlideLeft),
+        look: if is_few { LineLook::Points(Some(Mode::SlideLeft)) } else { LineLook::Other },
         points: along(&|i| certain(points[i].moved.value)),
     });
     let axis = |name, from, to| SpectrumAxis { name, from, to, logarithmic: false };

@@ -7,6 +7,7 @@ use super::{
     Arrow, LABEL, MARGIN, Material, Mound, Outline, Painting, Section, SectionLook, Side, legend, tag,
 };
 use crate::axes::COLUMN;
+use crate::below::verbatim;
 use crate::caption::SMALL;
 use crate::margins;
 use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, PAPER};
@@ -380,14 +381,15 @@ impl<'a> Painter<'a> {
         for (index, line) in legend(self.given).iter().enumerate() {
             let tag = tag(index);
             let letter = Text::new(&format!("${tag}$"), SMALL);
-            let words = words(line[tag.len()..].trim_start());
+            let words = verbatim(line[tag.len()..].trim_start(), SMALL);
             let colour = if index < self.given.pressures.len() { INK } else { MARK };
             self.drawn.scene.text(&letter, x0, top + 0.8 * SMALL, colour);
             top = margins::paragraph(&mut self.drawn.scene, &words, (x0 + INDENT, right), top, SMALL) + 2.0;
         }
         let cut = self.is_cut().then_some(CUT);
         for note in self.given.notes.iter().map(String::as_str).chain(cut) {
-            top = margins::paragraph(&mut self.drawn.scene, &words(note), (x0, right), top, SMALL) + 2.0;
+            top = margins::paragraph(&mut self.drawn.scene, &verbatim(note, SMALL), (x0, right), top, SMALL)
+                + 2.0;
         }
         self.hold(&Rect { x0, y0: y1, x1: right, y1: top });
     }
@@ -400,11 +402,6 @@ const CORNER: f64 = 12.0;
 const BESIDE: f64 = 24.0;
 /// Distance of the words of the legend behind their letters.
 const INDENT: f64 = 18.0;
-
-/// The words of a sentence that is no markup; one that is wider than the page is cut.
-fn words(sentence: &str) -> Vec<Text> {
-    sentence.split_whitespace().map(|word| Text::verbatim(&crate::caption::shortened(word), SMALL)).collect()
-}
 
 /// True if a point lies in a polygon.
 fn is_inside(corners: &[(f64, f64)], (x, y): (f64, f64)) -> bool {
