@@ -110,7 +110,7 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
     }
     if let Some(point) = &worst.design_point {
         caption += &format!(
-            " The reliability index β is {}. For comparison: first-order reliability, which takes the limit of rest as straight, has {} from it.",
+            " The reliability index β is {}. For comparison: first-order reliability, which takes the limit of rest as straight, estimates {}.",
             digits(point.beta),
             digits(point.first_order())
         );
