@@ -217,7 +217,7 @@ test("case, answers and drawings are saved", async () => {
   assert.equal(svg.name, "link-k-mu.svg");
   const drawing = svg.content.toString();
   assert.ok(!drawing.includes("var("), "colours are fixed");
-  assert.match(drawing, /<title>All modes/);
+  assert.match(drawing, /<title>Modes of a block/);
   // Case, values and verdict.
   assert.match(drawing, /\(1\.7, 0\.05\): SRO₊/);
   const sound = await page.evaluate((source) => new DOMParser().parseFromString(source, "image/svg+xml").querySelector("parsererror") === null, drawing);

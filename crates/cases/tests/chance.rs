@@ -596,6 +596,20 @@ fn figures_call_numbers_by_their_words() {
     );
     let caption = figure("-modes").caption();
     assert!(caption.contains("The reliability index β is ") && !caption.contains('Φ'), "{caption}");
+    let straight =
+        caption.find("For comparison: first-order reliability, which takes the limit of rest as straight");
+    assert!(straight.is_some() && caption.contains("Not drawn, each rarer than "), "{caption}");
+    // An axis has words and the unit that people read, kN for N.
+    let text = "[body]\nwidth = 8\nheight = 14\nmass = 200e3\nfriction = 0.6\n[[load]]\nname = \"push\"\nforce = 700e3\nelevation = 9\n\
+        [random]\nfriction = { normal = { sd = 0.08 }, lower = 0 }\n";
+    let over = "load.push.force=600 kN/m..900 kN/m:4".parse::<ValueRange>().unwrap();
+    let answer = Probability::along(&file(text), ChanceRequest::default(), Some(&over)).unwrap();
+    let figures = answer.figures(&()).unwrap();
+    let figure = &figures.iter().find(|figure| figure.suffix == "-fragility").unwrap().figure;
+    let labels: Vec<&str> = figure.labels().iter().map(|label| label.text.as_str()).collect();
+    for words in ["Force, load 1 (kN/m)", "600", "900"] {
+        assert!(labels.contains(&words), "{words}: {labels:?}");
+    }
 }
 
 /// Every figure there is of answers of many kinds: no label lies on another or leaves the page; draws have the modes behind them.

@@ -135,3 +135,155 @@ fn the_reaction_lies_where_equilibrium_has_it() {
         assert!((other + far).abs() < 1.0, "{other} {far}");
     }
 }
+
+/// The sections of all examples, by name.
+fn sections() -> Vec<(String, Figure)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let cases = files.filter(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    let drawn = cases.map(|path| {
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        let figure = section(&case(&name, &example(&name)));
+        (name, figure)
+    });
+    drawn.collect()
+}
+
+/// A colour of the palette by its name.
+fn colour(name: &str) -> &'static str {
+    standfast_figures::colours().find(|colour| colour.0 == name).unwrap().1
+}
+
+/// The corners of the paths that look like this.
+fn paths(figure: &Figure, look: &str) -> Vec<Vec<(f64, f64)>> {
+    let of = |line: &str| {
+        let data = line.split_once("d=\"M")?.1.split_once('"')?.0.trim_end_matches('Z');
+        let place = |text: &str| {
+            let (x, y) = text.split_once(' ')?;
+            Some((x.parse().ok()?, y.parse().ok()?))
+        };
+        data.split('L').map(place).collect::<Option<Vec<(f64, f64)>>>()
+    };
+    figure.svg().lines().filter(|line| line.contains(look)).filter_map(of).collect()
+}
+
+/// The y of the ends of a polygon.
+fn height(corners: &[(f64, f64)]) -> (f64, f64) {
+    let ys = corners.iter().map(|corner| corner.1);
+    (ys.clone().fold(f64::INFINITY, f64::min), ys.fold(f64::NEG_INFINITY, f64::max))
+}
+
+#[test]
+fn every_section_is_as_wide_as_a_column_or_a_page_and_its_labels_stand_apart() {
+    for (name, figure) in sections() {
+        assert!([480.0, 720.0].contains(&figure.size().0), "{name}: {:?}", figure.size());
+        let labels = figure.labels();
+        for (i, label) in labels.iter().enumerate() {
+            let other = labels[i + 1..].iter().find(|other| label.rect.overlaps(&other.rect));
+            assert_eq!(other, None, "{name}: {label:?}");
+        }
+    }
+}
+
+/// Neither the surface of a wave, of fill or of water nor its pressures run through a label.
+#[test]
+fn no_surface_strikes_through_a_label() {
+    let push = colour("push");
+    let (mut waves, mut surfaces) = (0, 0);
+    for (name, figure) in sections() {
+        let look =
+            |width: &str, paint: &str| format!("fill=\"none\" stroke=\"{paint}\" stroke-width=\"{width}\"");
+        let mut lines = paths(&figure, &look("1", push));
+        lines.extend(paths(&figure, &look("1.2", colour("ink"))));
+        surfaces += lines.len();
+        let curves = paths(&figure, &look("1.2", push)).into_iter().filter(|line| line.len() > 20);
+        let curves: Vec<_> = curves.collect();
+        waves += curves.len();
+        for pair in lines.iter().chain(&curves).flat_map(|line| line.windows(2)) {
+            for share in (0..=40).map(|i| f64::from(i) / 40.0) {
+                let at = [
+                    pair[0].0 + share * (pair[1].0 - pair[0].0),
+                    pair[0].1 + share * (pair[1].1 - pair[0].1),
+                ];
+                let struck = figure.labels().iter().find(|label| {
+                    let rect = label.rect;
+                    rect.x0 < at[0] && at[0] < rect.x1 && rect.y0 < at[1] && at[1] < rect.y1
+                });
+                assert_eq!(struck, None, "{name}");
+            }
+        }
+    }
+    assert!(waves >= 7 && surfaces > 30, "{waves} {surfaces}");
+}
+
+/// What stands behind a quay is fill up to the quay's top, and the wall itself is none.
+#[test]
+fn backfill_looks_like_soil() {
+    let figure = section(&case("quay.toml", &example("quay.toml")));
+    let fills = paths(&figure, &format!("fill=\"{}\"", colour("fill")));
+    let [fill] = &fills[..] else { panic!("{fills:?}") };
+    let walls = paths(&figure, &format!("fill=\"{}\"", colour("concrete")));
+    let [wall] = &walls[..] else { panic!("{walls:?}") };
+    assert_eq!(height(fill), height(wall));
+    let right = wall.iter().map(|corner| corner.0).fold(0.0, f64::max);
+    assert!(fill.iter().all(|corner| corner.0 >= right), "{fill:?} {right}");
+    // Water alone, and pressures that do not last, are no soil.
+    for name in ["head-difference.toml", "trough.toml", "goda-2000.toml"] {
+        let figure = section(&case(name, &example(name)));
+        assert_eq!(figure.svg().matches(&format!("fill=\"{}\"", colour("fill"))).count(), 0, "{name}");
+    }
+}
+
+/// Sand is drawn where the ground can fail, under the mound as in it, and not under the same caisson on rock.
+#[test]
+fn sand_is_drawn_where_the_ground_is_sand() {
+    let grains =
+        |name: &str| section(&case(name, &example(name))).svg().matches("stroke-dasharray=\"0 5.5\"").count();
+    assert_eq!((grains("goda-on-sand.toml"), grains("goda-2000.toml")), (2, 0));
+}
+
+/// 7.1 of 10.5 m are under water, where the caisson has another density, and looks and is named otherwise.
+#[test]
+fn a_part_that_takes_up_water_is_told_apart_at_the_water() {
+    let figure = section(&case("caisson-of-parts.toml", &example("caisson-of-parts.toml")));
+    let part = |name: &str| {
+        let found = paths(&figure, &format!("fill=\"{}\"", colour(name)));
+        assert_eq!(found.len(), 1, "{name}: {found:?}");
+        height(&found[0])
+    };
+    let (dry, wet) = (part("concrete"), part("fill"));
+    assert!((dry.1 - wet.0).abs() < 0.02);
+    assert!(((wet.1 - wet.0) / (wet.1 - dry.0) - 7.1 / 10.5).abs() < 1e-3, "{dry:?} {wet:?}");
+    for (label, (top, bottom)) in [("2400 kg/m³", dry), ("2100 kg/m³", wet)] {
+        let found = figure.labels().iter().find(|found| found.text == label);
+        let rect = found.unwrap_or_else(|| panic!("{label} in {:?}", texts(&figure))).rect;
+        assert!(top < rect.y0 && rect.y1 < bottom, "{rect:?}");
+    }
+}
+
+/// The greatest suction of the trough acts 4.2 m above the base: from there a line leads to its number.
+#[test]
+fn a_number_away_from_its_pressure_has_a_line_to_it() {
+    let figure = section(&case("trough.toml", &example("trough.toml")));
+    let at = |text: &str| figure.labels().iter().find(|label| label.text == text).unwrap().rect;
+    let number = at("−29.3 kPa");
+    let (base, crest) = (at("base ±0 m").centre().1, at("crest +10.5 m").centre().1);
+    let level = base + 4.2 / 10.5 * (crest - base);
+    let leaders = paths(&figure, "stroke-width=\"0.7\"");
+    let leads = |line: &Vec<(f64, f64)>| {
+        (line[0].1 - level).abs() < 0.5 && line[0].0 < line[1].0 && (line[1].0 - number.x0).abs() < 4.0
+    };
+    assert!(leaders.iter().any(leads), "{level} {number:?} {leaders:?}");
+}
+
+/// The debris hits the wall at the surface of the water, which is drawn beyond its arrow and not through it.
+#[test]
+fn a_force_at_the_water_stands_free_of_its_surface() {
+    let figure = section(&case("head-difference.toml", &example("head-difference.toml")));
+    let debris = figure.labels().iter().find(|label| label.text.ends_with("180 kN/m")).unwrap().rect;
+    let surfaces = paths(&figure, &format!("stroke=\"{}\" stroke-width=\"1\"", colour("push")));
+    let level = |line: &&Vec<(f64, f64)>| (line[0].1 - debris.centre().1).abs() < 1.0;
+    let surfaces: Vec<_> = surfaces.iter().filter(level).collect();
+    assert!(!surfaces.is_empty());
+    assert!(surfaces.iter().all(|line| line.iter().all(|end| end.0 > debris.x1)), "{surfaces:?} {debris:?}");
+}

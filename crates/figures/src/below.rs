@@ -85,8 +85,7 @@ impl Words {
 
     /// A title and a caption that are no markup.
     pub(crate) fn verbatim(title: &str, caption: &str) -> Words {
-        let (heading, details) = (verbatim(title, SIZE), verbatim(caption, SMALL));
-        Words { heading, details, gap: 4.0, title: title.to_owned(), caption: caption.to_owned() }
+        Words { gap: 4.0, ..Words::new(verbatim(title, SIZE), verbatim(caption, SMALL)) }
     }
 
     /// The figure, with the words in lines between two edges from `top` on, and so much of the page `beyond` the right edge. `description`
@@ -107,7 +106,30 @@ impl Words {
     }
 }
 
-/// Text that is no markup, in words that fit a line.
+/// Text that is no markup, in words that fit a line; powers of ten and symbols of modes are set as they are elsewhere.
 pub(crate) fn verbatim(text: &str, size: f64) -> Vec<Text> {
-    text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
+    text.split_whitespace().map(|word| set(word, size)).collect()
+}
+
+fn set(word: &str, size: f64) -> Text {
+    let is_around = |letter: char| "()[]«»,.;:".contains(letter);
+    let inside = word.trim_matches(is_around);
+    let Some(markup) = power(inside).or_else(|| mode_of(inside).map(|mode| symbol(mode).to_owned())) else {
+        return Text::verbatim(&shortened(word), size);
+    };
+    let (before, after) = word.split_once(inside).unwrap_or_default();
+    Text::inline(&format!("{before}{markup}{after}"), size)
+}
+
+/// A number such as `4.2e-14` as a power of ten.
+fn power(word: &str) -> Option<String> {
+    let (mantissa, exponent) = word.split_once('e')?;
+    let is_number = mantissa.parse::<f64>().is_ok() && exponent.parse::<i32>().is_ok();
+    is_number.then(|| format!("${mantissa} × 10^{{{}}}$", exponent.trim_start_matches('+')).replace('-', "−"))
+}
+
+/// The mode with this symbol, in the characters of a keyboard or with a prime and a minus.
+fn mode_of(word: &str) -> Option<Mode> {
+    let typed = word.replace('′', "'").replace('−', "-");
+    Mode::ALL.into_iter().find(|mode| mode.symbol() == typed)
 }

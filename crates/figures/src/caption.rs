@@ -28,10 +28,12 @@ pub(crate) fn title(drawing: &Drawing) -> String {
 /// The body, the named points, `legend` (what found no room in the chart) and the design points, of which the
 /// `numbered` ones carry a number in the chart, as words of a paragraph.
 pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) -> Vec<Text> {
-    let named =
-        drawing.named().map(|point| format!("{} {}", letter_markup(point.name), pair(point.k, point.mu)));
+    // What lies outside the frame is not drawn.
+    let shown = drawing.named().filter(|point| drawing.window.shows(point.k, point.mu));
+    let named = shown.map(|point| format!("{}~{}", letter_markup(point.name), pair(point.k, point.mu)));
     let parts: Vec<_> = named.chain(legend.iter().cloned()).collect();
-    let mut words = margins::words(&format!("{} {}.", drawing.preface, parts.join(", ")), SMALL);
+    let stop = if parts.is_empty() { "" } else { "." };
+    let mut words = margins::words(&format!("{} {}{stop}", drawing.preface, parts.join(", ")), SMALL);
     if drawing.sheet.shaded.iter().any(|part| matches!(part, Part::Unresolved(_))) {
         words.extend(margins::words("Hatched: given to another mode in IV.7.", SMALL));
     }

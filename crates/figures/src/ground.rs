@@ -139,8 +139,8 @@ impl GroundPlane<'_> {
 
     fn heading(&self) -> &'static str {
         match self {
-            GroundPlane::Crushing(_) => "All modes on a base that crushes:",
-            GroundPlane::Failing(_) => "Rest, sliding and bearing failure:",
+            GroundPlane::Crushing(_) => "Modes on a base that crushes,",
+            GroundPlane::Failing(_) => "Rest, sliding and bearing failure,",
         }
     }
 
@@ -150,10 +150,7 @@ impl GroundPlane<'_> {
         let body = format!("$γ = {}$, $k′ = {}$", digits(gamma), digits(k_prime));
         match self {
             GroundPlane::Crushing(map) => format!("{body}, $ω = {}$", digits(map.chart().omega())),
-            GroundPlane::Failing(plane) => {
-                let law = plane.ground().law_name();
-                format!("{body}; ground by {law}, $u = P/V_0 = {}$", digits(plane.share()))
-            }
+            GroundPlane::Failing(_) => body,
         }
     }
 }
@@ -282,8 +279,9 @@ impl Draft {
         let (bottom, _) = named_plane(&mut self.canvas.scene, &axes, false);
         let edges = (LEFT, COLUMN - LEFT);
         let heading = margins::words(&format!("{} {}", plane.heading(), plane.given()), SIZE);
-        let parts =
-            self.shape.points.iter().map(|point| format!("{} {}", point.markup, pair(point.k, point.mu)));
+        // What lies outside the frame is not drawn.
+        let shown = self.shape.points.iter().filter(|point| axes.shows(point.k, point.mu));
+        let parts = shown.map(|point| format!("{}~{}", point.markup, pair(point.k, point.mu)));
         let parts: Vec<String> = parts.chain(std::mem::take(&mut self.legend)).collect();
         let stop = if parts.is_empty() { "" } else { "." };
         let known = format!("{}{stop} Grey: on rigid ground. {}", parts.join(", "), self.remark(plane));
@@ -299,7 +297,16 @@ impl Draft {
     /// What is to be known of the whole plane, in markup.
     fn remark(&self, plane: GroundPlane<'_>) -> String {
         let GroundPlane::Failing(plane) = plane else { return String::new() };
-        if plane.k_bf() > 0.0 { String::new() } else { "The ground does not bear the body alone.".to_owned() }
+        let law = match plane.ground().law_name() {
+            "ec7" => "EN 1997-1, Annex D",
+            "hansen" => "Brinch Hansen",
+            _ => "an envelope",
+        };
+        let takes = format!(
+            "Ground by {law}; the weight takes $u = P/V_0 = {}$ of what it bears.",
+            digits(plane.share())
+        );
+        if plane.k_bf() > 0.0 { takes } else { takes + " It does not bear the body alone." }
     }
 
     fn description(&self, caption: &str) -> String {

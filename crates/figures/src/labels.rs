@@ -274,7 +274,8 @@ impl Board {
         };
         let runs_free = |rect: &Rect| {
             let whole = leader(rect, 0.0);
-            let on_box = whole.dots().any(|dot| self.boxes.iter().any(|other| other.overlaps(&dot)));
+            let on_box =
+                whole.dots().any(|dot| self.boxes.iter().any(|other| other.overlaps(&dot.grown(1.5))));
             let on_line = || whole.dots().skip(1).any(|dot| !self.off_lines(&dot, 0.0));
             !on_box && (lines == Lines::Cross || !on_line())
         };

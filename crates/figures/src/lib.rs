@@ -104,7 +104,7 @@ pub use scene::Label;
 pub use scene::Rect;
 pub use screen::{Map, Picture, tint_on_screen};
 pub use section::{
-    Arrow, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, SectionArrow,
+    Arrow, Backfill, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, SectionArrow,
     SectionNumber, SectionPicture, Side, section, section_on_screen,
 };
 
@@ -275,9 +275,9 @@ fn rigid_diagram(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
         diagram,
         sheet,
         window: View::from_origin(window.k, window.mu),
-        heading: "All modes,",
-        caption: &format!("{}: {condition}", number::body(diagram.chart())),
-        preface: "",
+        heading: map::HEADING,
+        caption: &number::body(diagram.chart()),
+        preface: condition,
         points: content.points,
         cloud: content.cloud,
         hatched: if undecided { &unresolved } else { &[] },

@@ -15,6 +15,9 @@ use crate::sheet::Line::{
 use crate::sheet::Style::{Dashed, Solid, Thin};
 use crate::sheet::{Mark, Part, Sheet, trace};
 
+/// Opens the title of a map of all modes.
+pub(crate) const HEADING: &str = "Modes of a block,";
+
 /// Case 1 (Figs. 3.9a, 3.9b).
 pub(crate) const CASE_1: Sheet = Sheet {
     shaded: &[Part::Whole(Rest), Part::Whole(SlideLeft), Part::Whole(RockO), Part::Whole(SlideRockOLeft)],
@@ -139,23 +142,23 @@ const BELOW_BASE: Sheet = Sheet {
     ..DELTA_NOT_POSITIVE
 };
 
-/// The sheet of a diagram and its condition in markup.
+/// The sheet of a diagram, and a sentence on its force and its condition in markup.
 pub(crate) fn sheet(case: ChartCase) -> (&'static Sheet, &'static str) {
     match case {
-        ChartCase::OneA => (&CASE_1, "force above the centre of mass, case 1, $0 ≤ k′ ≤ (1+γ^2)/(3γ^2)$"),
+        ChartCase::OneA => (&CASE_1, "Force above the centre of mass, case 1: $0 ≤ k′ ≤ (1+γ^2)/(3γ^2)$."),
         ChartCase::OneB => {
-            (&CASE_1, "force above the centre of mass, case 1, $(1+γ^2)/(3γ^2) < k′ ≤ (4+γ^2)/(3γ^2)$")
+            (&CASE_1, "Force above the centre of mass, case 1: $(1+γ^2)/(3γ^2) < k′ ≤ (4+γ^2)/(3γ^2)$.")
         }
         ChartCase::TwoThree => {
-            (&CASE_2_3, "force above the centre of mass, cases 2 and 3, $k′ > (4+γ^2)/(3γ^2)$")
+            (&CASE_2_3, "Force above the centre of mass, cases 2 and 3: $k′ > (4+γ^2)/(3γ^2)$.")
         }
         ChartCase::DeltaPositive => {
-            (&DELTA_POSITIVE, "force below the centre of mass, $|k′| < (1+γ^2)/(4+γ^2)$")
+            (&DELTA_POSITIVE, "Force below the centre of mass: $|k′| < (1+γ^2)/(4+γ^2)$.")
         }
         ChartCase::DeltaNotPositive => {
-            (&DELTA_NOT_POSITIVE, "force below the centre of mass, $|k′| ≥ (1+γ^2)/(4+γ^2)$")
+            (&DELTA_NOT_POSITIVE, "Force below the centre of mass: $|k′| ≥ (1+γ^2)/(4+γ^2)$.")
         }
-        ChartCase::BelowBase => (&BELOW_BASE, "effective force below the base, $k′ < −1$"),
+        ChartCase::BelowBase => (&BELOW_BASE, "Effective force below the base: $k′ < −1$."),
     }
 }
 

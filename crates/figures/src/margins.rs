@@ -167,12 +167,16 @@ pub(crate) fn paragraph(
     baseline + 0.35 * size
 }
 
-/// Markup cut into words at the spaces outside mathematics.
+/// Markup cut into words at the spaces outside mathematics; a tilde is a space at which no line breaks.
 pub(crate) fn words(markup: &str, size: f64) -> Vec<Text> {
     let mut inside = false;
     let between = |character: char| {
         inside ^= character == '$';
         character == ' ' && !inside
     };
-    markup.split(between).filter(|word| !word.is_empty()).map(|word| Text::inline(word, size)).collect()
+    markup
+        .split(between)
+        .filter(|word| !word.is_empty())
+        .map(|word| Text::inline(&word.replace('~', " "), size))
+        .collect()
 }

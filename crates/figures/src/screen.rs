@@ -178,11 +178,11 @@ impl Map<'_> {
                 unresolved: Vec::new(),
             },
             None => {
-                let (sheet, condition) = map::sheet(chart.case());
+                let (sheet, _) = map::sheet(chart.case());
                 Content {
                     sheet,
-                    heading: "All modes,".to_owned(),
-                    caption: format!("{}: {condition}", number::body(chart)),
+                    heading: map::HEADING.to_owned(),
+                    caption: number::body(chart),
                     unresolved: self.diagram.unresolved(),
                 }
             }

@@ -16,6 +16,7 @@
 mod columns;
 mod paint;
 mod rows;
+mod surroundings;
 
 use standfast::loads::Face;
 
@@ -23,6 +24,7 @@ use crate::Figure;
 use crate::axes::{COLUMN, NUMBER, PAGE};
 use crate::scene::{Rect, Scene};
 use paint::Painter;
+use surroundings::Room;
 
 /// A part of the body: a polygon, in metres from mid-width to the right and from the base upwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -116,6 +118,15 @@ pub struct Mound {
     pub berm_width: f64,
 }
 
+/// Fill beside the body, from the base up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Backfill {
+    /// On which side it lies.
+    pub side: Side,
+    /// Its surface, m above the base.
+    pub top: f64,
+}
+
 /// The reaction of the base, and what of the base bears it; m from mid-width.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BaseReaction {
@@ -154,6 +165,10 @@ pub struct Section<'a> {
     pub heights: Vec<Vec<Measure>>,
     /// Mound that the body stands on; a floor if none.
     pub mound: Option<Mound>,
+    /// True if what the body stands on is soil, which is drawn with grains.
+    pub is_on_soil: bool,
+    /// Fill beside the body.
+    pub backfills: Vec<Backfill>,
     /// Crest of the wave at the right wall, m above the base; its surface falls from there to the water at the right.
     pub wave_crest: Option<f64>,
     /// Reaction of the base.
@@ -183,6 +198,8 @@ pub struct Section<'a> {
 ///     widths: Vec::new(),
 ///     heights: Vec::new(),
 ///     mound: None,
+///     is_on_soil: false,
+///     backfills: Vec::new(),
 ///     wave_crest: None,
 ///     reaction: None,
 ///     notes: vec!["1 m by 2 m".to_owned()],
@@ -190,7 +207,7 @@ pub struct Section<'a> {
 /// assert_eq!(figure.title(), "Section: Block");
 /// ```
 pub fn section(given: &Section<'_>) -> Figure {
-    drawn(given, SectionLook::on_paper(paper_size(given))).figure
+    drawn(given, on_paper(given)).figure
 }
 
 /// The body is about as large as this on paper.
@@ -240,9 +257,9 @@ struct SectionLook {
 }
 
 impl SectionLook {
-    /// A body `size` times as large as bodies are, at most.
-    fn on_paper(size: f64) -> SectionLook {
-        SectionLook { body: (size * BODY.0, size * BODY.1), longest: LONGEST, names: true, on_screen: false }
+    /// A body `size` times as large as bodies are, at most, with loads this long.
+    fn on_paper(size: f64, longest: f64) -> SectionLook {
+        SectionLook { body: (size * BODY.0, size * BODY.1), longest, names: true, on_screen: false }
     }
 }
 
@@ -294,7 +311,16 @@ fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
     let aside = column.map_or(0.0, |column| (column - wide(&measured)) / 2.0);
     let page = Rect { x0: natural.x0 - aside, x1: natural.x1 + aside, ..natural };
     let size = ((page.x1 - page.x0 - 1e-6).ceil(), (page.y1 - page.y0).ceil());
-    let room = (measured.names.0 - page.x0, measured.names.1 - page.x0);
+    let moved = |rect: &Rect| Rect {
+        x0: rect.x0 - page.x0,
+        y0: rect.y0 - page.y0,
+        x1: rect.x1 - page.x0,
+        y1: rect.y1 - page.y0,
+    };
+    let room = Room {
+        ends: (measured.names.0 - page.x0, measured.names.1 - page.x0),
+        labels: measured.labels.iter().map(moved).collect(),
+    };
     let painter = Painter::new(given, look, (-page.x0, -page.y0), Some(room));
     let scale = painter.scale;
     let (low, high) = (
@@ -312,24 +338,37 @@ fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
     SectionPicture { figure, numbers: drawn.numbers, arrows: drawn.arrows, body, scale }
 }
 
-/// How large the body is drawn on paper, so that all has room in a column or a page.
-fn paper_size(given: &Section<'_>) -> f64 {
-    let painter = |size: f64| Painter::new(given, SectionLook::on_paper(size), (0.0, 0.0), None);
-    let width = |painting: &Painting| painting.extent.x1 - painting.extent.x0 + 2.0 * MARGIN;
-    let whole = width(&painter(1.0).paint());
-    let body = painter(1.0).width();
-    // A little smaller for a column; as small as it takes for a page. What stands beside the body keeps its width.
-    for (wide, least) in [(COLUMN, 0.8), (PAGE, 0.4)] {
-        let over = whole - wide;
-        if over <= 0.0 {
-            return 1.0;
+/// How large the body and its loads are drawn on paper, so that all has room in a column or a page.
+fn on_paper(given: &Section<'_>) -> SectionLook {
+    const STEP: f64 = 0.96;
+    let look = SectionLook::on_paper;
+    let width = |look: SectionLook| {
+        let Rect { x0, x1, .. } = Painter::new(given, look, (0.0, 0.0), None).paint().extent;
+        x1 - x0 + 2.0 * MARGIN
+    };
+    let body = |look: SectionLook| Painter::new(given, look, (0.0, 0.0), None).width();
+    // A little smaller for a column; for a page as small as it takes, then with shorter loads. What stands beside the body keeps its
+    // width, but for labels that move aside where they crowd: so sizes are tried.
+    let tries = [
+        (COLUMN, 0.8, LONGEST),
+        (PAGE, 0.55, LONGEST),
+        (PAGE, 0.3, 0.75 * LONGEST),
+        (PAGE, 0.2, 0.5 * LONGEST),
+    ];
+    for (wide, least, longest) in tries {
+        if width(look(least, longest)) > wide {
+            continue;
         }
-        let size = (1.0 - over / body) * 0.98;
-        if size >= least && width(&painter(size).paint()) <= wide {
-            return size;
+        let over = width(look(1.0, longest)) - wide;
+        let mut size: f64 = if over <= 0.0 { 1.0 } else { (1.0 - over / body(look(1.0, longest))) * 0.98 };
+        while size >= least {
+            if width(look(size, longest)) <= wide {
+                return look(size, longest);
+            }
+            size *= STEP;
         }
     }
-    1.0
+    look(1.0, LONGEST)
 }
 
 /// White around the drawing.
@@ -364,6 +403,8 @@ struct Painting {
     scene: Scene,
     extent: Rect,
     names: (f64, f64),
+    /// Where labels stand, but for the legend.
+    labels: Vec<Rect>,
     numbers: Vec<(SectionNumber, Rect)>,
     arrows: Vec<SectionArrow>,
 }

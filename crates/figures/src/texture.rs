@@ -1,4 +1,5 @@
-//! Stripes and dots over a tint: they tell a mode from its mirror image, and ground that fails, where colours are not seen.
+//! Stripes and dots over a tint: they tell a mode from its mirror image, ground that fails, and soil from what is solid, where colours
+//! are not seen.
 
 use crate::axes::Axes;
 use crate::palette::{self, FAINT};
@@ -15,10 +16,13 @@ pub(crate) enum Texture {
     Stripes,
     /// Dots.
     Dots,
+    /// Finer dots.
+    Grains,
 }
 
 const STRIPES: (f64, Pen) = (6.0, Pen::solid(FAINT, 1.15));
 const DOTS: (f64, Pen) = (8.0, Pen { colour: FAINT, width: 2.0, dashes: "0 8" });
+const GRAINS: (f64, Pen) = (5.5, Pen { colour: FAINT, width: 1.0, dashes: "0 5.5" });
 
 impl Texture {
     /// The direction of its lines, their distance and their pen.
@@ -27,6 +31,7 @@ impl Texture {
             Texture::Plain => None,
             Texture::Stripes => Some((Fall::Falling, STRIPES.0, STRIPES.1)),
             Texture::Dots => Some((Fall::Level, DOTS.0, DOTS.1)),
+            Texture::Grains => Some((Fall::Level, GRAINS.0, GRAINS.1)),
         }
     }
 
@@ -35,7 +40,8 @@ impl Texture {
         let mut path = Path::default();
         for (from, to) in segments(fall, spacing) {
             // Dots lie in columns, whatever the edges are.
-            let first = if self == Texture::Dots { (from.0 / spacing).ceil() * spacing } else { from.0 };
+            let is_dotted = matches!(self, Texture::Dots | Texture::Grains);
+            let first = if is_dotted { (from.0 / spacing).ceil() * spacing } else { from.0 };
             if first <= to.0 {
                 path.move_to(first, from.1);
                 path.line_to(to.0.max(first + 0.01), to.1);
@@ -56,6 +62,11 @@ pub(crate) fn over_pieces(scene: &mut Scene, axes: &Axes, pieces: &[Piece], verd
 /// Draws the texture of a verdict over a polygon.
 pub(crate) fn over_polygon(scene: &mut Scene, corners: &[(f64, f64)], verdict: Verdict) {
     palette::verdict_texture(verdict).draw(scene, |fall, spacing| across(&[corners], spacing, fall));
+}
+
+/// Draws grains over a polygon: soil, and what is filled in.
+pub(crate) fn grains(scene: &mut Scene, corners: &[(f64, f64)]) {
+    Texture::Grains.draw(scene, |fall, spacing| across(&[corners], spacing, fall));
 }
 
 /// Draws stripes over an area within outlines, less its holes.

@@ -181,3 +181,19 @@ fn a_point_lies_where_its_probability_is() {
     assert!(decade > 100.0, "{decade}");
     assert!((one - rare - decade * -(2.1e-4f64.log10())).abs() < 0.02, "{one} {hundredth} {rare}");
 }
+
+/// What a caption or a title says in the characters of a keyboard is set as it is in a plot.
+#[test]
+fn powers_and_symbols_of_modes_are_set() {
+    let figure = chance_rows(&ChanceRows {
+        title: "Of SRO'+ and SL",
+        caption: "Not drawn, each rarer than 4.216e-14: RO, SRO-, SRO'+, FL. A key_e4 and (2.5e+3) stay words.",
+        groups: &[],
+    });
+    assert_eq!(figure.title(), "Of SRO′₊ and SL");
+    assert_eq!(
+        figure.caption(),
+        "Not drawn, each rarer than 4.216 × 10^−14: RO, SRO₋, SRO′₊, FL. A key_e4 and (2.5 × 10^3) stay words."
+    );
+    assert_tidy(&figure);
+}

@@ -16,12 +16,26 @@ fn the_description_puts_modes_and_points_in_words() {
         "slides to the left",
         "rocks about O, the bottom left corner",
         "SRO₊, where the body slides and rocks about O",
-        "E (1.05, 0)",
+        "D (0.417, 0)",
         "crest &lt;1&gt; &amp; trough (0.3, 0.5): RO.",
     ] {
         assert!(svg.contains(words), "{words:?} is not in the description");
     }
-    assert!(figure.title().contains("γ = 3, k′ = 0.8"));
+    assert_eq!(figure.title(), "Modes of a block, γ = 3, k′ = 0.8");
+    assert!(
+        figure.caption().starts_with("Force above the centre of mass, cases 2 and 3: k′ > (4 + γ²)/(3γ²).")
+    );
+}
+
+/// E of this body lies at k = 1.05: outside a frame up to 1, where the caption does not speak of it, and inside one up to 1.2.
+#[test]
+fn a_caption_lists_the_points_within_the_frame() {
+    let body = Diagram::new(3.0, 0.8).expect("a valid body");
+    let listed = |k: f64| {
+        let content = DiagramContent { window: Some(Window { k, mu: 0.6 }), ..DiagramContent::default() };
+        diagram_with(&body.clone().into(), &content).caption().contains("E (1.05, 0)")
+    };
+    assert!(!listed(1.0) && listed(1.2));
 }
 
 #[test]

@@ -180,6 +180,8 @@ fn sections() -> Vec<Figure> {
             widths: vec![vec![Measure { ends: (-half, half), label: "width 1 m".into() }]],
             heights: vec![vec![Measure { ends: (0.0, height), label: "height 2 m".into() }]],
             mound: None,
+            is_on_soil: false,
+            backfills: Vec::new(),
             wave_crest: None,
             reaction: None,
             notes: vec!["A note on all this, in a sentence that goes on for a while.".to_owned()],

@@ -71,7 +71,7 @@ fn every_figure_of_the_report_is_drawn_for_a_screen() {
         // Another body is not the figure's.
         let other = Diagram::new(gamma * 1.01, k_prime).unwrap();
         let picture = Map { diagram: &other, figure: Some(id), view: &view, size: SIZES[0] }.on_screen();
-        assert!(picture.figure.title().starts_with("All modes"));
+        assert!(picture.figure.title().starts_with("Modes of a block"));
     }
 }
 

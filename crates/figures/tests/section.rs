@@ -41,6 +41,8 @@ fn bare(parts: &[Outline], width: f64) -> Section<'_> {
         widths: Vec::new(),
         heights: Vec::new(),
         mound: None,
+        is_on_soil: false,
+        backfills: Vec::new(),
         wave_crest: None,
         reaction: None,
         notes: Vec::new(),

@@ -721,9 +721,9 @@ listed! {
         .silent("uplift: there all the time");
 
     Horizontal =
-        key(Earthquake, "horizontal", InGravity, "a_h", "acceleration of the base, to the right", "\"0.2 g\"    # or \"2 m/s2\"")
+        key(Earthquake, "horizontal", InGravity, "a_h", "horizontal acceleration of the base, to the right", "\"0.2 g\"    # or \"2 m/s2\"")
         .gives(&[Quantity::Acceleration]);
-    Vertical = key(Earthquake, "vertical", InGravity, "a_v", "acceleration of the base, upwards", "\"-0.1 g\"    # or \"-1 m/s2\"")
+    Vertical = key(Earthquake, "vertical", InGravity, "a_v", "vertical acceleration of the base, upwards", "\"-0.1 g\"    # or \"-1 m/s2\"")
         .silent("acceleration of the base, upwards: none").gives(&[Quantity::Acceleration]);
     HorizontalFixed =
         key(Earthquake, "horizontal_fixed", Truth, "", "whether the base moves to the side given only", "true")
@@ -925,6 +925,18 @@ impl Id {
     /// The key in the `index`-th of a kind of tables, as those with histories.
     pub fn of(table: Table, index: usize, key: Key) -> Id {
         Id { table, index, key }
+    }
+
+    /// Its meaning in a few words, for people, as axes and lists of quantities have it; of a table that a file may have several times,
+    /// with the place of that.
+    pub fn words(&self) -> String {
+        let words = self.key.info().words;
+        let short = words.split_once(", ").map_or(words, |(short, _)| short);
+        if self.table.repeats() {
+            format!("{short}, {} {}", self.table.name(), self.index + 1)
+        } else {
+            short.to_owned()
+        }
     }
 }
 

@@ -171,6 +171,11 @@ impl Part {
         &self.outline
     }
 
+    /// Outlines of what lies above a level and below it, m; one that is empty has fewer than three corners.
+    pub fn cut_at(&self, level: f64) -> [Vec<Vertex>; 2] {
+        [within(&self.outline, |at| level - at.y), within(&self.outline, |at| at.y - level)]
+    }
+
     /// Density where it is dry, kg/m³.
     pub fn density(&self) -> f64 {
         self.density

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::{fs, io};
 
+use standfast::Diagram;
 use standfast::initiation::Chart;
 use standfast::wave::Goda;
-use standfast::{Diagram, Mode};
 use standfast_cases::CaseFile;
 use standfast_cases::Document;
 use standfast_cases::random::{ChanceRequest, Effort, Probability, ValueRange};
@@ -17,6 +17,8 @@ use standfast_probability::form::design_point;
 use standfast_probability::law::Law;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 
+use crate::gallery::File;
+
 /// Examples shown: the path in `examples`, without extension, the number along which it is asked, and the number of points.
 const EXAMPLES: [(&str, Option<&str>, u64); 4] = [
     ("goda-2000-storm", None, POINTS),
@@ -27,8 +29,8 @@ const EXAMPLES: [(&str, Option<&str>, u64); 4] = [
 /// Enough lives for a picture, and not too many for a test.
 const POINTS: u64 = 1 << 18;
 
-/// An example's name, and its figures: their paths in docs, and their contents.
-pub type Example = (String, Vec<(String, String)>);
+/// An example's name, and its figures.
+pub type Example = (String, Vec<File>);
 
 /// The figures of the worked examples, by name.
 pub fn examples(root: &Path) -> io::Result<Vec<Example>> {
@@ -47,8 +49,7 @@ pub fn examples(root: &Path) -> io::Result<Vec<Example>> {
         let answer = Probability::along(&file, request, over.as_ref()).map_err(io::Error::other)?;
         let figures = answer.figures(&()).map_err(io::Error::other)?.into_iter();
         let stem = name.rsplit('/').next().unwrap_or(name);
-        let files =
-            figures.map(|f| (format!("gallery/chance-{stem}{}.svg", f.suffix), f.figure.svg().to_owned()));
+        let files = figures.map(|f| File::drawn(format!("gallery/chance-{stem}{}.svg", f.suffix), f.figure));
         all.push((name.to_owned(), files.collect()));
     }
     Ok(all)
@@ -184,11 +185,7 @@ fn years() -> io::Result<Figure> {
     let [once, yearly] = lines;
     let lines = [
         ChanceLine { name: "friction drawn once", look: LineLook::Answer, points: once? },
-        ChanceLine {
-            name: "friction drawn each year",
-            look: LineLook::Mode(Mode::SlideLeft),
-            points: yearly?,
-        },
+        ChanceLine { name: "friction drawn each year", look: LineLook::Other, points: yearly? },
     ];
     let axis = |name, from, to| SpectrumAxis { name, from, to, logarithmic: false };
     Ok(chance_lines(&ChanceLines {

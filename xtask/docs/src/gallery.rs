@@ -13,8 +13,26 @@ use standfast_sheet::{Sheet, SheetOptions};
 
 use crate::{chances, keys};
 
-/// A file of the gallery: its path in docs, and its content.
-type File = (String, String);
+/// A file of the gallery.
+pub struct File {
+    /// Its path in docs.
+    pub path: String,
+    content: String,
+    /// The figure, if it is one.
+    #[cfg_attr(not(test), allow(dead_code))]
+    figure: Option<Figure>,
+}
+
+impl File {
+    /// A figure.
+    pub fn drawn(path: impl Into<String>, figure: Figure) -> File {
+        File { path: path.into(), content: figure.svg().to_owned(), figure: Some(figure) }
+    }
+
+    fn written(path: &str, content: String) -> File {
+        File { path: path.to_owned(), content, figure: None }
+    }
+}
 
 /// Every file of the gallery.
 fn files(root: &Path) -> io::Result<Vec<File>> {
@@ -30,7 +48,7 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
         let figure = report_figure(id);
         let path = format!("gallery/fig-{id}.svg");
         page.push_str(&format!("\n## Fig. {id}\n\n![{}]({path})\n", figure.title()));
-        files.push((path, figure.svg().to_owned()));
+        files.push(File::drawn(path, figure));
     }
     page.push_str(
         "\n## A base that gives way\n\nThe k–μ plane on a base that crushes and on ground that fails, the rigid map in grey behind; see\n\
@@ -38,13 +56,13 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
     );
     for (path, figure) in bases() {
         page.push_str(&format!("\n![{}]({path})\n", figure.title()));
-        files.push((path.to_owned(), figure.svg().to_owned()));
+        files.push(File::drawn(path, figure));
     }
     for (name, figures) in cases(root)? {
         page.push_str(&format!("\n## Case {name}\n\n[The case file](../examples/{name}.toml)\n"));
-        for (path, svg) in figures {
-            page.push_str(&format!("\n![{path}]({path})\n"));
-            files.push((path, svg));
+        for file in figures {
+            page.push_str(&format!("\n![{0}]({0})\n", file.path));
+            files.push(file);
         }
     }
     page.push_str(
@@ -54,9 +72,9 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
     );
     for (name, figures) in motions(root)? {
         page.push_str(&format!("\n### {name}\n\n[The case file](../examples/motion/{name}.toml)\n"));
-        for (path, svg) in figures {
-            page.push_str(&format!("\n![{path}]({path})\n"));
-            files.push((path, svg));
+        for file in figures {
+            page.push_str(&format!("\n![{0}]({0})\n", file.path));
+            files.push(file);
         }
     }
     page.push_str(
@@ -66,28 +84,30 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
     );
     for (name, figures) in chances::examples(root)? {
         page.push_str(&format!("\n### {name}\n\n[The case file](../examples/{name}.toml)\n"));
-        for (path, svg) in figures {
-            page.push_str(&format!("\n![{path}]({path})\n"));
-            files.push((path, svg));
+        for file in figures {
+            page.push_str(&format!("\n![{0}]({0})\n", file.path));
+            files.push(file);
         }
     }
     for (path, figure) in chances::of_theory(root)? {
         page.push_str(&format!("\n![{}]({path})\n", figure.title()));
-        files.push((path.to_owned(), figure.svg().to_owned()));
+        files.push(File::drawn(path, figure));
     }
     page.push_str(
         "\n## Design\n\nThe least width of the case goda-2000 for both safety factors to be 1.2, over friction; see [design](design.md):\n\
          `standfast design examples/goda-2000.toml --vary width --and friction --target factor=1.2 -o set.svg`.\n\n\
          ![Least width over friction](gallery/design-goda-2000.svg)\n",
     );
-    files.push(("gallery/design-goda-2000.svg".to_owned(), boundary(root, "goda-2000")?));
+    files.extend(
+        boundary(root, "goda-2000")?.map(|figure| File::drawn("gallery/design-goda-2000.svg", figure)),
+    );
     page.push_str(
         "\n## Calculation sheet\n\n[The sheet of the case goda-2000](gallery/sheet-goda-2000.html), to be opened in a browser:\n\
          `standfast sheet examples/goda-2000.toml -o sheet.html`.\n",
     );
-    files.push(("gallery/sheet-goda-2000.html".to_owned(), sheet(root, "goda-2000")?));
-    files.push(("gallery.md".to_owned(), page));
-    files.push(("case-file.md".to_owned(), keys::page()));
+    files.push(File::written("gallery/sheet-goda-2000.html", sheet(root, "goda-2000")?));
+    files.push(File::written("gallery.md", page));
+    files.push(File::written("case-file.md", keys::page()));
     Ok(files)
 }
 
@@ -117,7 +137,7 @@ fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         let assessment = Assessment::of(&case).map_err(io::Error::other)?;
         let figures = assessment.figures(&AssessmentView::default()).map_err(io::Error::other)?;
         let files = figures.into_iter().map(|AnswerFigure { suffix, figure, .. }| {
-            (format!("gallery/case-{name}{suffix}.svg"), figure.svg().to_owned())
+            File::drawn(format!("gallery/case-{name}{suffix}.svg"), figure)
         });
         let files = files.collect();
         cases.push((name, files));
@@ -138,17 +158,14 @@ fn motions(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         let Some(worst) = answers.first() else { continue };
         let mut files: Vec<File> = Vec::new();
         for figure in answers.figures(&MotionView::default()).map_err(io::Error::other)? {
-            files.push((
-                format!("gallery/motion-{name}{}.svg", figure.suffix),
-                figure.figure.svg().to_owned(),
-            ));
+            files.push(File::drawn(format!("gallery/motion-{name}{}.svg", figure.suffix), figure.figure));
         }
         if name == "block-base-pulse" {
             for kind in [SpectrumKind::Rocking, SpectrumKind::Overturning] {
                 let spectrum = Spectrum::of(&worst.case, &SpectrumRequest::new(kind), Portion::UNSEEN);
                 for figure in spectrum.map_err(io::Error::other)?.figures(&()).map_err(io::Error::other)? {
                     let path = format!("gallery/motion-{name}{}.svg", figure.suffix);
-                    files.push((path, figure.figure.svg().to_owned()));
+                    files.push(File::drawn(path, figure.figure));
                 }
             }
         }
@@ -158,7 +175,7 @@ fn motions(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
 }
 
 /// The boundary of width and friction of an example.
-fn boundary(root: &Path, example: &str) -> io::Result<String> {
+fn boundary(root: &Path, example: &str) -> io::Result<Option<Figure>> {
     let text = fs::read_to_string(root.join("examples").join(format!("{example}.toml")))?;
     let file = CaseFile::parse(example, &text).map_err(io::Error::other)?;
     let target = "factor=1.2".parse().map_err(io::Error::other)?;
@@ -172,8 +189,7 @@ fn boundary(root: &Path, example: &str) -> io::Result<String> {
     };
     let request = BoundaryRequest { design, and: "friction".to_owned(), from: None, to: None };
     let boundary = DesignBoundary::of(&file, request, Portion::UNSEEN).map_err(io::Error::other)?;
-    let figure = boundary.figures(&()).map_err(io::Error::other)?.pop();
-    Ok(figure.map(|drawn| drawn.figure.svg().to_owned()).unwrap_or_default())
+    Ok(boundary.figures(&()).map_err(io::Error::other)?.pop().map(|drawn| drawn.figure))
 }
 
 /// The calculation sheet of an example.
@@ -198,7 +214,7 @@ pub fn write(root: &Path) -> io::Result<usize> {
     let docs = root.join("docs");
     fs::create_dir_all(docs.join("gallery"))?;
     let files = files(root)?;
-    for (path, content) in &files {
+    for File { path, content, .. } in &files {
         fs::write(docs.join(path), content)?;
     }
     Ok(files.len())
@@ -206,17 +222,109 @@ pub fn write(root: &Path) -> io::Result<usize> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::LazyLock;
+
     use super::*;
+
+    static FILES: LazyLock<Vec<File>> = LazyLock::new(|| files(&crate::root()).unwrap());
+
+    /// The figures with their paths.
+    fn figures() -> impl Iterator<Item = (&'static str, &'static Figure)> {
+        FILES.iter().filter_map(|file| Some((file.path.as_str(), file.figure.as_ref()?)))
+    }
+
+    /// True for a figure of the report, whose title and captions are the report's.
+    fn is_the_reports(path: &str) -> bool {
+        path.starts_with("gallery/fig-")
+    }
 
     #[test]
     fn every_figure_in_the_gallery_is_current() {
-        let root = crate::root();
-        for (path, content) in files(&root).unwrap() {
-            let kept = fs::read_to_string(root.join("docs").join(&path)).unwrap_or_default();
+        let docs = crate::root().join("docs");
+        for File { path, content, .. } in FILES.iter() {
+            let kept = fs::read_to_string(docs.join(path)).unwrap_or_default();
             assert!(
-                kept == content,
+                kept == *content,
                 "docs/{path} is stale; run `cargo xtask gallery` and look at what changed"
             );
         }
+        for path in fs::read_dir(docs.join("gallery")).unwrap().map(|entry| entry.unwrap().file_name()) {
+            let path = format!("gallery/{}", path.to_string_lossy());
+            assert!(FILES.iter().any(|file| file.path == path), "docs/{path} is written no more; remove it");
+        }
+    }
+
+    /// A column or a page; those of the report are as wide as what stands at their edges asks for.
+    #[test]
+    fn figures_have_one_of_two_widths() {
+        for (path, figure) in figures().filter(|(path, _)| !is_the_reports(path)) {
+            assert!([480.0, 720.0].contains(&figure.size().0), "{path}: {:?}", figure.size());
+        }
+    }
+
+    #[test]
+    fn no_label_lies_on_another() {
+        for (path, figure) in figures() {
+            let labels = figure.labels();
+            for (i, label) in labels.iter().enumerate() {
+                let other = labels[i + 1..].iter().find(|other| label.rect.overlaps(&other.rect));
+                assert_eq!(other, None, "{path}: {label:?}");
+            }
+        }
+    }
+
+    /// Powers of ten and symbols of modes are set; quantities have words, and no keys.
+    #[test]
+    fn no_text_is_a_machine_s() {
+        let is_power = |word: &str| {
+            word.split_once('e')
+                .is_some_and(|(one, other)| one.parse::<f64>().is_ok() && other.parse::<i32>().is_ok())
+        };
+        let is_key = |word: &str| {
+            let is_name =
+                |part: &str| part.len() > 1 && part.chars().all(|c| c.is_ascii_lowercase() || c == '_');
+            word.split_once('.').is_some_and(|(table, key)| is_name(table) && is_name(key))
+                || word.starts_with("bias.")
+        };
+        let is_code = |word: &str| {
+            word.contains("SRO'")
+                || word.contains("SRO-")
+                || word.contains("RO'")
+                || word.contains("SRO′+")
+                || word.contains("SRO−")
+        };
+        for (path, figure) in figures() {
+            for word in figure.labels().iter().flat_map(|label| label.text.split_whitespace()) {
+                let word = word.trim_matches(|letter: char| "()[],.;:".contains(letter));
+                assert!(!is_power(word) && !is_key(word) && !is_code(word), "{path}: {word:?}");
+            }
+        }
+    }
+
+    /// A title names the figure; conditions stand in the caption.
+    #[test]
+    fn no_title_is_a_condition() {
+        for (path, figure) in figures().filter(|(path, _)| !is_the_reports(path)) {
+            assert!(!figure.title().contains(['<', '>', '≤', '≥']), "{path}: {:?}", figure.title());
+        }
+    }
+
+    /// A caption gives the coordinates of a point only if its letter stands in the figure.
+    #[test]
+    fn captions_list_what_is_drawn() {
+        let mut listed = 0;
+        for (path, figure) in figures() {
+            let letters = ["A", "B′", "C", "C′", "D", "E", "F", "k_BF"];
+            for letter in letters {
+                if figure.caption().split([',', '.', ' ']).any(|word| word == letter)
+                    && figure.caption().contains(&format!("{letter} ("))
+                {
+                    listed += 1;
+                    let is_drawn = figure.labels().iter().any(|label| label.text == letter);
+                    assert!(is_drawn, "{path}: {letter} in {:?}", figure.caption());
+                }
+            }
+        }
+        assert!(listed > 80, "{listed}");
     }
 }

@@ -190,6 +190,11 @@ impl Happening {
 impl RandomInput {
     /// The SI unit of its values.
     pub fn unit(&self) -> Option<&'static str> {
-        self.variable()?.dimension().map(Dimension::si)
+        self.dimension().map(Dimension::si)
+    }
+
+    /// The dimension of its values.
+    pub fn dimension(&self) -> Option<Dimension> {
+        self.variable()?.dimension()
     }
 }

@@ -26,7 +26,9 @@ use super::quantity::Coordinate;
 use super::resolve::find;
 use super::subject::{ChanceSubject, problems_of};
 use crate::couple::vary;
+use crate::key::Id;
 use crate::key::Key;
+use crate::units::Dimension;
 use standfast_model::{CaseFile, GivenBase};
 
 /// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`, or one by one, `NAME=VALUE,VALUE`.
@@ -75,8 +77,10 @@ impl FromStr for ValueRange {
 pub struct Fragility {
     /// The number's name.
     pub name: String,
-    /// Its unit in SI, where it has one.
-    pub unit: Option<&'static str>,
+    /// Its meaning in a few words.
+    pub words: String,
+    /// Its dimension, where it has one.
+    pub dimension: Option<Dimension>,
     /// The probabilities at each value.
     pub points: Vec<FragilityPoint>,
     /// The curve through the probabilities of not resting.
@@ -107,6 +111,13 @@ pub struct Fit {
 
 /// Probabilities that are as near to each other, relatively, are the same.
 const AS_LIKELY: f64 = 1e-9;
+
+impl Fragility {
+    /// The number's unit in SI, where it has one.
+    pub fn unit(&self) -> Option<&'static str> {
+        self.dimension.map(Dimension::si)
+    }
+}
 
 impl Fit {
     /// The curve through values with their chances of something; none where fewer than two tell anything, or they do not rise.
@@ -171,7 +182,8 @@ impl Probability {
 fn is_intensity(key: Key) -> bool {
     matches!(
         key,
-        Key::Horizontal
+        Key::K
+            | Key::Horizontal
             | Key::Force
             | Key::H13
             | Key::Hmax
@@ -230,7 +242,7 @@ impl ValueRange {
         request: &ChanceRequest,
         portion: Portion<'_>,
     ) -> Result<Fragility, ProbabilityError> {
-        let (unit, is_intensity, points) = match asked {
+        let (id, dimension, points) = match asked {
             ChanceSubject::Point(of) => {
                 let coordinate = Coordinate::ALL.into_iter().find(|c| c.name() == self.name);
                 let Some(coordinate) = coordinate else {
@@ -249,8 +261,8 @@ impl ValueRange {
                 };
                 let read =
                     |text: &str| text.parse::<f64>().map_err(|_| format!("\"{text}\" is not a number"));
-                let is_force = coordinate == Coordinate::K;
-                (None, is_force, self.points(self.values(read)?, (request, portion), at)?)
+                let points = self.points(self.values(read)?, (request, portion), at)?;
+                (Id::from(coordinate.key()), None, points)
             }
             ChanceSubject::Storm(_) => return Err(ProbabilityError::NoBody),
             ChanceSubject::Case { file, .. } => {
@@ -279,13 +291,13 @@ impl ValueRange {
                     let changed = file.varied(vary(file.inputs(), &case, &[(&variable, value)]));
                     problems_of(&changed, None, None)
                 };
-                let unit = variable.dimension().map(crate::units::Dimension::si);
-                (unit, is_intensity(variable.key()), self.points(self.values(read)?, (request, portion), at)?)
+                let points = self.points(self.values(read)?, (request, portion), at)?;
+                (variable.id(), variable.dimension(), points)
             }
         };
         let told: Vec<(f64, f64)> = points.iter().map(|point| (point.value, point.not_rest.value)).collect();
-        let fit = Fit::of(&told).filter(|_| is_intensity);
-        Ok(Fragility { name: self.name.clone(), unit, points, fit })
+        let fit = Fit::of(&told).filter(|_| is_intensity(id.key));
+        Ok(Fragility { name: self.name.clone(), words: id.words(), dimension, points, fit })
     }
 
     fn points(

@@ -80,22 +80,11 @@ impl RandomInput {
 
     /// Its meaning in a few words, for people; of a table that a case may have several times, with the place of that.
     pub fn words(&self) -> String {
-        let of = |key: Key| {
-            let words = key.info().words;
-            words.split_once(", ").map_or(words, |(short, _)| short).to_owned()
-        };
         match &self.quantity {
-            Quantity::Key(variable) => {
-                let id = variable.id();
-                if id.table.repeats() {
-                    format!("{}, {} {}", of(id.key), id.table.name(), id.index + 1)
-                } else {
-                    of(id.key)
-                }
-            }
+            Quantity::Key(variable) => variable.id().words(),
             Quantity::Bias(bias) => bias.words().to_owned(),
-            Quantity::Point(coordinate) => of(coordinate.key()),
-            Quantity::Storm(field) => of(field.key()),
+            Quantity::Point(coordinate) => Id::from(coordinate.key()).words(),
+            Quantity::Storm(field) => Id::from(field.key()).words(),
         }
     }
 

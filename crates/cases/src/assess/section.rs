@@ -1,15 +1,16 @@
 //! The section of a case: its body, levels and loads as the figure draws them.
 
 use standfast::loads::{Action, Face, Load, LoadId, LoadSource, PressureAt};
+use standfast::section::{Part, Vertex, WaterTable};
 use standfast::{BaseEdges, InputError, Mode, Situation, Verdict};
 use standfast_figures::{
-    Arrow, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
+    Arrow, Backfill, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
 };
 
 use standfast_model::load_words;
 
 use super::{Assessed, Assessment, BaseResponse};
-use crate::case::{Acting, Case, Waves};
+use crate::case::{Acting, Case, Limit, Waves};
 use crate::layout::digits;
 use crate::units::Extent;
 
@@ -18,6 +19,9 @@ const SCALES: &str = "Lengths are to one scale, pressures to another, arrows of 
 const EQUAL: &str = "Water stands equally high on both sides: its pressures there cancel, and are no load.";
 const WAVE: &str = "The wave is drawn to η*, where its pressure would end; its shape is a sketch. Pressures are those above still water.";
 const SLOPES: &str = "How steep the mound is, the case does not say.";
+const FILLED: &str = "Grains beside the body: fill, drawn where a permanent pressure rises with depth.";
+const WET: &str = "A part that takes up water has one density above it and another below.";
+const SOIL: &str = "Grains under the base: ground that can fail, taken as one soil.";
 const SHAKEN: &str = "The earthquake is drawn as it is given; the other directions are tried as well.";
 
 /// The section of a case under all of its loads, with the reaction of the base in the worst of its situations where the case says what the
@@ -39,7 +43,11 @@ pub(super) fn with_section<T>(
     let BaseEdges { left, right } = case.body.base_edges();
     let (mut widths, heights) = dimensions(case);
     widths.splice(0..0, reaction.iter().filter_map(pressed_width).map(|measure| vec![measure]));
+    let backfills = backfills(situation.loads());
+    let is_on_soil = matches!(worst.ground.as_ref().and_then(|ground| ground.limit), Some(Limit::Ground(_)));
     let mut notes = notes(case);
+    notes.extend((!backfills.is_empty()).then(|| FILLED.to_owned()));
+    notes.extend(is_on_soil.then(|| SOIL.to_owned()));
     notes.extend(worst.ground.as_ref().map(|_| reaction_words(assessment, worst, reaction.as_ref())));
     let arrows: Vec<_> = situation
         .loads()
@@ -59,6 +67,8 @@ pub(super) fn with_section<T>(
         heights,
         mound: case.wave.as_ref().and_then(mound),
         wave_crest: case.wave.as_ref().map(|wave| wave.section.base_depth + wave.goda.eta_star),
+        is_on_soil,
+        backfills,
         reaction,
         notes,
     };
@@ -130,17 +140,84 @@ fn parts(case: &Case) -> Vec<Outline> {
     };
     let [left, right] = section.ends();
     let middle = (left + right) / 2.0;
-    let outlines = case.parts().map(|(name, part)| Outline {
-        vertices: part.outline().iter().map(|corner| (corner.x - middle, corner.y)).collect(),
-        material: match (part.density(), part.density_below_water()) {
-            (0.0, 0.0) => Material::Cavity,
-            (dry, wet) if dry == wet => Material::Solid,
-            _ => Material::Fill,
-        },
-        // A body of one part has its name in the title.
-        label: name.filter(|_| section.parts().len() > 1).unwrap_or_default().to_owned(),
+    let several = section.parts().len() > 1;
+    let outlines = case.parts().flat_map(|(name, part)| {
+        let pieces = pieces(case.water_table, part).into_iter().filter(|piece| piece.corners.len() > 2);
+        pieces.map(move |Piece { corners, material, density }| Outline {
+            vertices: corners.iter().map(|corner| (corner.x - middle, corner.y)).collect(),
+            material,
+            // A body of one part has its name in the title.
+            label: name
+                .filter(|_| several)
+                .into_iter()
+                .map(str::to_owned)
+                .chain(density)
+                .collect::<Vec<_>>()
+                .join(", "),
+        })
     });
     outlines.collect()
+}
+
+/// What of a part is of one material, with its density in words.
+struct Piece {
+    corners: Vec<Vertex>,
+    material: Material,
+    density: Option<String>,
+}
+
+/// The pieces of a part: one that takes up water is another material below it.
+fn pieces(water: Option<WaterTable>, part: &Part) -> Vec<Piece> {
+    let (dry, wet) = (part.density(), part.density_below_water());
+    let piece = |corners, material, density| Piece { corners, material, density };
+    let whole = part.outline().to_vec();
+    match water {
+        _ if (dry, wet) == (0.0, 0.0) => vec![piece(whole, Material::Cavity, None)],
+        Some(water) if dry != wet && water.left == water.right => {
+            let [above, below] = part.cut_at(water.left);
+            vec![
+                piece(above, material(dry), Some(kilograms(dry))),
+                piece(below, Material::Fill, Some(kilograms(wet))),
+            ]
+        }
+        Some(_) if dry != wet => {
+            let both = format!("{}, {} in water", kilograms(dry), kilograms(wet));
+            vec![piece(whole, Material::Fill, Some(both))]
+        }
+        _ => vec![piece(whole, material(dry), Some(kilograms(dry)))],
+    }
+}
+
+/// The look of a dry material: what is lighter than this is loose, as sand and rock that are filled in are.
+fn material(density: f64) -> Material {
+    const LOOSE: f64 = 2000.0;
+    if density < LOOSE { Material::Fill } else { Material::Solid }
+}
+
+fn kilograms(density: f64) -> String {
+    format!("{} kg/m³", digits(density))
+}
+
+/// Fill beside the body: permanent pressures on a side, as they are given, that rise with depth, up to where they begin.
+fn backfills(loads: &[Load]) -> Vec<Backfill> {
+    let mut fills: Vec<Backfill> = Vec::new();
+    for load in loads.iter().filter(|load| load.permanent && load.source == LoadSource::Pressure) {
+        let Action::Pressure { face, diagram } = &load.action else { continue };
+        let side = match face {
+            Face::Left => Side::Left,
+            Face::Right => Side::Right,
+            Face::Base | Face::Top => continue,
+        };
+        let (Some(low), Some(high)) = (diagram.points().first(), diagram.points().last()) else { continue };
+        let falls = |pair: &[PressureAt]| pair[1].pressure < pair[0].pressure;
+        if low.pressure > 0.0 && diagram.points().windows(2).all(falls) {
+            match fills.iter_mut().find(|fill| fill.side == side) {
+                Some(fill) => fill.top = fill.top.max(high.position),
+                None => fills.push(Backfill { side, top: high.position }),
+            }
+        }
+    }
+    fills
 }
 
 fn metres(length: f64) -> String {
@@ -263,6 +340,10 @@ fn notes(case: &Case) -> Vec<String> {
     let mut notes = vec![SCALES];
     if case.water.as_ref().is_some_and(|water| water.left() == water.right()) {
         notes.push(EQUAL);
+    }
+    let takes_up = |part: &Part| part.density() != part.density_below_water();
+    if case.water_table.is_some() && case.parts().any(|(_, part)| takes_up(part)) {
+        notes.push(WET);
     }
     if case.wave.is_some() {
         notes.push(WAVE);

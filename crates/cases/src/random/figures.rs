@@ -3,7 +3,7 @@
 use standfast::Mode;
 use standfast_figures::{
     Chance, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, ChanceRow, ChanceRows, Figure, Importance,
-    LineLook, SpectrumAxis, Tornado, chance_lines, chance_rows, chance_tornado,
+    LineLook, SpectrumAxis, Tornado, chance_lines, chance_rows, chance_tornado, significant,
 };
 use standfast_probability::lognormal::Lognormal;
 use standfast_probability::sample::Estimate;
@@ -13,6 +13,7 @@ use super::text::floor;
 use super::{Chances, Fit, Fragility, Happening, Method, Overturning, Probability, Sliding};
 use crate::document::AnswerFigure;
 use crate::layout::{apart, digits};
+use crate::units::Dimension;
 
 mod areas;
 mod cloud;
@@ -102,23 +103,32 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
     };
     let below: Vec<_> = worst.modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
     if !below.is_empty() {
-        let names: Vec<String> = below
-            .iter()
-            .map(|(happening, _)| happening.name().replace('\'', "′").replace('-', "−"))
-            .collect();
+        let names: Vec<String> = below.iter().map(|(happening, _)| rare(*happening)).collect();
         let bound = below.iter().map(|(_, e)| e.high).fold(0.0, f64::max);
-        let each = if names.len() > 1 { "are each rarer than" } else { "is rarer than" };
-        caption += &format!(" {} {each} {}.", names.join(", "), digits(bound));
+        let each = if names.len() > 1 { "each rarer" } else { "rarer" };
+        caption += &format!(" Not drawn, {each} than {}: {}.", digits(bound), names.join(", "));
     }
     if let Some(point) = &worst.design_point {
         caption += &format!(
-            " The reliability index β is {}. A straight limit there would give {}.",
+            " The reliability index β is {}. For comparison: first-order reliability, which takes the limit of rest as straight, estimates {}.",
             digits(point.beta),
             digits(point.first_order())
         );
     }
     let title = format!("How likely each mode is: {title}");
     chance_rows(&ChanceRows { title: &title, caption: &caption, groups: &groups })
+}
+
+/// What did not happen, or hardly, in a list: a mode's symbol, and words where a symbol says little.
+fn rare(happening: Happening) -> String {
+    match happening {
+        Happening::Decided(verdict) if verdict.mode().is_none_or(|mode| mode == Mode::Flight) => {
+            format!("{verdict} ({})", verdict.words())
+        }
+        Happening::NoMode => "no mode at all".to_owned(),
+        Happening::NotABody => "numbers of no body".to_owned(),
+        decided => decided.name(),
+    }
 }
 
 fn matters_drawn(answer: &Probability, worst: &Chances, title: &str) -> Option<Figure> {
@@ -220,7 +230,8 @@ fn convergence(worst: &Chances, title: &str) -> Option<Figure> {
 
 /// Probabilities along a number.
 fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
-    let Fragility { name, unit, points, fit } = fragility;
+    let Fragility { words, dimension, points, fit, .. } = fragility;
+    let (unit, scale) = dimension.map_or(("", 1.0), Dimension::on_paper);
     let most = points.iter().map(|point| point.not_rest.value).fold(0.0, f64::max);
     let is_linear = most > 0.2;
     // On an axis of equal steps what is rarer is a line along it.
@@ -229,14 +240,15 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
     let count = points.first().map_or(0, |point| point.modes.len());
     let modes = (0..count).filter(|place| likely(*place)).filter_map(|place| {
         let mode = points[0].modes[place].0.mode().filter(|mode| *mode != Mode::Rest)?;
-        let of_mode = points.iter().map(|point| (point.value, chance(point.modes[place].1))).collect();
+        let of_mode =
+            points.iter().map(|point| (point.value / scale, chance(point.modes[place].1))).collect();
         Some((mode, of_mode))
     });
     let modes: Vec<(Mode, Vec<(f64, Chance)>)> = modes.collect();
     let names: Vec<String> = modes.iter().map(|(mode, _)| mode.words().replace('\'', "′")).collect();
     let moved: Vec<(f64, Chance)> =
-        points.iter().map(|point| (point.value, chance(point.not_rest))).collect();
-    let (first, last) = (points[0].value, points[points.len() - 1].value);
+        points.iter().map(|point| (point.value / scale, chance(point.not_rest))).collect();
+    let (first, last) = (points[0].value / scale, points[points.len() - 1].value / scale);
     let (from, to) = (first.min(last), first.max(last));
     let up = if is_linear {
         SpectrumAxis { name: "probability", from: 0.0, to: TO_ONE, logarithmic: false }
@@ -246,12 +258,12 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
     let mut lines = vec![ChanceLine { name: "does not rest", look: LineLook::Answer, points: moved }];
     let mut caption = format!("At {} values.", points.len());
     if let Some(Fit { median, dispersion, misfit }) = fit {
-        let unit = unit.map_or_else(String::new, |unit| format!(" {}", in_words(unit)));
-        let points = smooth((from, to), (*median, *dispersion));
+        let median = median / scale;
+        let points = smooth((from, to), (median, *dispersion));
         lines.push(ChanceLine { name: "lognormal", look: LineLook::Fit, points });
         caption += &format!(
-            " Dashed: the lognormal curve of median {}{unit} and dispersion {}; it misses the probabilities by {} at most.",
-            digits(*median),
+            " Dashed: the lognormal curve of median {} and dispersion {}; it misses the probabilities by {} at most.",
+            format!("{} {unit}", digits(median)).trim_end(),
             digits(*dispersion),
             digits(*misfit)
         );
@@ -259,12 +271,9 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
     for ((mode, points), name) in modes.into_iter().zip(&names) {
         lines.push(ChanceLine { name, look: LineLook::Mode(mode), points });
     }
-    let across_name = match unit {
-        Some(unit) => format!("{} ({})", escaped(name), in_markup(unit)),
-        None => escaped(name),
-    };
+    let across_name = quantity(words, unit);
     let across = SpectrumAxis { name: &across_name, from, to, logarithmic: false };
-    let title = format!("Along {name}: {title}");
+    let title = format!("Along the {words}: {title}");
     chance_lines(&ChanceLines { title: &title, caption: &caption, across, up, lines: &lines, marks: &[] })
 }
 
@@ -276,7 +285,6 @@ fn overturns(overturning: &Overturning, title: &str) -> Figure {
         points.iter().enumerate().map(|(i, at)| (at.peak / gravity, of(i))).collect()
     };
     let is_few = records.len() < FEW;
-    let of_mode = |mode| if is_few { LineLook::Points(Some(mode)) } else { LineLook::Mode(mode) };
     let mut lines = vec![ChanceLine {
         name: "overturns",
         look: if is_few { LineLook::Points(None) } else { LineLook::Answer },
@@ -316,12 +324,12 @@ fn overturns(overturning: &Overturning, title: &str) -> Figure {
     }
     lines.push(ChanceLine {
         name: "rocks",
-        look: of_mode(Mode::RockO),
+        look: if is_few { LineLook::Points(Some(Mode::RockO)) } else { LineLook::Mode(Mode::RockO) },
         points: along(&|i| certain(points[i].rocked.value)),
     });
     lines.push(ChanceLine {
         name: "slips or rocks",
-        look: of_mode(Mode::SlideLeft),
+        look: if is_few { LineLook::Points(Some(Mode::SlideLeft)) } else { LineLook::Other },
         points: along(&|i| certain(points[i].moved.value)),
     });
     let axis = |name, from, to| SpectrumAxis { name, from, to, logarithmic: false };
@@ -343,20 +351,10 @@ fn smooth((from, to): (f64, f64), (median, dispersion): (f64, f64)) -> Vec<(f64,
     values.map(|x| (x, curve.at(x))).map(|(x, p)| (x, Chance { value: p, low: p, high: p })).collect()
 }
 
-/// A unit in markup, in which powers are raised.
-fn in_markup(unit: &str) -> String {
-    let mut last = ' ';
-    let raised = unit.chars().map(|c| {
-        let is_power = c.is_ascii_digit() && last.is_alphabetic();
-        last = c;
-        if is_power { format!("$^{c}$") } else { c.to_string() }
-    });
-    raised.collect()
-}
-
-/// Unit in plain characters.
-fn in_words(unit: &str) -> String {
-    in_markup(unit).replace("$^2$", "²").replace("$^3$", "³").replace("$^4$", "⁴")
+/// A quantity as an axis has it: its words, and its unit.
+fn quantity(words: &str, unit: &str) -> String {
+    let words = escaped(words);
+    if unit.is_empty() { words } else { format!("{words} ({unit})") }
 }
 
 /// A name in which a dollar would begin mathematics.
@@ -372,7 +370,7 @@ fn exceedance(sliding: &Sliding, title: &str) -> Option<Figure> {
     let marked: Vec<(f64, String)> = sliding
         .exceedance
         .iter()
-        .map(|e| (e.slide, format!("{:.2} m: {}", e.slide, digits(e.probability.value))))
+        .map(|e| (e.slide, format!("{:.2} m: ${}$", e.slide, significant(e.probability.value, 4))))
         .chain([(sliding.mean.value, format!("mean {} m", digits(sliding.mean.value)))])
         .collect();
     let marks: Vec<ChanceMark<'_>> = marked.iter().map(|(at, words)| ChanceMark { at: *at, words }).collect();

@@ -131,7 +131,7 @@ fn overturns(overturning: &Overturning) -> String {
 
 /// That the body moves, along a number of the case.
 fn along(answer: &Probability, fragility: &Fragility) -> String {
-    let unit = fragility.unit.map_or(String::new(), |unit| format!(" {unit}"));
+    let unit = fragility.unit().map_or(String::new(), |unit| format!(" {unit}"));
     let at = |point: &FragilityPoint| {
         (below_or(point.not_rest), format!("{} = {}{unit}", fragility.name, digits(point.value)))
     };

@@ -428,7 +428,8 @@ fn grouped(n: u64) -> String {
 }
 
 /// Probabilities along a number: a column for each mode that is likely enough anywhere.
-fn along(Fragility { name, unit, points, fit }: &Fragility, floor: f64) -> String {
+fn along(fragility: &Fragility, floor: f64) -> String {
+    let (Fragility { name, points, fit, .. }, unit) = (fragility, fragility.unit());
     let likely = |place: usize| points.iter().any(|point| point.modes[place].1.value >= floor);
     let places: Vec<usize> =
         (0..points.first().map_or(0, |point| point.modes.len())).filter(|i| likely(*i)).collect();

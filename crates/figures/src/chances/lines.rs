@@ -9,7 +9,7 @@ use crate::below::Key;
 use crate::caption::SMALL;
 use crate::labels::spread;
 use crate::motion::SpectrumAxis;
-use crate::palette::{BAND, BAND_OF_MODE, FAINT, INK, MARK, symbol, texture, tint};
+use crate::palette::{BAND, BAND_OF_MODE, BEHIND, FAINT, INK, MARK, symbol, texture, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::texture::Texture;
@@ -30,6 +30,8 @@ pub enum LineLook {
     Points(Option<Mode>),
     /// In the colour of a mode.
     Mode(Mode),
+    /// In grey: something else beside the answer.
+    Other,
     /// Dashed: something that goes through the answer.
     Fit,
 }
@@ -156,6 +158,7 @@ fn pens(look: LineLook) -> Vec<Pen> {
     match look {
         LineLook::Answer => vec![Pen::solid(INK, 1.6)],
         LineLook::Points(_) => Vec::new(),
+        LineLook::Other => vec![Pen::solid(BEHIND, 2.2)],
         // A tint on paper is seen by its rim.
         LineLook::Mode(mode) => {
             // Its mirror image has the same tint.

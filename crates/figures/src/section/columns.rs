@@ -44,6 +44,8 @@ pub(super) struct Spot {
     pub colour: &'static str,
     /// The thing whose number it is.
     pub of: Option<SectionNumber>,
+    /// How much lower than the place the label wants to stand.
+    pub lower: f64,
 }
 
 impl Painter<'_> {
@@ -116,7 +118,7 @@ impl Painter<'_> {
             self.drawn.arrows.push(SectionArrow { index, tail, tip });
             let text = Text::new(&format!("${}$ {}", tag(first + index), arrow.label), LABEL);
             let of = Some(SectionNumber::Arrow(index));
-            spots.push(Spot { at: (column.x(start - NEAR), level), text, colour: MARK, of });
+            spots.push(Spot { at: (column.x(start - NEAR), level), text, colour: MARK, of, lower: 0.0 });
         }
         column.end = self.names(column, start, spots, reach);
     }
@@ -155,14 +157,29 @@ impl Painter<'_> {
         let letter = Text::new(&format!("${}$", tag(index)), LABEL);
         let rect = self.label(&letter, (middle, top), INK);
         reach.hold(&rect);
-        let between = numbers(pressed).filter(|i| !is_end(i));
-        let spots: Vec<_> =
-            between.map(|i| Spot { at: stalks[i].tip, text: text(i), colour: INK, of: None }).collect();
+        let side = if column.out < 0.0 { Side::Left } else { Side::Right };
+        let between = numbers(pressed).filter(|i| !is_end(i)).map(|i| {
+            let Stalk { foot, tip, pressure } = stalks[i];
+            // What pulls is drawn towards the body: its line is nearer to the number.
+            let (at, text) = (if pressure < 0.0 { foot } else { tip }, text(i));
+            let lower = self.below_water(side, at.1, text.height());
+            Spot { at, text, colour: INK, of: None, lower }
+        });
+        let spots: Vec<_> = between.collect();
         let end = column.end + widest;
         column.end = match spots.is_empty() {
             true => end + APART,
             false => self.names(column, end + NEAR, spots, reach),
         };
+    }
+
+    /// How much lower a label of this height has to stand so that the surface of water does not run through it.
+    fn below_water(&self, side: Side, y: f64, height: f64) -> f64 {
+        const OFF: f64 = 3.0;
+        let surfaces = self.given.levels.iter().filter(|level| level.is_water && level.side == side);
+        let surfaces = surfaces.map(|level| self.place(0.0, self.shown(level.elevation)).1);
+        let meets = |surface: &f64| (y - surface).abs() < height / 2.0 + OFF;
+        surfaces.filter(meets).map(|surface| surface - y + height / 2.0 + OFF).fold(0.0, f64::max)
     }
 
     /// Length to which a force is drawn: all to one scale, but none so short that it is not seen.
@@ -220,7 +237,7 @@ impl Painter<'_> {
             let [from, to] = [ends.0, ends.1].map(|height| (x, self.place(0.0, height).1));
             self.dimension(from, to);
             let (middle, of) = ((x, (from.1 + to.1) / 2.0), Some(SectionNumber::Height(at, place)));
-            spots.push(Spot { at: middle, text: Text::new(label, LABEL), colour: INK, of });
+            spots.push(Spot { at: middle, text: Text::new(label, LABEL), colour: INK, of, lower: 0.0 });
         }
         column.end = self.names(column, column.end + NEAR, spots, reach);
     }
@@ -238,15 +255,18 @@ impl Painter<'_> {
     /// Labels in a column from `start` outwards; gives where the next column begins.
     fn names(&mut self, column: &Column, start: f64, spots: Vec<Spot>, reach: &mut Reach) -> f64 {
         const LINE: f64 = 4.0;
+        /// A label that begins farther from its place than this has a line to it.
+        const BESIDE: f64 = 15.0;
         let mut spots = spots;
-        spots.sort_by(|one, other| one.at.1.total_cmp(&other.at.1));
-        let wanted: Vec<_> = spots.iter().map(|spot| (spot.at.1, spot.text.height())).collect();
+        let wants = |spot: &Spot| spot.at.1 + spot.lower;
+        spots.sort_by(|one, other| wants(one).total_cmp(&wants(other)));
+        let wanted: Vec<_> = spots.iter().map(|spot| (wants(spot), spot.text.height())).collect();
         let Some(places) = spread(&wanted, -ANYWHERE, ANYWHERE, LINE) else { return start };
-        let moved = spots.iter().zip(&places).any(|(spot, y)| (spot.at.1 - y).abs() > MOVED);
+        let moved = spots.iter().zip(&places).any(|(spot, y)| (wants(spot) - y).abs() > MOVED);
         let start = if moved { start + APART } else { start };
         let mut width: f64 = 0.0;
         for (spot, y) in spots.iter().zip(places) {
-            if moved {
+            if moved || (spot.at.0 - column.x(start)).abs() > BESIDE {
                 self.line(spot.at, (column.x(start - 2.0), y), THIN);
             }
             let centre = column.x(start + spot.text.width / 2.0);
@@ -272,7 +292,7 @@ impl Painter<'_> {
                     .iter()
                     .any(|other| other.is_water && other.side == Side::Left && other.label == level.label)
         };
-        let look = self.look;
+        let (look, given) = (self.look, self.given);
         let levels = self.levels(side).filter(|(_, level)| level.is_water || !look.on_screen);
         let levels: Vec<_> = levels
             .map(|(index, level)| (index, level.clone(), look.names && !(look.on_screen && twin(level))))
@@ -295,7 +315,12 @@ impl Painter<'_> {
                 continue;
             }
             let (text, of) = (Text::verbatim(&label, LABEL), Some(SectionNumber::Level(index)));
-            spots.push(Spot { at: (column.x(end), y), text, colour: INK, of });
+            spots.push(Spot { at: (column.x(end), y), text, colour: INK, of, lower: 0.0 });
+        }
+        for fill in given.backfills.iter().filter(|fill| fill.side == side) {
+            let y = self.place(0.0, fill.top).1;
+            let face = self.place(self.face(fill.top, column.out), 0.0).0;
+            self.level_line(y, (face, column.x(end)), Pen::solid(INK, 1.2));
         }
         let names = match side {
             Side::Left => &mut self.drawn.names.0,
@@ -307,9 +332,19 @@ impl Painter<'_> {
         }
     }
 
-    /// A level, but where a label stands.
+    /// A level, but where a label stands or a force acts.
     fn level_line(&mut self, y: f64, (from, to): (f64, f64), pen: Pen) {
-        let mut cuts: Vec<_> = self.labels_at(y).map(|rect| (rect.x0 - 3.0, rect.x1 + 3.0)).collect();
+        const OFF: f64 = 4.0;
+        let labels = self.labels_at(y).map(|rect| (rect.x0 - 3.0, rect.x1 + 3.0));
+        let arrows = self
+            .drawn
+            .arrows
+            .iter()
+            .filter(|arrow| arrow.tail.1 == arrow.tip.1 && (arrow.tail.1 - y).abs() < OFF);
+        let arrows = arrows.map(|SectionArrow { tail, tip, .. }| {
+            (tail.0.min(tip.0) - 2.0 * OFF, tail.0.max(tip.0) + 2.0 * OFF)
+        });
+        let mut cuts: Vec<_> = labels.chain(arrows).collect();
         cuts.sort_by(|one, other| one.0.total_cmp(&other.0));
         let (mut at, end) = (from.min(to), from.max(to));
         for (left, right) in cuts {

@@ -1,23 +1,24 @@
-//! The body, what it stands on, the water beside it, and the order in which all is drawn.
+//! The body, and the order in which all is drawn.
 
 use standfast::loads::Face;
 
+use super::surroundings::Room;
 use super::{
     Arrow, LABEL, MARGIN, Material, Mound, Outline, Painting, Section, SectionLook, Side, legend, tag,
 };
 use crate::axes::COLUMN;
+use crate::below::verbatim;
 use crate::caption::SMALL;
 use crate::margins;
-use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, MOUND, PAPER, PUSH, WATER};
+use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, PAPER};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
+use crate::texture;
 
 /// Largest depth below the base at which the bed is drawn; a deeper one is drawn there.
 const DEEPEST: f64 = 120.0;
 /// Largest distance from the wall to which the berm is drawn.
 const FARTHEST: f64 = 190.0;
-/// The ratio of slopes of the mound, which no case gives.
-const SLOPE: f64 = 1.5;
 /// Least width of the legend.
 const LEGEND: f64 = COLUMN - 2.0 * MARGIN;
 
@@ -29,9 +30,9 @@ pub(super) struct Painter<'a> {
     pub drawn: Painting,
     /// Units of the page for a metre.
     pub scale: f64,
-    origin: (f64, f64),
-    /// Between which x there is room for water and ground, once it is known.
-    room: Option<(f64, f64)>,
+    pub origin: (f64, f64),
+    /// Room for water and ground, once it is known.
+    pub room: Option<Room>,
     pub look: SectionLook,
     /// The body's bounds, m.
     pub bounds: Rect,
@@ -46,7 +47,7 @@ impl<'a> Painter<'a> {
         given: &'a Section<'a>,
         look: SectionLook,
         shift: (f64, f64),
-        room: Option<(f64, f64)>,
+        room: Option<Room>,
     ) -> Painter<'a> {
         let corners = given.parts.iter().flat_map(|part| &part.vertices);
         let ends = [(given.base.0, 0.0), (given.base.1, 0.0)];
@@ -59,7 +60,8 @@ impl<'a> Painter<'a> {
         let extent = Rect { x0: shift.0, y0: shift.1, x1: shift.0, y1: shift.1 };
         let scene = if look.on_screen { Scene::themed() } else { Scene::default() };
         let names = (shift.0, shift.0);
-        let drawn = Painting { scene, extent, names, numbers: Vec::new(), arrows: Vec::new() };
+        let drawn =
+            Painting { scene, extent, names, labels: Vec::new(), numbers: Vec::new(), arrows: Vec::new() };
         Painter { given, drawn, scale, origin: shift, room, look, bounds, bed, labels: Vec::new() }
     }
 
@@ -128,6 +130,7 @@ impl<'a> Painter<'a> {
         ));
         for (text, rect, colour) in self.labels.drain(..) {
             scene.text_in(&text, &rect, colour);
+            self.drawn.labels.push(rect);
         }
         scene.close();
     }
@@ -141,62 +144,19 @@ impl<'a> Painter<'a> {
         self.labels.iter().any(|(_, other, _)| other.overlaps(rect))
     }
 
-    /// The level at which something is drawn: that of the bed at the lowest, and no farther above the body than a quarter of it.
+    /// The level at which something is drawn: that of the bed at the lowest, and no farther above the body than a quarter of it, or than
+    /// leaves room for numbers.
     pub(super) fn shown(&self, elevation: f64) -> f64 {
-        let elevation = elevation.min(1.25 * self.bounds.y1);
+        const NUMBERS: f64 = 56.0;
+        let top = self.bounds.y1;
+        let elevation = elevation.min(top + (0.25 * top).max(NUMBERS / self.scale));
         self.bed.map_or(elevation, |bed| elevation.max(bed))
     }
 
-    fn polygon(&self, vertices: &[(f64, f64)]) -> Path {
+    pub(super) fn polygon(&self, vertices: &[(f64, f64)]) -> Path {
         let mut path = Path::through(&vertices.iter().map(|&(x, y)| self.place(x, y)).collect::<Vec<_>>());
         path.close();
         path
-    }
-
-    /// Water up to its levels, the mound and the bed, or a floor.
-    fn surroundings(&mut self) {
-        let Some(room) = self.room else { return };
-        let [west, east] = [room.0, room.1].map(|x| (x - self.origin.0) / self.scale);
-        let floor = self.bed.unwrap_or(0.0).min(0.0);
-        for level in self.given.levels.iter().filter(|level| level.is_water) {
-            let y = level.elevation;
-            // The body, which is wider below, is drawn over it.
-            let (x0, x1) = match level.side {
-                Side::Left => (west, self.face(y, -1.0)),
-                Side::Right => (self.face(y, 1.0), east),
-            };
-            let path = self.polygon(&[(x0, floor), (x1, floor), (x1, y), (x0, y)]);
-            self.drawn.scene.fill(&path, WATER);
-        }
-        self.wave(east);
-        if let (Some(mound), Some(bed)) = (self.given.mound, self.bed) {
-            self.mound(&mound, bed, (west, east));
-        } else {
-            let (left, right) = (self.bounds.x0 - 26.0 / self.scale, self.bounds.x1 + 26.0 / self.scale);
-            self.ground(0.0, (left, right));
-        }
-    }
-
-    /// The surface of the wave, from its crest at the wall to the water at the right: half a wave of any length.
-    fn wave(&mut self, east: f64) {
-        const STEPS: u32 = 24;
-        let still = self.given.levels.iter().find(|level| level.is_water && level.side == Side::Right);
-        let (Some(still), Some(crest)) = (still, self.given.wave_crest) else { return };
-        let still = still.elevation;
-        let (wall, crest) = (self.face(still, 1.0), self.shown(crest));
-        let surface = |i: u32| {
-            let share = f64::from(i) / f64::from(STEPS);
-            let height = (1.0 + (std::f64::consts::PI * share).cos()) / 2.0;
-            (wall + share * (east - wall), still + height * (crest - still))
-        };
-        let line: Vec<(f64, f64)> = (0..=STEPS).map(surface).collect();
-        let mut area = line.clone();
-        area.push((wall, still));
-        let path = self.polygon(&area);
-        self.drawn.scene.fill(&path, WATER);
-        let line: Vec<_> = line.into_iter().map(|(x, y)| self.place(x, y)).collect();
-        self.hold(&Rect { x0: line[0].0, y0: line[0].1, x1: line[0].0, y1: line[0].1 });
-        self.drawn.scene.stroke(&Path::through(&line), Pen::solid(PUSH, 1.2));
     }
 
     /// How far the body reaches to a side at a height, m; its widest there where it has none.
@@ -227,28 +187,6 @@ impl<'a> Painter<'a> {
         met
     }
 
-    fn mound(&mut self, mound: &Mound, bed: f64, (west, east): (f64, f64)) {
-        let (left, right) = self.given.base;
-        let shoulder = left - 12.0 / self.scale;
-        let end = right + self.berm_reach(mound);
-        let top = mound.berm.max(bed);
-        let toe = (shoulder + SLOPE * bed).max(west);
-        let outline = [
-            (toe, bed),
-            (shoulder, 0.0),
-            (right, 0.0),
-            (right, top),
-            (end, top),
-            ((end + SLOPE * (top - bed)).min(east), bed),
-        ];
-        if bed < 0.0 {
-            let path = self.polygon(&outline);
-            self.drawn.scene.fill(&path, MOUND);
-            self.drawn.scene.stroke(&path, THIN);
-        }
-        self.ground(bed, (west, east));
-    }
-
     /// True if the bed, the end of the berm or a force lies farther off than it is drawn.
     fn is_cut(&self) -> bool {
         let mound = self.given.mound.is_some_and(|mound| {
@@ -273,20 +211,6 @@ impl<'a> Painter<'a> {
         mound.berm_width.min(farthest / self.scale)
     }
 
-    /// A line with hatching under it, at a level.
-    fn ground(&mut self, level: f64, (left, right): (f64, f64)) {
-        const STEP: f64 = 8.0;
-        let (from, to) = (self.place(left, level), self.place(right, level));
-        let mut hatch = Path::default();
-        for i in 1..=((to.0 - from.0) / STEP) as u32 {
-            let x = from.0 + STEP * f64::from(i);
-            hatch.move_to(x, from.1);
-            hatch.line_to(x - 6.0, from.1 + 6.0);
-        }
-        self.drawn.scene.stroke(&hatch, THIN);
-        self.drawn.scene.line(from, to, Pen::solid(INK, 1.2));
-    }
-
     /// The parts, fill first, the corners and the centre of mass.
     fn body(&mut self) {
         let parts = || self.given.parts.iter();
@@ -303,6 +227,10 @@ impl<'a> Painter<'a> {
                 Material::Cavity => PAPER,
             };
             self.drawn.scene.fill(&path, colour);
+            if part.material == Material::Fill {
+                let places: Vec<_> = part.vertices.iter().map(|&(x, y)| self.place(x, y)).collect();
+                texture::grains(&mut self.drawn.scene, &places);
+            }
             self.drawn.scene.stroke(&path, Pen::solid(INK, 1.5));
         }
         for (x, markup, out) in [(self.given.base.0, "$O$", -1.0), (self.given.base.1, "$O′$", 1.0)] {
@@ -370,7 +298,7 @@ impl<'a> Painter<'a> {
         });
         let others = || taken.iter().chain(self.labels.iter().map(|(_, rect, _)| rect));
         // The rings grow beyond all that is drawn.
-        if let Some(rect) = places.find(|rect| !others().any(|other| other.overlaps(&rect.grown(1.0)))) {
+        if let Some(rect) = places.find(|rect| !others().any(|other| other.overlaps(&rect.grown(2.5)))) {
             self.label(text, rect.centre(), colour);
             taken.push(rect);
         }
@@ -395,7 +323,7 @@ impl<'a> Painter<'a> {
         let fits = |rect: &Rect| {
             let Rect { x0, y0, x1, y1 } = rect.grown(3.0);
             let inside = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].iter().all(|&at| is_inside(&corners, at));
-            inside && !taken.iter().any(|other| other.overlaps(rect)) && !self.touches(rect)
+            inside && !taken.iter().any(|other| other.overlaps(&rect.grown(2.0))) && !self.touches(rect)
         };
         let far = |rect: &Rect| (rect.centre().0 - middle.0).hypot(rect.centre().1 - middle.1);
         let nearest = places.filter(fits).min_by(|one, other| far(one).total_cmp(&far(other)));
@@ -453,14 +381,15 @@ impl<'a> Painter<'a> {
         for (index, line) in legend(self.given).iter().enumerate() {
             let tag = tag(index);
             let letter = Text::new(&format!("${tag}$"), SMALL);
-            let words = words(line[tag.len()..].trim_start());
+            let words = verbatim(line[tag.len()..].trim_start(), SMALL);
             let colour = if index < self.given.pressures.len() { INK } else { MARK };
             self.drawn.scene.text(&letter, x0, top + 0.8 * SMALL, colour);
             top = margins::paragraph(&mut self.drawn.scene, &words, (x0 + INDENT, right), top, SMALL) + 2.0;
         }
         let cut = self.is_cut().then_some(CUT);
         for note in self.given.notes.iter().map(String::as_str).chain(cut) {
-            top = margins::paragraph(&mut self.drawn.scene, &words(note), (x0, right), top, SMALL) + 2.0;
+            top = margins::paragraph(&mut self.drawn.scene, &verbatim(note, SMALL), (x0, right), top, SMALL)
+                + 2.0;
         }
         self.hold(&Rect { x0, y0: y1, x1: right, y1: top });
     }
@@ -473,11 +402,6 @@ const CORNER: f64 = 12.0;
 const BESIDE: f64 = 24.0;
 /// Distance of the words of the legend behind their letters.
 const INDENT: f64 = 18.0;
-
-/// The words of a sentence that is no markup; one that is wider than the page is cut.
-fn words(sentence: &str) -> Vec<Text> {
-    sentence.split_whitespace().map(|word| Text::verbatim(&crate::caption::shortened(word), SMALL)).collect()
-}
 
 /// True if a point lies in a polygon.
 fn is_inside(corners: &[(f64, f64)], (x, y): (f64, f64)) -> bool {

@@ -37,7 +37,13 @@ impl Painter<'_> {
             self.drawn.scene.arrow(tail, tip, Pen::solid(MARK, 2.0));
             self.drawn.arrows.push(SectionArrow { index, tail, tip });
             let text = Text::new(&format!("${}$ {}", tag(first + index), arrow.label), LABEL);
-            spots.push(Spot { at: far, text, colour: MARK, of: Some(SectionNumber::Arrow(index)) });
+            spots.push(Spot {
+                at: far,
+                text,
+                colour: MARK,
+                of: Some(SectionNumber::Arrow(index)),
+                lower: 0.0,
+            });
             y = y.min(far.1);
         }
         if !spots.is_empty() {
@@ -55,9 +61,9 @@ impl Painter<'_> {
         let base = self.place(0.0, 0.0).1;
         let given = self.given;
         // Under the bed, and not in the mound.
-        let bed = self.place(0.0, self.bed.unwrap_or(0.0).min(0.0)).1;
-        let cellar = cellar.max(if self.bed.is_some() { bed + APART } else { base });
-        let mut y = if self.bed.is_some() { bed } else { base + GAP - APART };
+        let bed = self.place(0.0, self.bed.unwrap_or(0.0).min(0.0)).1 + self.earth();
+        let cellar = cellar.max(if self.bed.is_some() { bed + APART } else { bed });
+        let mut y = if self.bed.is_some() { bed } else { bed.max(base + GAP - APART) };
         if let Some(reaction) = &given.reaction {
             y = self.reaction(reaction, cellar);
         }
@@ -88,7 +94,7 @@ impl Painter<'_> {
             self.drawn.scene.dot(self.place(neutral, 0.0), 3.4, PAPER, Some(Pen::solid(PUSH, 1.4)));
         }
         let text = Text::verbatim(&reaction.label, LABEL);
-        self.row(vec![Spot { at: tail, text, colour: PUSH, of: None }], tail.1.max(cellar), DOWN)
+        self.row(vec![Spot { at: tail, text, colour: PUSH, of: None, lower: 0.0 }], tail.1.max(cellar), DOWN)
     }
 
     /// A pressure on the base or the top as a diagram on a line of its own, beginning at `start`; gives where it ends.
@@ -114,6 +120,7 @@ impl Painter<'_> {
             text: Text::verbatim(&pressed.points[i].2, LABEL),
             colour: INK,
             of: None,
+            lower: 0.0,
         });
         let end = line + way * outwards;
         let end = if way < 0.0 { end.min(limit) } else { end.max(limit) };
@@ -151,7 +158,13 @@ impl Painter<'_> {
                 let [from, to] = [measure.ends.0, measure.ends.1].map(|x| (self.place(x, 0.0).0, y));
                 self.dimension(from, to);
                 let (at, of) = (((from.0 + to.0) / 2.0, y), Some(SectionNumber::Width(row, place)));
-                spots.push(Spot { at, text: Text::verbatim(&measure.label, LABEL), colour: INK, of });
+                spots.push(Spot {
+                    at,
+                    text: Text::verbatim(&measure.label, LABEL),
+                    colour: INK,
+                    of,
+                    lower: 0.0,
+                });
             }
             y = self.row(spots, y + NEAR, DOWN);
         }

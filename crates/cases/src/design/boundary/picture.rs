@@ -5,7 +5,6 @@ use standfast_figures::{FeasibleSet, Figure, SetAxis, SetColumn, SetEnd, SetStre
 use super::DesignBoundary;
 use super::render::at_present;
 use crate::design::{End, Quantity};
-use crate::key::KeyInfo;
 use crate::units::Dimension;
 
 pub(super) fn draw(boundary: &DesignBoundary) -> Option<Figure> {
@@ -44,19 +43,14 @@ struct Axis<'a> {
     unit: &'static str,
     /// Number of SI units that make one.
     scale: f64,
-    /// Description; of a table that a case may have several times, with its name.
+    /// Its meaning in a few words.
     words: String,
 }
 
 impl Axis<'_> {
     fn of(quantity: &Quantity) -> Axis<'_> {
         let (unit, scale) = quantity.variable.dimension().map_or(("", 1.0), Dimension::on_paper);
-        let id = quantity.variable.id();
-        let KeyInfo { table, words, .. } = *quantity.variable.key().info();
-        let words = match table.repeats() {
-            true => format!("{words}, {}[{}]", table.name(), id.index + 1),
-            false => words.to_owned(),
-        };
+        let words = quantity.variable.id().words();
         Axis { quantity, unit, scale, words }
     }
 

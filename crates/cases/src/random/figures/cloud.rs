@@ -9,8 +9,9 @@ use standfast_figures::{
 use standfast_probability::sample;
 
 use super::areas::{COARSE, FINE, areas};
-use super::{escaped, in_markup, rounded};
+use super::{quantity, rounded};
 use crate::layout::digits;
+use crate::units::Dimension;
 
 /// Share of a heavy tail that is left outside of a picture, at each end.
 const TAIL: f64 = 0.005;
@@ -118,18 +119,16 @@ impl Cloud {
             order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
         }
         let [across, up, ref others @ ..] = order[..] else { return None };
-        let name = |i: usize| {
-            let input = &problem.random()[i];
-            let unit = input.unit().map_or_else(String::new, |unit| format!(" ({})", in_markup(unit)));
-            format!("{}{unit}", escaped(&input.words()))
-        };
-        let of = |i: usize| self.values.iter().map(|values| values[i]).collect::<Vec<f64>>();
+        let paper = |i: usize| problem.random()[i].dimension().map_or(("", 1.0), Dimension::on_paper);
+        let name = |i: usize| quantity(&problem.random()[i].words(), paper(i).0);
+        let of = |i: usize| self.values.iter().map(|values| values[i] / paper(i).1).collect::<Vec<f64>>();
         let names = [name(across), name(up)];
         let mut panel = panel((&names[0], &of(across)), (&names[1], &of(up)));
-        let medians: Vec<f64> = (0..order.len()).map(|i| median(of(i))).collect();
+        let scales: Vec<f64> = (0..order.len()).map(|i| paper(i).1).collect();
+        let medians: Vec<f64> = scales.iter().enumerate().map(|(i, scale)| scale * median(of(i))).collect();
         panel.areas = areas(&panel, COARSE, |x, y| {
             let mut values = medians.clone();
-            (values[across], values[up]) = (x, y);
+            (values[across], values[up]) = (x * scales[across], y * scales[up]);
             problem.drawn(&values).happens.mode()
         });
         let panels = [panel];
@@ -173,6 +172,8 @@ fn outside(panels: &[CloudPanel<'_>]) -> String {
         panel.points.iter().filter(|(x, y)| beyond(&panel.across, *x) || beyond(&panel.up, *y)).count()
     };
     match panels.iter().map(out).max() {
+        Some(1) => "; one of them lies outside".to_owned(),
+        Some(count) if count > 0 && panels.len() == 1 => format!("; {count} of them lie outside"),
         Some(count) if count > 0 => format!("; up to {count} of them lie outside"),
         _ => String::new(),
     }
