@@ -106,7 +106,7 @@ mod _standfast {
     #[pymodule_export]
     use super::explain::{contact_conditions, explain};
     #[pymodule_export]
-    use super::limits::{limit_state_names, limit_states};
+    use super::limits::limit_states;
     #[pymodule_export]
     use super::probability::{ChanceAnswer, draws, plain_effort, probability};
     #[pymodule_export]
