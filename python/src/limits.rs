@@ -9,6 +9,9 @@ use standfast::initiation::LimitState;
 use crate::ndarray::{Arrays, Mask, broadcast, halted, mask_of, shaped};
 use crate::run::Run;
 
+/// Columns of numbers.
+type Columns<'py> = Vec<Bound<'py, PyArrayDyn<f64>>>;
+
 fn of_name(name: &str) -> PyResult<LimitState> {
     let found = LimitState::ALL.into_iter().find(|state| state.name() == name);
     found.ok_or_else(|| PyValueError::new_err(format!("there is no limit state {name:?}")))
@@ -22,7 +25,7 @@ pub(crate) fn limit_states<'py>(
     mask: Option<Mask<'py>>,
     columns: Vec<String>,
     run: Run,
-) -> PyResult<(Vec<Bound<'py, PyArrayDyn<f64>>>, Option<Mask<'py>>)> {
+) -> PyResult<(Columns<'py>, Option<Mask<'py>>)> {
     let states = columns.iter().map(|name| of_name(name)).collect::<PyResult<Vec<_>>>()?;
     let grid = broadcast(&arrays, mask.as_ref())?;
     let axes = grid.axes();

@@ -401,7 +401,7 @@ mod tests {
         let found = rows.answer(&["here", "0.45", "1", "0.8"], &no_file).unwrap();
         assert_eq!((found.len(), found[0].as_str(), found[5].as_str()), (RESULTS.len(), "rest", "false"));
         let words = rows.answer(&["", "much", "1", "0.8"], &no_file).unwrap_err();
-        let expected = "it does not begin with a number; expected a number, or a unit of g";
+        let expected = "it does not begin with a number; expected a number";
         assert_eq!(words, RowFault { columns: vec![1], problem: expected.to_owned() });
     }
 
