@@ -73,12 +73,13 @@ impl MotionTable {
 
     fn refused(&self, error: ColumnError) -> TableError {
         let name = self.name.clone();
-        match error {
+        let error = match error {
             ColumnError::NoFactor { column, error } => TableError::NoFactor { name, column, error },
             ColumnError::SameKey { one, two, key } => TableError::SameKey { name, one, two, key },
             ColumnError::Case(error) => TableError::Case(error),
-            error => self.header.refused(&name, TableError::Column { name: name.clone(), error }),
-        }
+            error => TableError::Column { name, error },
+        };
+        self.header.refused(&self.name, error)
     }
 
     /// A fault of a row, in the table's words.
