@@ -5,10 +5,8 @@ use pyo3::prelude::*;
 use standfast::batch::MOTION;
 use standfast::{Mode, Motion, contact};
 
-use crate::rows::{self, Answer, NUMBERS, OutputColumns, RowFault};
+use crate::rows::{self, Answer, OutputColumns, RowFault};
 use crate::run::Run;
-
-const _: () = assert!(MOTION.len() <= NUMBERS);
 
 /// The names of the numbers of a problem, in their order, and those of the numbers of its answer, by their places.
 #[pyfunction]
@@ -44,7 +42,7 @@ pub(crate) fn contact_rows(
         let motion = mode.filter(|_| moving).and_then(|mode| solution.motion(mode));
         let mut numbers = Answer::NONE.numbers;
         if let Some(motion) = motion {
-            numbers[..MOTION.len()].copy_from_slice(&values(&motion));
+            numbers = values(&motion);
         }
         Ok(Answer { mode: mode.map_or(u8::MAX, Mode::code), modes: solution.modes.bits(), numbers })
     };

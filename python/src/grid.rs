@@ -11,7 +11,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use standfast::InputError;
-use standfast::batch::{self, OnsetColumns};
+use standfast::batch::{self, LimitColumn, OnsetColumns};
 
 use crate::operand::Operand;
 use crate::reader::{BLOCK, Gaps, Reader};
@@ -198,6 +198,31 @@ impl Grid {
             |reader, start, (mut out, missing): (OnsetColumns<'_>, &mut [bool]), pace| {
                 let length = BLOCK.min(last - start);
                 reader.answer(start, length, missing, gaps, |points| points.onset(out.reborrow()))
+                    && pace.step(length)
+            },
+        )
+    }
+
+    /// As [`classify`](Grid::classify), for limit states, each into its column.
+    pub(crate) fn limit_states(
+        &self,
+        out: Vec<LimitColumn<'_>>,
+        missing: &mut [bool],
+        labour: Labour<'_, '_>,
+    ) -> Result<(), Halt> {
+        let pieces = pieces(out, missing, self.len(), BLOCK, |out, length| {
+            out.into_iter().map(|column| column.split_at(length)).unzip()
+        });
+        let gaps = labour.gaps;
+        let last = self.len();
+        self.share(
+            pieces,
+            labour,
+            // The kernel copies what it has checked.
+            || Reader::new(self, false),
+            |reader, start, (mut out, missing): (Vec<LimitColumn<'_>>, &mut [bool]), pace| {
+                let length = BLOCK.min(last - start);
+                reader.answer(start, length, missing, gaps, |points| points.limit_states(&mut out))
                     && pace.step(length)
             },
         )

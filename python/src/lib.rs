@@ -100,7 +100,7 @@ mod _standfast {
     #[pymodule_export]
     use super::figure::picture;
     #[pymodule_export]
-    use super::limits::{limit_state_names, limit_states};
+    use super::limits::limit_states;
     #[pymodule_export]
     use super::probability::{ChanceAnswer, draws, plain_effort, probability};
     #[pymodule_export]

@@ -1,41 +1,61 @@
-//! Limit states of rows of points.
+//! Limit states of arrays of points.
 
-use numpy::{PyReadonlyArray1, PyReadwriteArray1};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast::Point;
+use standfast::batch::LimitColumn;
 use standfast::initiation::LimitState;
 
-use crate::rows::{self, Answer, NUMBERS, OutputColumns, RowFault};
+use crate::ndarray::{Arrays, Mask, broadcast, halted, mask_of, shaped};
 use crate::run::Run;
 
-const _: () = assert!(LimitState::ALL.len() <= NUMBERS);
+/// Columns of numbers.
+type Columns<'py> = Vec<Bound<'py, PyArrayDyn<f64>>>;
 
-/// The names of the limit states, by their places.
-#[pyfunction]
-pub(crate) fn limit_state_names() -> Vec<&'static str> {
-    LimitState::ALL.into_iter().map(LimitState::name).collect()
+fn of_name(name: &str) -> PyResult<LimitState> {
+    let found = LimitState::ALL.into_iter().find(|state| state.name() == name);
+    found.ok_or_else(|| PyValueError::new_err(format!("there is no limit state {name:?}")))
 }
 
-/// Writes limit states of points into columns.
+/// The limit states of these names, and which points have none, if there are such.
 #[pyfunction]
-pub(crate) fn limit_states(
-    py: Python<'_>,
-    arrays: [PyReadonlyArray1<'_, f64>; 4],
-    mut numbers: Vec<(usize, PyReadwriteArray1<'_, f64>)>,
-    mut wrong: Option<PyReadwriteArray1<'_, bool>>,
+pub(crate) fn limit_states<'py>(
+    py: Python<'py>,
+    arrays: Arrays<'py>,
+    mask: Option<Mask<'py>>,
+    columns: Vec<String>,
     run: Run,
-) -> PyResult<RowFault> {
-    let inputs = rows::columns(&arrays)?;
-    let numbers = rows::numbers(&mut numbers, inputs[0].len())?;
-    let wrong = wrong.as_mut().map(|wrong| wrong.as_slice_mut()).transpose()?;
-    let side = |state: LimitState| if run.right { state.mirrored() } else { state };
-    let asked: Vec<_> = numbers.iter().map(|(place, _)| (*place, side(LimitState::ALL[*place]))).collect();
-    let out = OutputColumns { mode: None, modes: None, numbers, wrong };
-    let solve = |[gamma, k_prime, k, mu]: [f64; 4]| {
-        let point = Point::new(gamma, k_prime, k, mu)?;
-        let mut numbers = Answer::NONE.numbers;
-        asked.iter().for_each(|(place, state)| numbers[*place] = state.at(&point));
-        Ok(Answer { numbers, ..Answer::NONE })
-    };
-    Ok(rows::said(py.detach(|| rows::answer(inputs, out, run.threads(), &solve))))
+) -> PyResult<(Columns<'py>, Option<Mask<'py>>)> {
+    let states = columns.iter().map(|name| of_name(name)).collect::<PyResult<Vec<_>>>()?;
+    let grid = broadcast(&arrays, mask.as_ref())?;
+    let axes = grid.axes();
+    let along = grid.along(&axes);
+    // By numpy, which asks the system for large pages.
+    let flat: Vec<_> = states.iter().map(|_| PyArray1::<f64>::zeros(py, [grid.len()], false)).collect();
+    let mut missing = along.gaps(run.gaps());
+    let mut monitor = run.monitor(Some(grid.len()));
+    let mut memory: Vec<_> = flat.iter().map(|column| column.readwrite()).collect();
+    let out = states
+        .iter()
+        .zip(&mut memory)
+        .map(|(state, memory)| {
+            let state = if run.right { state.mirrored() } else { *state };
+            Ok(LimitColumn { state, values: memory.as_slice_mut()? })
+        })
+        .collect::<PyResult<_>>()?;
+    let mut watch = |done| monitor.step(done);
+    let labour = run.labour(&mut watch);
+    let done = py.detach(|| along.limit_states(out, &mut missing, labour));
+    if let Err(halt) = done {
+        return Err(halted(py, halt, &grid, &run, monitor));
+    }
+    for column in memory.iter_mut().filter(|_| missing.contains(&true)) {
+        let gaps = column.as_slice_mut()?.iter_mut().zip(&missing).filter(|(_, missing)| **missing);
+        gaps.for_each(|(value, _)| *value = f64::NAN);
+    }
+    drop(memory);
+    monitor.advance(grid.len());
+    monitor.finish(py)?;
+    let arrays = flat.into_iter().map(|column| shaped(column, &grid, &axes)).collect::<PyResult<_>>()?;
+    Ok((arrays, mask_of(py, missing, &grid, &axes)?))
 }

@@ -18,8 +18,8 @@ use crate::watch::Monitor;
 use crate::{Codes, NAMES, expect_numbers, invalid};
 
 /// γ, k', k and μ; with ω of bases that crush.
-type Arrays<'py> = Vec<Bound<'py, PyUntypedArray>>;
-type Mask<'py> = Bound<'py, PyArrayDyn<bool>>;
+pub(crate) type Arrays<'py> = Vec<Bound<'py, PyUntypedArray>>;
+pub(crate) type Mask<'py> = Bound<'py, PyArrayDyn<bool>>;
 
 /// The memory of an array.
 fn operand(array: &Bound<'_, PyUntypedArray>) -> PyResult<Operand> {
@@ -48,7 +48,7 @@ fn operand(array: &Bound<'_, PyUntypedArray>) -> PyResult<Operand> {
 }
 
 /// The arrays broadcast to each other, and to the mask if there is one; to be used only while they are alive.
-fn broadcast(arrays: &[Bound<'_, PyUntypedArray>], mask: Option<&Mask<'_>>) -> PyResult<Grid> {
+pub(crate) fn broadcast(arrays: &[Bound<'_, PyUntypedArray>], mask: Option<&Mask<'_>>) -> PyResult<Grid> {
     let mask = mask.map(|mask| mask.as_untyped());
     expect_numbers(arrays.len())?;
     let operands = arrays.iter().chain(mask).map(operand).collect::<PyResult<_>>()?;
@@ -72,7 +72,7 @@ fn broadcast(arrays: &[Bound<'_, PyUntypedArray>], mask: Option<&Mask<'_>>) -> P
 }
 
 /// Error for work on the grid that came to an end.
-fn halted(py: Python<'_>, halt: Halt, grid: &Grid, run: &Run, mut monitor: Monitor<'_>) -> PyErr {
+pub(crate) fn halted(py: Python<'_>, halt: Halt, grid: &Grid, run: &Run, mut monitor: Monitor<'_>) -> PyErr {
     let in_order: Vec<usize> = (0..grid.shape.len()).collect();
     let found = match halt {
         Halt::Stopped => None,
@@ -90,7 +90,7 @@ fn halted(py: Python<'_>, halt: Halt, grid: &Grid, run: &Run, mut monitor: Monit
 }
 
 /// A new array of the grid's shape that lies in the memory along `axes`, from a flat one.
-fn shaped<'py, T: numpy::Element>(
+pub(crate) fn shaped<'py, T: numpy::Element>(
     flat: Bound<'py, PyArray1<T>>,
     grid: &Grid,
     axes: &[usize],
@@ -117,7 +117,7 @@ fn lying(array: &Codes<'_>) -> Option<Vec<usize>> {
 }
 
 /// Mask of the points that have no answer, if there are such; as an array that lies in the memory along `axes`.
-fn mask_of<'py>(
+pub(crate) fn mask_of<'py>(
     py: Python<'py>,
     missing: Vec<bool>,
     grid: &Grid,

@@ -1,7 +1,7 @@
 //! One thread's view of a grid: its points in blocks, as columns.
 
 use standfast::InputError;
-use standfast::batch::{self, Columns, OnsetColumns};
+use standfast::batch::{self, Columns, LimitColumn, OnsetColumns};
 use standfast::ground::strength::CrushPoint;
 
 use crate::grid::Grid;
@@ -51,6 +51,11 @@ impl<'a> Points<'a> {
             Some(omega) => batch::onset_on_base(self.columns, omega, out),
         }
         .is_ok()
+    }
+
+    /// Writes limit states, of which a base that crushes has none other; false at a value that no point can have.
+    pub(crate) fn limit_states(&self, out: &mut [LimitColumn<'_>]) -> bool {
+        batch::limit_states(self.columns, out).is_ok()
     }
 }
 

@@ -7,11 +7,12 @@ use std::thread;
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::prelude::*;
 use standfast::InputError;
+use standfast::batch::MOTION;
 
 use crate::errors::StandfastError;
 
-/// The most numbers of an answer.
-pub(crate) const NUMBERS: usize = 12;
+/// How many numbers an answer has: those of a motion.
+pub(crate) const NUMBERS: usize = MOTION.len();
 
 /// The answer to a row.
 pub(crate) struct Answer {

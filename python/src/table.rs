@@ -137,7 +137,7 @@ impl Sweep {
     #[getter]
     fn warnings(&self) -> Vec<(&'static str, String)> {
         let warnings = self.table.varied().unwrap_or_default().warnings;
-        warnings.iter().map(|warning| (warning.name(), warning.words(Interface::Python))).collect()
+        warnings.iter().map(|warning| (warning.name(), warning.words(Some(Interface::Python)))).collect()
     }
 
     /// The results: names, units and words.

@@ -127,9 +127,10 @@ def test_progress_is_told() -> None:
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("function", [standfast.limit_states, standfast.contact])
 def test_ctrl_c_stops_a_call(function: Any, threads: int) -> None:
-    """The calls take seconds; the signal comes from beside when progress has said that they are under way."""
-    k = np.broadcast_to(0.6, 50_000_000)
-    points = (1, 0.3, k, 0.6), ["slide"]
+    """The calls take seconds, each point of them on a boundary and exact; the signal comes from beside when progress has said that they
+    are under way."""
+    k = np.broadcast_to(0.5, 50_000_000)
+    points = (1, 1, k, 0.6), ["rock_O"]
     operands, columns = points if function is standfast.limit_states else ((*CONTACT, k, 1, 0.1, 0.6, 0.6), ["mode"])
     seen: list[int] = []
 

@@ -21,7 +21,7 @@ mod strength;
 
 pub(crate) use criteria::worst_checks;
 pub use criteria::{MotionCheck, MotionValue};
-pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
+pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS, RowFault};
 pub use series::{SERIES, series, series_csv};
 pub use spectrum::{
     ROCKING_LEVELS, RockingDistance, RockingEdges, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints,

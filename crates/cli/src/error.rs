@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use standfast::InputError;
 use standfast_cases::design::DesignError;
-use standfast_cases::motion::{ColumnError, MotionError, ROW_RESULTS, SpectrumError};
+use standfast_cases::motion::{MotionError, SpectrumError};
 use standfast_cases::random::ProbabilityError;
 use standfast_cases::{CaseError, Explained, Stopped};
 use standfast_sheet::{PrintError, SheetError};
@@ -46,9 +46,6 @@ pub enum CommandError {
     /// The table is wrong.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// A column of a table of motions varies nothing it names.
-    #[error(transparent)]
-    Column(#[from] ColumnError),
     /// There is no sheet.
     #[error(transparent)]
     Sheet(#[from] SheetError),
@@ -110,30 +107,6 @@ pub enum CommandError {
         /// The option.
         option: &'static str,
     },
-    /// No column varies anything.
-    #[error("no column of {name} varies anything of the case")]
-    NothingVaries {
-        /// The table.
-        name: String,
-    },
-    /// There is no result of this name.
-    #[error("there is no result {name}{like}; the results: {}", ROW_RESULTS.join(", "))]
-    NoResult {
-        /// The name.
-        name: String,
-        /// One like it.
-        like: String,
-    },
-    /// A row that makes no sense.
-    #[error("{name}, row {row}: {words}")]
-    Row {
-        /// The table.
-        name: String,
-        /// Counted from one, the header apart.
-        row: usize,
-        /// Fault of the row, in words.
-        words: String,
-    },
     /// A picture cannot be converted.
     #[cfg(feature = "pictures")]
     #[error("cannot draw {}: {cause}", path.display())]
@@ -166,7 +139,6 @@ impl Explained for CommandError {
             CommandError::Design(error) => error,
             CommandError::Probability(error) => error,
             CommandError::Table(error) => error,
-            CommandError::Column(error) => error,
             CommandError::Sheet(error) => error,
             CommandError::Print(error) => error,
             CommandError::LeftOut(error) => error,
@@ -185,10 +157,6 @@ impl Explained for CommandError {
             CommandError::NoBoundary => {
                 "--from and --to widen the range; -o FILE.csv writes the values".into()
             }
-            CommandError::NothingVaries { .. } => {
-                "name a column by its place in the file, as block.mu_s or motion.base.horizontal.file".into()
-            }
-            CommandError::Row { .. } => "--on-error null leaves the results of such rows empty".into(),
             CommandError::Figure(_) => "-o DIR puts the figures into another directory".into(),
             _ => return None,
         })

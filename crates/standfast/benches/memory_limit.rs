@@ -1,5 +1,6 @@
 //! The batch kernels against the limit: a loop that only reads the same four columns and writes one byte a point,
 //! compiled for the same instruction set. All run in turn, round by round; of times and of ratios within a round the medians are printed.
+//! Columns of limit states are compared with a loop that reads the same and writes a number a point, and with `batch::onset`.
 //! A column ω of zeros is compared in the same way with the rigid kernel: `batch::classify_on_base` with `batch::classify`.
 //!
 //! `cargo bench -p standfast --bench memory_limit`
@@ -12,7 +13,8 @@ mod common;
 use std::hint::black_box;
 
 use common::{Boundary, Random};
-use standfast::batch::{self, Columns, InstructionSet};
+use standfast::batch::{self, Columns, InstructionSet, LimitColumn, OnsetColumns};
+use standfast::initiation::LimitState;
 
 const POINTS: usize = 10_000_000;
 const ROUNDS: usize = 15;
@@ -164,4 +166,98 @@ fn main() {
     println!("{:<34}{:>8}{:>8}{:>8}", "", "ω = 0", "rigid", "ratio");
     let [on_base, rigid, ratio] = [on_base, rigid, ratios].map(median);
     println!("{:<34}{on_base:>8.3}{rigid:>8.3}{ratio:>8.2}", "batch::classify_on_base");
+    of_limit_states(ordinary);
+}
+
+/// Points that stay in the cache.
+const FEW: usize = 4096;
+
+fn part(Columns { gamma, k_prime, k, mu }: Columns<'_>, length: usize) -> Columns<'_> {
+    Columns { gamma: &gamma[..length], k_prime: &k_prime[..length], k: &k[..length], mu: &mu[..length] }
+}
+
+/// Columns of numbers.
+type Numbers = Vec<Vec<f64>>;
+
+/// The columns of these limit states.
+fn limit_columns<'a>(asked: &[LimitState], values: &'a mut Numbers, length: usize) -> Vec<LimitColumn<'a>> {
+    let columns = asked.iter().zip(values);
+    columns.map(|(state, values)| LimitColumn { state: *state, values: &mut values[..length] }).collect()
+}
+
+/// Limit states on every instruction set, of points that stay in the cache, so that nothing but the kernel counts; then of all points,
+/// beside loops that read and write as much, and all of them beside all columns of an onset.
+fn of_limit_states(columns: Columns<'_>) {
+    let mut values = vec![vec![0.0; POINTS]; LimitState::ALL.len()];
+    let since = |start: f64, points: usize| (seconds() - start) * 1e9 / points as f64;
+    let sets: Vec<_> = InstructionSet::ALL.into_iter().filter(|set| set.is_available()).collect();
+    println!("limit states of points in the cache, on {sets:?}");
+    let all = LimitState::ALL.to_vec();
+    for asked in LimitState::ALL.map(|state| vec![state]).iter().chain([&all]) {
+        let times = sets.iter().map(|set| {
+            let rounds = (0..ROUNDS).map(|_| {
+                let start = seconds();
+                for _ in 0..200 {
+                    let mut out = limit_columns(asked, &mut values, FEW);
+                    batch::limit_states_with(*set, black_box(part(columns, FEW)), &mut out).unwrap();
+                }
+                since(start, 200 * FEW)
+            });
+            format!("{:>8.2}", median(rounds.collect()))
+        });
+        let name = if asked.len() == 1 { asked[0].name() } else { "all" };
+        println!("{name:<34}{}", times.collect::<String>());
+    }
+
+    println!("{:<34}{:>8}{:>8}{:>8}", "", "kernel", "limit", "ratio");
+    for asked in [vec![LimitState::Slide], vec![LimitState::SlipOLeft], all.clone()] {
+        let (mut kernels, mut limits, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
+        for _ in 0..ROUNDS {
+            let start = seconds();
+            batch::limit_states(black_box(columns), &mut limit_columns(&asked, &mut values, POINTS)).unwrap();
+            let kernel = since(start, POINTS);
+            let start = seconds();
+            for block in (0..POINTS).step_by(FEW) {
+                let end = POINTS.min(block + FEW);
+                for values in &mut values[..asked.len()] {
+                    let Columns { gamma, k_prime, k, mu } = black_box(columns);
+                    for i in block..end {
+                        values[i] = gamma[i] + k_prime[i] + k[i] + mu[i];
+                    }
+                }
+            }
+            let limit = since(start, POINTS);
+            kernels.push(kernel);
+            limits.push(limit);
+            ratios.push(kernel / limit);
+        }
+        let name = if asked.len() == 1 { asked[0].name() } else { "all limit states" };
+        println!("{name:<34}{:>8.2}{:>8.2}{:>8.2}", median(kernels), median(limits), median(ratios));
+    }
+
+    let (mut limits, mut onsets, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut modes, mut unique, mut others) = (vec![0; POINTS], vec![false; POINTS], vec![0; POINTS]);
+    for _ in 0..ROUNDS {
+        let start = seconds();
+        batch::limit_states(black_box(columns), &mut limit_columns(&all, &mut values, POINTS)).unwrap();
+        let limit = since(start, POINTS);
+        let start = seconds();
+        let mut motion = values.iter_mut().map(|column| Some(&mut column[..]));
+        let out = OnsetColumns {
+            mode: Some(&mut modes),
+            unique: Some(&mut unique),
+            others: Some(&mut others),
+            motion: std::array::from_fn(|_| {
+                motion.next().expect("more limit states than numbers of a motion")
+            }),
+            mirrored: false,
+        };
+        batch::onset(black_box(columns), out).unwrap();
+        let onset = since(start, POINTS);
+        limits.push(limit);
+        onsets.push(onset);
+        ratios.push(limit / onset);
+    }
+    let [limit, onset, ratio] = [limits, onsets, ratios].map(median);
+    println!("all limit states {limit:.1}, all of an onset {onset:.1}, ratio {ratio:.2}");
 }

@@ -29,13 +29,21 @@ impl Approx {
     /// A rounding loses half a unit in the last place at most. A whole one is added: the other half covers the roundings of the
     /// bound itself, which lose it less than 2⁻⁵⁰ of its size an operation. What underflows here or there loses a few
     /// smallest subnormals; the smallest normal number is more.
+    #[inline(always)]
     fn rounded(value: f64, error: f64) -> Approx {
         Approx { value, error: error + f64::EPSILON * value.abs() + f64::MIN_POSITIVE }
     }
 
     /// The value.
+    #[inline(always)]
     pub(crate) fn value(self) -> f64 {
         self.value
+    }
+
+    /// The bound on the distance of the value from the exact result.
+    #[inline(always)]
+    pub(crate) fn error(self) -> f64 {
+        self.error
     }
 
     /// The value, if 40 of its bits are certain.
@@ -44,45 +52,54 @@ impl Approx {
     }
 
     /// Any number within `error` of `value`.
+    #[inline(always)]
     pub(crate) fn around(value: f64, error: f64) -> Approx {
         Approx { value, error }
     }
 
+    /// True if its sign is known. Written so that a NaN or an infinite bound is unknown.
+    #[inline(always)]
+    pub(crate) fn is_told(self) -> bool {
+        (self.value.abs() > self.error) | self.is_zero()
+    }
+
+    #[inline(always)]
     fn is_zero(self) -> bool {
-        self.value == 0.0 && self.error == 0.0
+        (self.value == 0.0) & (self.error == 0.0)
     }
 }
 
 impl Real for Approx {
+    #[inline(always)]
     fn of(x: f64) -> Approx {
         Approx { value: x, error: 0.0 }
     }
 }
 
 impl Signed for Approx {
+    #[inline(always)]
     fn sign(&self) -> Option<Ordering> {
-        // Written so that a NaN or an infinite bound is unknown.
-        if self.value.abs() > self.error || self.is_zero() { self.value.partial_cmp(&0.0) } else { None }
+        if self.is_told() { self.value.partial_cmp(&0.0) } else { None }
     }
 }
 
+// Sums and products without branches, so that loops over them vectorise.
+
 impl Add for Approx {
     type Output = Approx;
+    #[inline(always)]
     fn add(self, other: Approx) -> Approx {
-        if self.is_zero() {
-            return other;
-        }
-        if other.is_zero() {
-            return self;
-        }
         let (value, error) = (self.value + other.value, self.error + other.error);
-        // A sum of two f64 is rounded to zero only where it is zero: μ_s − μ_k, where both are the same.
-        if value == 0.0 && error == 0.0 { Approx::of(0.0) } else { Approx::rounded(value, error) }
+        // A sum of two f64 is rounded to zero only where it is zero: μ_s − μ_k, where both are the same. A known zero adds nothing.
+        let is_exact = self.is_zero() | other.is_zero() | ((value == 0.0) & (error == 0.0));
+        let rounded = Approx::rounded(value, error);
+        Approx { value, error: if is_exact { error } else { rounded.error } }
     }
 }
 
 impl Neg for Approx {
     type Output = Approx;
+    #[inline(always)]
     fn neg(self) -> Approx {
         Approx { value: -self.value, error: self.error }
     }
@@ -90,6 +107,7 @@ impl Neg for Approx {
 
 impl Sub for Approx {
     type Output = Approx;
+    #[inline(always)]
     fn sub(self, other: Approx) -> Approx {
         self + -other
     }
@@ -97,13 +115,17 @@ impl Sub for Approx {
 
 impl Mul for Approx {
     type Output = Approx;
+    #[inline(always)]
     fn mul(self, other: Approx) -> Approx {
-        if self.is_zero() || other.is_zero() {
-            return Approx::of(0.0);
-        }
         let error =
             self.value.abs() * other.error + other.value.abs() * self.error + self.error * other.error;
-        Approx::rounded(self.value * other.value, error)
+        let rounded = Approx::rounded(self.value * other.value, error);
+        let is_zero = self.is_zero() | other.is_zero();
+        // Part by part: a choice between two pairs is a branch to the compiler.
+        Approx {
+            value: if is_zero { 0.0 } else { rounded.value },
+            error: if is_zero { 0.0 } else { rounded.error },
+        }
     }
 }
 

@@ -20,7 +20,9 @@
 //! # Ok::<(), standfast::batch::BatchError>(())
 //! ```
 
+mod instructions;
 mod kernel;
+mod limits;
 
 use crate::error::InputError;
 use crate::ground::strength::CrushPoint;
@@ -30,7 +32,12 @@ use crate::motion::Motion;
 use kernel::UNSURE;
 
 #[doc(hidden)]
-pub use kernel::{InstructionSet, exactly, screen_with};
+pub use instructions::InstructionSet;
+#[doc(hidden)]
+pub use kernel::{exactly, screen_with};
+#[doc(hidden)]
+pub use limits::limit_states_with;
+pub use limits::{LimitColumn, limit_states};
 
 /// Points whose motions are computed, or whose codes are looked at again, after their modes are known: few enough to be in the cache still.
 const BLOCK: usize = 4096;

@@ -67,6 +67,7 @@ use crate::mode::{Mode, Modes};
 use crate::motion::Motion;
 use crate::quantity::Quantity;
 use crate::sign;
+pub(crate) use polynomials::Terms;
 use polynomials::{Need, Polynomials, signed_slenderness};
 
 /// A body and a force, reduced to the report's four numbers: a point of the k–μ plane for (γ, k').
@@ -93,6 +94,7 @@ impl Point {
     }
 
     /// The point of four numbers that [`new`](Point::new) takes.
+    #[inline(always)]
     pub(crate) fn of_valid(gamma: f64, k_prime: f64, k: f64, mu: f64) -> Point {
         Point { gamma, k_prime, k, mu }
     }
@@ -178,12 +180,14 @@ impl Point {
     }
 
     /// μ/k, the factor of safety against sliding of a body in air; infinite at k = 0.
+    #[inline]
     pub fn safety_against_sliding(&self) -> f64 {
         if self.k == 0.0 { f64::INFINITY } else { self.mu / self.k }
     }
 
     /// 1/(k γ |1+k'|), the factor of safety against overturning of a body in air; infinite where the force has no
     /// moment about the corner it would tip the body over.
+    #[inline]
     pub fn safety_against_overturning(&self) -> f64 {
         1.0 / (self.k * (1.0 + self.k_prime).abs() * self.gamma)
     }
@@ -224,7 +228,7 @@ impl Point {
 
     /// γ, k', k and μ.
     #[inline(always)]
-    fn numbers(&self) -> [f64; 4] {
+    pub(crate) fn numbers(&self) -> [f64; 4] {
         [self.gamma, self.k_prime, self.k, self.mu]
     }
 }

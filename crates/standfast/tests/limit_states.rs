@@ -4,6 +4,7 @@
 mod common;
 
 use common::{Boundary, Random, tries};
+use standfast::batch::{BatchError, Columns, InstructionSet, LimitColumn, limit_states, limit_states_with};
 use standfast::initiation::{LimitState, LimitStates};
 use standfast::{Mode, Point};
 
@@ -116,4 +117,118 @@ fn names_are_those_of_the_fields() {
     let swapped = states.mirrored();
     assert_eq!(swapped.mirrored(), states);
     assert_eq!((swapped.slide, swapped.load_factor), (states.slide, states.load_factor));
+}
+
+/// Columns of points.
+struct Table([Vec<f64>; 4]);
+
+impl Table {
+    fn of(points: &[[f64; 4]]) -> Table {
+        Table(std::array::from_fn(|place| points.iter().map(|point| point[place]).collect()))
+    }
+
+    fn columns(&self) -> Columns<'_> {
+        let [gamma, k_prime, k, mu] = &self.0;
+        Columns { gamma, k_prime, k, mu }
+    }
+
+    /// These limit states on one instruction set.
+    fn states(&self, set: InstructionSet, asked: &[LimitState]) -> Result<Vec<Vec<f64>>, BatchError> {
+        let mut values = vec![vec![f64::NAN; self.0[0].len()]; asked.len()];
+        let columns = asked.iter().zip(&mut values);
+        let mut out: Vec<_> = columns.map(|(state, values)| LimitColumn { state: *state, values }).collect();
+        limit_states_with(set, self.columns(), &mut out)?;
+        Ok(values)
+    }
+}
+
+/// Numbers at the ends of what a point may have, and zeros of both signs.
+const EXTREMES: [&[f64]; 4] = [
+    &[1e-50, 1.0, 1e50],
+    &[-1e50, -1.0 - f64::EPSILON, -1.0, -0.0, 1e-300, 5e-324, 1e50],
+    &[-0.0, 0.0, 5e-324, 1e-300, 1.0, 1e50],
+    &[-0.0, 0.0, 5e-324, 1.0, 1e50],
+];
+
+fn extremes() -> Vec<[f64; 4]> {
+    let mut points = vec![[0.0; 4]];
+    for (place, values) in EXTREMES.into_iter().enumerate() {
+        let with = |point: &[f64; 4], value| {
+            let mut point = *point;
+            point[place] = value;
+            point
+        };
+        points = points.iter().flat_map(|point| values.iter().map(|value| with(point, *value))).collect();
+    }
+    points
+}
+
+/// Columns hold the very bits that a point by itself has: each limit state alone and beside others, on every instruction set, in blocks and
+/// in what is left of one, far from boundaries and on them.
+#[test]
+fn columns_are_those_of_points() {
+    let mut points = extremes();
+    points.extend(
+        self::points().map(|point| [point.gamma(), point.k_prime(), point.k(), point.mu()]).step_by(7),
+    );
+    // No whole number of blocks of any size.
+    points.truncate(points.len() / 1024 * 1024 + 3);
+    let expected: Vec<LimitStates> = points
+        .iter()
+        .map(|&[gamma, k_prime, k, mu]| Point::new(gamma, k_prime, k, mu).unwrap().limit_states())
+        .collect();
+    let table = Table::of(&points);
+    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+        let together = table.states(set, &LimitState::ALL).unwrap();
+        for (state, column) in LimitState::ALL.into_iter().zip(&together) {
+            let alone = table.states(set, &[state]).unwrap();
+            for (i, states) in expected.iter().enumerate() {
+                let found = [column[i], alone[0][i]].map(f64::to_bits);
+                assert_eq!(found, [state.of(states).to_bits(); 2], "{set:?} {state:?} {:?}", points[i]);
+            }
+        }
+    }
+    for length in 0..200 {
+        let few = Table::of(&points[..length]).states(InstructionSet::Baseline, &LimitState::ALL).unwrap();
+        for (state, column) in LimitState::ALL.into_iter().zip(&few) {
+            assert!(
+                column.iter().zip(&expected).all(|(found, states)| *found == state.of(states)),
+                "{length}"
+            );
+        }
+    }
+}
+
+/// What a point refuses, columns refuse, with the same error and the place of the first.
+#[test]
+fn columns_refuse_what_points_do() {
+    let wrong = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.1e50, -1.1e50, -5e-324, 0.0, 0.9e-50, -1.0];
+    let mut refused = 0;
+    for place in 0..4 {
+        for value in wrong {
+            for index in [0, 1, 63, 64, 129] {
+                let mut points = [[1.0, 0.4, 0.5, 0.6]; 130];
+                points[index][place] = value;
+                points[129][place] = value;
+                let [gamma, k_prime, k, mu] = points[index];
+                let expected = Point::new(gamma, k_prime, k, mu).err();
+                for set in InstructionSet::ALL {
+                    match (Table::of(&points).states(set, &[LimitState::TurnO]), &expected) {
+                        (Err(BatchError::Value { index: found, source }), Some(error)) => {
+                            assert_eq!((found, source.to_string()), (index, error.to_string()));
+                            refused += 1;
+                        }
+                        (Ok(_), None) => {}
+                        (found, expected) => panic!("{:?}: {found:?}, {expected:?}", points[index]),
+                    }
+                }
+            }
+        }
+    }
+    assert!(refused > 300, "{refused}");
+    let (mut short, one) = ([0.0; 1], [1.0; 2]);
+    let columns = Columns { gamma: &one, k_prime: &one, k: &one, mu: &one };
+    let out = LimitColumn { state: LimitState::SfSliding, values: &mut short };
+    let error = limit_states(columns, &mut [out]).unwrap_err();
+    assert_eq!(error.to_string(), "column SF_sliding has 1 values; expected 2, as many as the output");
 }

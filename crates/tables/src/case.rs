@@ -91,8 +91,8 @@ impl TableWarning {
         }
     }
 
-    /// Words of the warning for a caller of this interface.
-    pub fn words(&self, interface: Interface) -> String {
+    /// Words of the warning for a caller of this interface; for none where columns have the names of keys only, and no option maps them.
+    pub fn words(&self, interface: Option<Interface>) -> String {
         match self {
             TableWarning::ColumnLikeKey { column, key, unit } => {
                 let how = how(column, key, unit.as_deref(), interface);
@@ -109,16 +109,17 @@ impl TableWarning {
 }
 
 /// Advice on how to make a column vary a key: by its name, with the unit, or by an option.
-fn how(column: &str, key: &str, unit: Option<&str>, interface: Interface) -> String {
-    match unit {
-        Some(unit) => format!("call it `{key} [{unit}]`"),
-        None => format!("say {}", interface.map(key, column)),
+fn how(column: &str, key: &str, unit: Option<&str>, interface: Option<Interface>) -> String {
+    match (unit, interface) {
+        (Some(unit), _) => format!("call it `{key} [{unit}]`"),
+        (None, Some(interface)) => format!("say {}", interface.map(key, column)),
+        (None, None) => format!("call it `{key}`"),
     }
 }
 
 impl fmt::Display for TableWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.words(Interface::Program))
+        f.write_str(&self.words(Some(Interface::Program)))
     }
 }
 
@@ -338,37 +339,10 @@ impl Search<'_> {
             columns.push((place, factor));
         }
         if columns.is_empty() {
-            return Err(TableError::NothingVaries {
-                name: self.options.name.clone(),
-                found: self.found.join(", "),
-                help: self.help(),
-            });
+            let Search { options, case, found } = self;
+            return Err(nothing_varies(&options.name, &case.file, found, Some(self.interface())));
         }
         Ok(columns)
-    }
-
-    /// Advice where no column varies the case.
-    fn help(&self) -> String {
-        let near = column_warnings(&self.case.file, self.found, &[]).into_iter().next();
-        let keys = Factor::names(self.case.file.inputs()).join(", ");
-        let meant = near.map_or_else(
-            || {
-                let said = self.interface().map("KEY", "COLUMN");
-                format!("a column varies the number whose key it is called by, or say {said}")
-            },
-            |warning| match warning {
-                TableWarning::ColumnLikeKey { column, key, unit } => {
-                    format!(
-                        "did you mean `{key}`? then {}",
-                        how(&column, &key, unit.as_deref(), self.interface())
-                    )
-                }
-                TableWarning::ColumnLikeAbsentKey { key, .. } => {
-                    format!("`{key}` is not in the case file: put it in, with any value it may have")
-                }
-            },
-        );
-        format!("{meant}; the numbers of the case that can vary are {keys}")
     }
 
     /// Factor that a column varies, if any.
@@ -442,6 +416,33 @@ impl Search<'_> {
         }
         Ok(())
     }
+}
+
+/// The error of a table none of whose columns varies the case, with advice; see [`TableWarning::words`] for the interface.
+pub(crate) fn nothing_varies(
+    name: &str,
+    file: &CaseFile,
+    found: &[String],
+    interface: Option<Interface>,
+) -> TableError {
+    let near = column_warnings(file, found, &[]).into_iter().next();
+    // Factors on loads vary with cases at rest.
+    let is_own = |name: &String| interface.is_some() || !name.starts_with("bias.");
+    let keys = Factor::names(file.inputs()).into_iter().filter(is_own).collect::<Vec<_>>().join(", ");
+    let meant = match near {
+        None => {
+            let or = interface.map(|interface| format!(", or say {}", interface.map("KEY", "COLUMN")));
+            format!("a column varies the number whose key it is called by{}", or.unwrap_or_default())
+        }
+        Some(TableWarning::ColumnLikeKey { column, key, unit }) => {
+            format!("did you mean `{key}`? then {}", how(&column, &key, unit.as_deref(), interface))
+        }
+        Some(TableWarning::ColumnLikeAbsentKey { key, .. }) => {
+            format!("`{key}` is not in the case file: put it in, with any value it may have")
+        }
+    };
+    let help = format!("{meant}; the numbers of the case that can vary are {keys}");
+    TableError::NothingVaries { name: name.to_owned(), found: found.join(", "), help }
 }
 
 /// True if a name begins as the keys of a table of case files do.

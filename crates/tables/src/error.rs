@@ -3,6 +3,7 @@
 use std::fmt;
 use std::io;
 
+use standfast_cases::motion::ColumnError;
 use standfast_cases::suggest::closest;
 use standfast_cases::sweep::NoFactor;
 use standfast_cases::{CaseError, Explained};
@@ -108,6 +109,14 @@ pub enum TableError {
         column: String,
         /// Reason why it varies nothing.
         error: Box<NoFactor>,
+    },
+    /// A column of a table of motions that cannot vary what it names.
+    #[error("{name}, {error}")]
+    Column {
+        /// The table.
+        name: String,
+        /// Reason why it varies nothing.
+        error: ColumnError,
     },
     /// Two columns for one number of the case.
     #[error("{name}: the columns {one} and {two} both vary {key}; expected one of them")]

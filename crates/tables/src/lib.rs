@@ -8,6 +8,7 @@
 //! | question | start at |
 //! |---|---|
 //! | How is a table answered? | [`run`], or [`answer()`] for files and progress |
+//! | How is one of motions read? | [`MotionTable`] |
 //! | How is one in memory answered? | `MemoryTable`, with the feature `memory` |
 //! | Which columns does it need, which can be computed? | [`TableProblem`], [`ResultColumn`]; of cases [`CaseTable`] |
 //! | How is a file's format told? | [`TableFormat`] |
@@ -41,6 +42,7 @@ mod format;
 mod guard;
 #[cfg(feature = "memory")]
 mod memory;
+mod motion;
 mod pieces;
 mod pipeline;
 mod plain;
@@ -59,6 +61,7 @@ pub use format::TableFormat;
 pub use guard::silence_caught_panics;
 #[cfg(feature = "memory")]
 pub use memory::{MemoryAnswer, MemoryTable};
+pub use motion::{MotionRow, MotionTable};
 pub use pieces::TableInput;
 pub use plain::{PlainColumn, PlainValues, write_columns};
 pub use problem::{ResultColumn, TableProblem};

@@ -39,9 +39,30 @@ pub(crate) struct Header {
 
 /// Whole rows of the table.
 pub(crate) struct Piece {
-    bytes: Vec<u8>,
+    pub(crate) bytes: Vec<u8>,
     /// The line on which they begin.
-    line: u64,
+    pub(crate) line: u64,
+}
+
+/// The first line of a text.
+pub(crate) struct FirstLine {
+    /// The columns' names.
+    pub(crate) names: Vec<String>,
+    /// The line as it is in the file, without its end.
+    bytes: Vec<u8>,
+    end: &'static [u8],
+}
+
+impl FirstLine {
+    /// An error about the columns of a table: those that are not there may be so because nothing parts them.
+    pub(crate) fn refused(&self, name: &str, error: TableError) -> TableError {
+        match (&self.names[..], separator(&self.names)) {
+            ([header], Some(separator)) => {
+                TableError::Separator { name: name.to_owned(), separator, header: header.clone() }
+            }
+            _ => error,
+        }
+    }
 }
 
 impl<R: Read> Text<R> {
@@ -51,30 +72,35 @@ impl<R: Read> Text<R> {
         size: usize,
         options: &TableOptions,
     ) -> Result<(Text<R>, Header), TableError> {
-        let name = options.name.clone();
-        let mut text = Text { pieces: Pieces::new(source, size), first: None, line: 1, name };
-        let Some(bytes) = text.piece()? else {
-            return Err(TableError::Empty { name: options.name.clone(), needed: options.needed() });
-        };
+        let (text, line) = Text::begin(source, size, &options.name, || options.needed())?;
+        let task = Task::of(options, &line.names);
+        let (task, places) = task.map_err(|error| line.refused(&options.name, error))?;
+        let FirstLine { names, bytes, end } = line;
+        Ok((text, Header { names, places, bytes, end, task }))
+    }
+
+    /// Reads the first line, in which columns are `needed`.
+    pub(crate) fn begin(
+        source: R,
+        size: usize,
+        name: &str,
+        needed: impl Fn() -> String,
+    ) -> Result<(Text<R>, FirstLine), TableError> {
+        let mut text =
+            Text { pieces: Pieces::new(source, size), first: None, line: 1, name: name.to_owned() };
+        let empty = || TableError::Empty { name: name.to_owned(), needed: needed() };
+        let bytes = text.piece()?.ok_or_else(empty)?;
         let mut rows = Rows::new(&bytes);
         if !rows.advance() {
-            return Err(TableError::Empty { name: options.name.clone(), needed: options.needed() });
+            return Err(empty());
         }
         let names: Vec<String> = rows.record.iter().map(|name| lossy(name).trim().to_owned()).collect();
-        // Columns that are not there may be so because nothing parts them.
-        let (task, places) =
-            Task::of(options, &names).map_err(|error| match (&names[..], separator(&names)) {
-                ([header], Some(separator)) => {
-                    TableError::Separator { name: options.name.clone(), separator, header: header.clone() }
-                }
-                _ => error,
-            })?;
         let Range { start, end } = rows.range;
         let line_end: &[u8] = if bytes[end..].starts_with(b"\r\n") { b"\r\n" } else { b"\n" };
-        let header = Header { names, places, bytes: bytes[start..end].to_vec(), end: line_end, task };
+        let line = FirstLine { names, bytes: bytes[start..end].to_vec(), end: line_end };
         text.line = 1 + feeds(&bytes[..end]);
         text.first = Some(bytes[end..].to_vec());
-        Ok((text, header))
+        Ok((text, line))
     }
 
     /// The next piece.
@@ -141,6 +167,29 @@ impl<'a> Rows<'a> {
     }
 }
 
+impl Rows<'_> {
+    /// That the row has as many fields as there are columns, and that they are text.
+    pub(crate) fn check(&self, columns: &[String]) -> Result<(), RowProblem> {
+        let record = &self.record;
+        if record.len() != columns.len() {
+            return Err(RowProblem::Length { found: record.len(), expected: columns.len() });
+        }
+        if std::str::from_utf8(&self.bytes[self.range.clone()]).is_err() {
+            for (field, column) in record.iter().zip(columns) {
+                if std::str::from_utf8(field).is_err() {
+                    return Err(RowProblem::Encoding { column: column.clone(), value: lossy(field) });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The line on which the row begins, of a piece that begins on `first`.
+    pub(crate) fn line(&self, first: u64) -> u64 {
+        first + feeds(&self.bytes[..self.range.start])
+    }
+}
+
 /// A piece whose rows are found and whose numbers are read.
 pub(crate) struct Parsed {
     pub(crate) bytes: Vec<u8>,
@@ -196,16 +245,7 @@ impl Header {
     /// Appends the numbers of a row to the columns.
     fn numbers(&self, row: &Rows<'_>, numbers: &mut [Vec<f64>]) -> Result<(), RowProblem> {
         let record = &row.record;
-        if record.len() != self.names.len() {
-            return Err(RowProblem::Length { found: record.len(), expected: self.names.len() });
-        }
-        if std::str::from_utf8(&row.bytes[row.range.clone()]).is_err() {
-            for (field, column) in record.iter().zip(&self.names) {
-                if std::str::from_utf8(field).is_err() {
-                    return Err(RowProblem::Encoding { column: column.clone(), value: lossy(field) });
-                }
-            }
-        }
+        row.check(&self.names)?;
         for (i, (column, &place)) in numbers.iter_mut().zip(&self.places).enumerate() {
             let field = std::str::from_utf8(&record[place]).unwrap_or_default();
             column.push(self.task.read(i, field).map_err(|wrong| self.problem(record, wrong))?);

@@ -15,7 +15,6 @@ from . import _standfast
 from ._arrow import ArrowTable
 from ._frames import Fields
 from ._inputs import called, chosen, read
-from ._rows import LIMIT_STATES, Columns, Fault, Wrong, answer, numbers
 from ._types import Array, Map, Number, Options, OnError, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
 from ._types import PyarrowArray, PyarrowTable
@@ -191,9 +190,6 @@ def limit_states(
     asked = chosen(columns, LimitStates._fields)
     operands = read("limit_states", _NAMES, (gamma, k_prime, k, mu), map, result="slide")
     with called(operands, threads, on_error, progress, to) as (how, form):
-
-        def solve(block: list[NDArray[np.float64]], out: Columns, wrong: Wrong) -> Fault:
-            return _standfast.limit_states(block, numbers(out, LIMIT_STATES), wrong, how)
-
-        found, missing = answer(operands, {name: np.float64 for name in asked}, solve, how)
-    return form.table(found, missing, point=LimitStates, arrays=LimitStatesArrays)
+        arrays, missing, how = operands.native(how)
+        values, missing = _standfast.limit_states(arrays, missing, asked, how)
+    return form.table(dict(zip(asked, values)), missing, point=LimitStates, arrays=LimitStatesArrays)

@@ -106,7 +106,6 @@ def _raise(fault: tuple[int, str, str], before: int, shape: tuple[int, ...]) -> 
     raise error
 
 
-LIMIT_STATES = {name: place for place, name in enumerate(_standfast.limit_state_names())}
 _INPUTS, _MOTION = _standfast.contact_names()
 CONTACT_INPUTS = tuple(_INPUTS)
 MOTION = {name: place for place, name in enumerate(_MOTION)}

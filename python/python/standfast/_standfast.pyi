@@ -36,7 +36,6 @@ __all__ = [
     "failing_modes",
     "explain",
     "heading",
-    "limit_state_names",
     "limit_states",
     "make_array",
     "make_table",
@@ -144,10 +143,9 @@ _Ends = tuple[str | None, str | None]
 _Progress = Callable[[int, int | None], object] | None
 _Relation = tuple[str, str, float, str, float, bool, float]
 
-def limit_state_names() -> list[str]: ...
 def limit_states(
-    arrays: Sequence[NDArray[np.float64]], numbers: _Rows, wrong: NDArray[np.bool_] | None, run: _Run
-) -> _Wrong: ...
+    arrays: Sequence[NDArray[Any]], mask: _Mask, columns: Sequence[str], run: _Run
+) -> tuple[list[NDArray[np.float64]], _Mask]: ...
 def contact_names() -> tuple[list[str], list[str]]: ...
 def contact_rows(
     arrays: Sequence[NDArray[np.float64]],

@@ -13,14 +13,15 @@ use thiserror::Error;
 use standfast_watch::Portion;
 
 use super::{Follow, FollowedMotion};
-use crate::case::Case;
-use crate::couple::{Variable, vary};
-use crate::error::{CaseError, Problem};
+use crate::case::{Bias, Case};
+use crate::couple::{Unknown, Variable, vary};
+use crate::error::{CaseError, Fault, Problem};
 use crate::explained::Explained;
 use crate::inputs::{Inputs, Value};
-use crate::key::{Id, Kind, Table};
+use crate::key::{Id, Key, Kind, Table};
 use crate::parse::read;
 use crate::record::{ReadFile, RecordFile};
+use crate::suggest::closest;
 use crate::sweep::{self, Factor, NoFactor, heading};
 
 /// The results of a row, in their order.
@@ -111,6 +112,15 @@ impl Explained for ColumnError {
     }
 }
 
+/// A row that has no answer: the places of the columns that are to blame, and what is wrong.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RowFault {
+    /// The columns.
+    pub columns: Vec<usize>,
+    /// Fault, in words.
+    pub problem: String,
+}
+
 /// Entry that a column varies.
 #[derive(Debug, Clone)]
 enum Varied {
@@ -137,8 +147,6 @@ pub struct MotionRows {
     case: Option<Case>,
     /// The place of each column that varies something, and what.
     varied: Vec<(usize, Varied)>,
-    /// The columns, as the table calls them.
-    columns: Vec<String>,
     /// True if there are criteria on the motion.
     asks: bool,
     /// Notes on the numbers that go with those that vary, in sentences.
@@ -180,15 +188,7 @@ impl MotionRows {
         let notes = case.as_ref().map_or_else(Vec::new, |case| sweep::notes(&numbers, inputs, case));
         let asks =
             !file.motion_criteria()?.is_empty() || varied.iter().any(|(_, how)| how.id().key.is_of_motion());
-        Ok(MotionRows {
-            inputs: inputs.clone(),
-            case,
-            varied,
-            columns: columns.to_vec(),
-            asks,
-            notes,
-            records: Mutex::default(),
-        })
+        Ok(MotionRows { inputs: inputs.clone(), case, varied, asks, notes, records: Mutex::default() })
     }
 
     /// Notes on the numbers that go with those that vary, in sentences.
@@ -208,12 +208,12 @@ impl MotionRows {
     }
 
     /// The inputs with the values of a row.
-    fn with(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Inputs, String> {
+    fn with(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Inputs, RowFault> {
         let mut numbers = Vec::new();
         let mut words = Vec::new();
         for (place, how) in &self.varied {
             let cell = cells.get(*place).copied().unwrap_or_default().trim();
-            let wrong = |what: String| format!("column {} has \"{cell}\": {what}", self.columns[*place]);
+            let wrong = |problem: String| RowFault { columns: vec![*place], problem };
             match how {
                 Varied::Number(factor, variable) => {
                     let value = factor.parse(cell);
@@ -223,7 +223,7 @@ impl MotionRows {
                     numbers.push((variable, value * gravity));
                 }
                 Varied::Word(id) if id.key.info().kind == Kind::File => {
-                    words.push((*id, Value::Record(self.record(cell, file)?)));
+                    words.push((*id, Value::Record(self.record(cell, file).map_err(wrong)?)));
                 }
                 Varied::Word(id) => {
                     let value = read(*id, id.key.info().kind, self.inputs.units(), cell);
@@ -255,16 +255,27 @@ impl MotionRows {
         })
     }
 
+    /// A fault of the inputs of a row, by the columns that vary what it is about; by all if none does.
+    fn blame(&self, fault: &Fault) -> RowFault {
+        let is_it = |id: Id| std::iter::once(fault.at).chain(fault.and).any(|place| place == id.into());
+        let blamed: Vec<usize> =
+            self.varied.iter().filter(|(_, how)| is_it(how.id())).map(|(place, _)| *place).collect();
+        let all = || self.varied.iter().map(|(place, _)| *place).collect();
+        RowFault { columns: if blamed.is_empty() { all() } else { blamed }, problem: fault.to_string() }
+    }
+
     /// The results of a row, in the order of [`RESULTS`]: those of the worst situation.
     ///
     /// # Errors
-    /// Fault of the row, in words.
-    pub fn answer(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Vec<String>, String> {
+    /// Fault of the row.
+    pub fn answer(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Vec<String>, RowFault> {
         let inputs = self.with(cells, file)?;
-        let cases = motions(&inputs).map_err(|fault| fault.to_string())?;
+        let cases = motions(&inputs).map_err(|fault| self.blame(&fault))?;
+        let any =
+            |problem: String| RowFault { columns: self.varied().map(|(place, _)| place).collect(), problem };
         let answers = FollowedMotion::of_all(cases, &Follow::default(), Portion::UNSEEN)
-            .map_err(|error| error.to_string())?;
-        let Some(followed) = answers.first() else { return Err("no situation".to_owned()) };
+            .map_err(|error| any(error.to_string()))?;
+        let Some(followed) = answers.first() else { return Err(any("no situation".to_owned())) };
         let outcome: &MotionOutcome = &followed.outcome;
         let checks = followed.checks();
         let governing = checks.first();
@@ -294,25 +305,29 @@ impl MotionRows {
 /// Entry that a column varies, if any.
 fn find(column: &str, inputs: &Inputs) -> Result<Option<Varied>, ColumnError> {
     let (name, unit) = heading(column);
-    let word = |kind| matches!(kind, Kind::Text | Kind::File | Kind::Truth | Kind::Choice { .. });
     let named = || inputs.values().map(|(id, _)| id).find(|id| id.to_string() == name);
     match Factor::find(name, unit, inputs) {
         Ok(factor) => match factor.variable().cloned() {
             Some(variable) => Ok(Some(Varied::Number(factor, variable))),
             None => Err(ColumnError::Bias { column: column.to_owned() }),
         },
-        Err(NoFactor::Unknown(_)) => match named() {
+        Err(NoFactor::Unknown(unknown)) => match named() {
             Some(id) if word(id.key.info().kind) => Ok(Some(Varied::Word(id))),
             Some(_) => Err(ColumnError::NoValue { column: column.to_owned() }),
-            None => no_key(name, column, inputs).map(|()| None),
+            None => no_key(name, column, inputs, unknown).map(|()| None),
         },
         Err(NoFactor::Absent { .. }) => Err(ColumnError::Absent { column: column.to_owned() }),
         Err(error) => Err(ColumnError::NoFactor { column: column.to_owned(), error: Box::new(error) }),
     }
 }
 
-/// Refuses the name of a table of the case, or of a key that it does not have.
-fn no_key(name: &str, column: &str, inputs: &Inputs) -> Result<(), ColumnError> {
+/// True if entries of a kind are words.
+fn word(kind: Kind) -> bool {
+    matches!(kind, Kind::Text | Kind::File | Kind::Truth | Kind::Choice { .. })
+}
+
+/// Refuses the name of a table of the case, or what begins like a key and is none of it.
+fn no_key(name: &str, column: &str, inputs: &Inputs, unknown: Unknown) -> Result<(), ColumnError> {
     let paths = |table: Table| (0..inputs.count(table).max(1)).map(move |index| table.path(index));
     let tables = || Table::ALL.into_iter().filter(|table| table.parent().is_some());
     if tables().any(|table| inputs.has(table) && paths(table).any(|path| path == name)) {
@@ -322,11 +337,32 @@ fn no_key(name: &str, column: &str, inputs: &Inputs) -> Result<(), ColumnError> 
     let begins = name.contains('.')
         && tables().any(|table| table.parent() == Some(Table::Top) && table.name() == first);
     let listed = inputs.values().any(|(id, _)| id.key.name() != id.key.entry() && entry(id) == name);
+    let is_word = Key::ALL
+        .iter()
+        .any(|key| word(key.info().kind) && unnumbered(&Id::from(*key).to_string()) == unnumbered(name));
     match () {
         () if listed => Err(ColumnError::NoValue { column: column.to_owned() }),
-        () if begins => Err(ColumnError::Absent { column: column.to_owned() }),
+        () if begins && is_word => Err(ColumnError::Absent { column: column.to_owned() }),
+        () if begins => {
+            let words = inputs.values().map(|(id, _)| id).filter(|id| word(id.key.info().kind));
+            let words = words.map(|id| id.to_string());
+            // A motion has no factors on loads.
+            let numbers = unknown.names.into_iter().filter(|name| Bias::find(name).is_none());
+            let names: Vec<String> = numbers.chain(words).collect();
+            let suggestion = closest(name, names.iter().map(String::as_str)).map(str::to_owned);
+            let unknown = Unknown { suggestion: suggestion.or(unknown.suggestion), names, ..unknown };
+            Err(ColumnError::NoFactor {
+                column: column.to_owned(),
+                error: Box::new(NoFactor::Unknown(unknown)),
+            })
+        }
         () => Ok(()),
     }
+}
+
+/// A key without the numbers of its tables: `load.force` of `load[2].force`.
+fn unnumbered(name: &str) -> String {
+    name.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
 }
 
 /// The name of the list that a number stands in: `block.load[1].at`.
@@ -365,7 +401,8 @@ mod tests {
         let found = rows.answer(&["here", "0.45", "1", "0.8"], &no_file).unwrap();
         assert_eq!((found.len(), found[0].as_str(), found[5].as_str()), (RESULTS.len(), "rest", "false"));
         let words = rows.answer(&["", "much", "1", "0.8"], &no_file).unwrap_err();
-        assert!(words.contains("motion.base.horizontal.peak has \"much\""), "{words}");
+        let expected = "it does not begin with a number; expected a number";
+        assert_eq!(words, RowFault { columns: vec![1], problem: expected.to_owned() });
     }
 
     #[test]
@@ -403,7 +440,7 @@ mod tests {
             assert!((slide(&found) - slide(&expected)).abs() < 1e-12, "{found:?} {expected:?}");
         }
         let words = table.answer(&["2 kg", "4"], &no_file).unwrap_err();
-        assert!(words.contains("2 kg"), "{words}");
+        assert_eq!(words.columns, [0], "{words:?}");
         // The mass that is named in the same row is the mass.
         let columns = ["body.width".to_owned(), "body.mass".to_owned()];
         let table = rows(&case("1", "1000", "4"), &columns).unwrap();

@@ -5,10 +5,12 @@ use std::path::Path;
 
 use standfast_cases::CaseFile;
 use standfast_cases::layout::paragraph;
-use standfast_cases::motion::{ColumnError, MotionRows, ROW_RESULTS, in_order};
-use standfast_cases::suggest::closest;
+use standfast_cases::motion::{ROW_RESULTS, in_order};
 use standfast_cases::sweep::heading;
-use standfast_tables::{Interface, OnError, TableFormat, WrittenColumn, column_warnings, written};
+use standfast_tables::{
+    Interface, MotionRow, MotionTable, OnError, TableError, TableFormat, WrittenColumn, column_warnings,
+    written,
+};
 
 use crate::args::{BatchArgs, threads};
 use crate::case_file;
@@ -34,7 +36,8 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     let format = super::format(&args.output, args.output_format, "--output-format");
     let format = format?;
     let nulls = args.on_error == OnError::Null;
-    let (header, records) = read(args, &name, nulls, files)?;
+    let table = MotionTable::read(&read(args, &name, files)?, &name)?;
+    let header = table.columns();
     if args.output != Path::new("-") {
         // Before many motions are followed for nothing.
         files.refuse_but_table(&args.output)?;
@@ -42,40 +45,50 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     // Files that a column names need not lie beside the case.
     let named = |path: &str| header.iter().any(|column| heading(column).0 == path);
     let read = case_file::beside(case, files);
-    let file = file.with_some_files(&read, &|id| !named(&id.to_string())).map_err(ColumnError::from)?;
-    let rows = MotionRows::of(&file, &header)?;
-    if rows.varied().next().is_none() {
-        return Err(CommandError::NothingVaries { name });
-    }
+    let file = file.with_some_files(&read, &|id| !named(&id.to_string()))?;
+    let rows = table.varying(&file)?;
     let results = if args.columns.is_empty() { rows.results() } else { results(&args.columns)? };
+    let appended: Vec<&'static str> =
+        results.iter().map(|i| ROW_RESULTS[*i]).chain(nulls.then_some("problem")).collect();
+    if let Some(column) =
+        appended.iter().copied().find(|result| header.iter().any(|column| *column == **result))
+    {
+        return Err(TableError::ResultExists { name, column }.into());
+    }
     let threads = threads(args.threads);
-    let answer = |record: &csv::StringRecord| rows.answer(&record.iter().collect::<Vec<_>>(), &read);
-    let answers = watched(|portion| in_order(&records, threads, portion, answer))?;
+    let places: Vec<usize> = (0..table.rows().len()).collect();
+    let answer = |i: &usize| {
+        let MotionRow { cells, problem, .. } = &table.rows()[*i];
+        let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
+        match problem {
+            Some(problem) => Err(problem.clone()),
+            None => rows.answer(&cells, &read).map_err(|fault| table.problem(*i, fault)),
+        }
+    };
+    let answers = watched(|portion| in_order(&places, threads, portion, answer))?;
     let mut head: Vec<&str> = header.iter().map(String::as_str).collect();
-    head.extend(results.iter().map(|i| ROW_RESULTS[*i]));
-    head.extend(nulls.then_some("problem"));
+    head.extend(appended);
     let unwritten = |cause: io::Error| CommandError::Write { path: args.output.clone(), cause };
     let (mut bad, mut first) = (0, None);
-    let mut table: Vec<Vec<String>> = vec![Vec::new(); head.len()];
-    for (i, (record, answer)) in records.iter().zip(answers).enumerate() {
-        let cell = |j: usize| record.get(j).unwrap_or_default().to_owned();
-        let mut cells: Vec<String> = (0..header.len()).map(cell).collect();
+    let mut columns: Vec<Vec<String>> = vec![Vec::new(); head.len()];
+    for (i, (row, answer)) in table.rows().iter().zip(answers).enumerate() {
+        let mut cells = row.cells.clone();
         match answer {
             Ok(found) => {
                 cells.extend(results.iter().map(|j| found[*j].clone()));
                 cells.extend(nulls.then(String::new));
             }
-            Err(words) if nulls => {
+            Err(problem) if nulls => {
                 bad += 1;
-                first.get_or_insert_with(|| format!("row {}: {words}", i + 1));
                 cells.extend(results.iter().map(|_| String::new()));
-                cells.push(words);
+                cells.push(problem.to_string());
+                first.get_or_insert_with(|| table.error(i, problem));
             }
-            Err(words) => return Err(CommandError::Row { name, row: i + 1, words }),
+            Err(problem) => return Err(table.error(i, problem).into()),
         }
-        table.iter_mut().zip(cells).for_each(|(column, cell)| column.push(cell));
+        columns.iter_mut().zip(cells).for_each(|(column, cell)| column.push(cell));
     }
-    let columns = head.iter().map(|name| (*name).to_owned()).zip(table).enumerate();
+    let columns = head.iter().map(|name| (*name).to_owned()).zip(columns).enumerate();
     let columns = columns.map(|(place, (name, cells))| {
         let of_result = (place >= header.len()).then_some(&*name);
         let is_text = format == TableFormat::Csv;
@@ -90,13 +103,13 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     });
     let mut said = paragraph(&format!("varied: {}", words.collect::<Vec<_>>().join(", ")), 0);
     let places: Vec<usize> = varied.iter().map(|(place, _)| *place).collect();
-    for warning in column_warnings(&file, &header, &places) {
-        said +=
-            &paragraph(&format!("warning: {} ({})", warning.words(Interface::Program), warning.name()), 0);
+    for warning in column_warnings(&file, header, &places) {
+        said += &paragraph(&format!("warning: {} ({})", warning.words(None), warning.name()), 0);
     }
     rows.notes().iter().for_each(|note| said += &paragraph(note, 0));
     if let Some(first) = first {
-        said += &format!("warning: {bad} of {} rows without a result; the first: {first}\n", records.len());
+        said +=
+            &format!("warning: {bad} of {} rows without a result; the first: {first}\n", table.rows().len());
     }
     if args.output == Path::new("-") {
         crate::complain(&said);
@@ -111,25 +124,14 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     Ok(String::new())
 }
 
-/// The header and the rows of a table.
-fn read(
-    args: &BatchArgs,
-    name: &str,
-    nulls: bool,
-    files: &FilesRead,
-) -> Result<(Vec<String>, Vec<csv::StringRecord>)> {
-    let unread = |cause: String| CommandError::Read { name: name.to_owned(), cause };
+/// The bytes of a table.
+fn read(args: &BatchArgs, name: &str, files: &FilesRead) -> Result<Vec<u8>> {
     let bytes = if args.input.as_os_str() == "-" {
         files.read_standard_input(FilePurpose::Table)
     } else {
         files.read(&args.input, FilePurpose::Table)
     };
-    let bytes = bytes.map_err(|cause| unread(cause.to_string()))?;
-    let mut table = csv::ReaderBuilder::new().flexible(nulls).from_reader(&bytes[..]);
-    let header = table.headers().map_err(|cause| unread(cause.to_string()))?;
-    let header = header.iter().map(str::to_owned).collect();
-    let records = table.records().collect::<Result<_, _>>().map_err(|cause| unread(cause.to_string()))?;
-    Ok((header, records))
+    bytes.map_err(|cause| CommandError::Read { name: name.to_owned(), cause: cause.to_string() })
 }
 
 /// The cells of a column as what they are: a result of this name, or, of the table's own, numbers if all are.
@@ -151,14 +153,16 @@ fn column(result: Option<&str>, cells: Vec<String>) -> WrittenColumn {
 }
 
 /// The places of the results of these names.
-fn results(names: &[String]) -> Result<Vec<usize>> {
-    let place = |name: &String| {
-        let found = ROW_RESULTS.iter().position(|result| *result == name.trim());
-        found.ok_or_else(|| {
-            let like =
-                closest(name, ROW_RESULTS).map_or_else(String::new, |l| format!("; did you mean {l}?"));
-            CommandError::NoResult { name: name.clone(), like }
-        })
-    };
-    names.iter().map(place).collect()
+fn results(names: &[String]) -> Result<Vec<usize>, TableError> {
+    let mut places = Vec::new();
+    for name in names {
+        let place = ROW_RESULTS.iter().position(|result| *result == name.trim());
+        let place = place.ok_or_else(|| super::no_result(name, ROW_RESULTS.into_iter()))?;
+        if places.contains(&place) {
+            let (option, column) = (Interface::Program.columns(), ROW_RESULTS[place]);
+            return Err(TableError::ResultTwice { option, column });
+        }
+        places.push(place);
+    }
+    Ok(places)
 }

@@ -1,6 +1,7 @@
-//! The loop over columns, compiled for several instruction sets. All of them do the same operations, rounded alike, and give the same codes.
+//! The loop over columns that decides modes; of every instruction set the same codes.
 
 use super::Columns;
+use super::instructions::{InstructionSet, Kernel};
 use crate::sign::{self, Float, Terms, terms_of_any};
 
 /// Points that the kernel takes at once: few enough that what lies between its passes stays in the first-level cache, with room for what
@@ -10,22 +11,42 @@ const LANES: usize = 64;
 /// The code of a point that the kernel is not sure of.
 pub(super) const UNSURE: u8 = sign::UNSURE as u8;
 
-/// The kernel, to be compiled once for every instruction set: hence no closure, which would be compiled for the baseline.
+/// The kernel alone, without the exact second look, on one instruction set; public for tests and benchmarks, which
+/// compare them. On a processor that lacks the set, the baseline.
+#[doc(hidden)]
+pub fn screen_with(set: InstructionSet, columns: Columns<'_>, codes: &mut [u8]) {
+    set.run(Screening { columns, codes });
+}
+
+struct Screening<'a> {
+    columns: Columns<'a>,
+    codes: &'a mut [u8],
+}
+
+impl Kernel for Screening<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        screen_all(self.columns, self.codes);
+    }
+}
+
 #[inline(always)]
 fn screen_all(columns: Columns<'_>, codes: &mut [u8]) {
-    let mut kernel = Kernel::default();
+    let mut screen = Screen::default();
     // The rest apart, so that the compiler knows how long a block is.
     let (blocks, rest) = codes.as_chunks_mut::<LANES>();
     let in_blocks = LANES * blocks.len();
     for (block, codes) in blocks.iter_mut().enumerate() {
-        kernel.screen(columns.slice(LANES * block, LANES), codes);
+        screen.screen(columns.slice(LANES * block, LANES), codes);
     }
-    kernel.screen(columns.slice(in_blocks, rest.len()), rest);
+    screen.screen(columns.slice(in_blocks, rest.len()), rest);
 }
 
 /// State of the kernel beside the columns.
 #[derive(Default)]
-struct Kernel {
+struct Screen {
     narrow: Lanes<f32>,
     wide: Lanes<f64>,
     /// Number of coming blocks left to f64, because f32 could not tell much of the last: columns along a boundary, such as a search for it
@@ -33,7 +54,7 @@ struct Kernel {
     left: usize,
 }
 
-impl Kernel {
+impl Screen {
     /// Screens up to [`LANES`] points.
     #[inline(always)]
     fn screen(&mut self, columns: Columns<'_>, codes: &mut [u8]) {
@@ -81,82 +102,6 @@ impl<F: Float> Lanes<F> {
             unsure += *code / UNSURE;
         }
         usize::from(unsure)
-    }
-}
-
-#[cfg(target_arch = "x86_64")]
-mod x86 {
-    use super::{Columns, screen_all};
-
-    pub(super) fn has_avx512() -> bool {
-        is_x86_feature_detected!("avx512f")
-            && is_x86_feature_detected!("avx512bw")
-            && is_x86_feature_detected!("avx512dq")
-            && is_x86_feature_detected!("avx512vl")
-    }
-
-    pub(super) fn has_avx2() -> bool {
-        is_x86_feature_detected!("avx2")
-    }
-
-    #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
-    pub(super) fn screen_avx512(columns: Columns<'_>, codes: &mut [u8]) {
-        screen_all(columns, codes);
-    }
-
-    #[target_feature(enable = "avx2")]
-    pub(super) fn screen_avx2(columns: Columns<'_>, codes: &mut [u8]) {
-        screen_all(columns, codes);
-    }
-}
-
-/// An instruction set the kernel is compiled for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[doc(hidden)]
-pub enum InstructionSet {
-    Avx512,
-    Avx2,
-    Baseline,
-}
-
-impl InstructionSet {
-    /// All, the best first.
-    pub const ALL: [InstructionSet; 3] =
-        [InstructionSet::Avx512, InstructionSet::Avx2, InstructionSet::Baseline];
-
-    /// The best that this processor has.
-    pub(super) fn best() -> InstructionSet {
-        let set = InstructionSet::ALL.into_iter().find(|set| set.is_available());
-        set.expect("every processor has the baseline")
-    }
-
-    /// True if this processor has it.
-    pub fn is_available(self) -> bool {
-        match self {
-            InstructionSet::Baseline => true,
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx512 => x86::has_avx512(),
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx2 => x86::has_avx2(),
-            #[cfg(not(target_arch = "x86_64"))]
-            _ => false,
-        }
-    }
-}
-
-/// The kernel alone, without the exact second look, on one instruction set; public for tests and benchmarks, which
-/// compare them. On a processor that lacks the set, the baseline.
-#[doc(hidden)]
-pub fn screen_with(set: InstructionSet, columns: Columns<'_>, codes: &mut [u8]) {
-    match set {
-        // SAFETY: in both, the processor has the instructions the function is compiled for.
-        #[cfg(target_arch = "x86_64")]
-        #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
-        InstructionSet::Avx512 if set.is_available() => unsafe { x86::screen_avx512(columns, codes) },
-        #[cfg(target_arch = "x86_64")]
-        #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
-        InstructionSet::Avx2 if set.is_available() => unsafe { x86::screen_avx2(columns, codes) },
-        _ => screen_all(columns, codes),
     }
 }
 

@@ -17,7 +17,10 @@
 //! Of a force that points right, [`mirrored`](LimitStates::mirrored), the same holds with left and right, O and O' exchanged.
 
 use super::Point;
-use super::polynomials::{Corner, Of};
+use super::polynomials::Terms;
+use crate::approx::Approx;
+use crate::exact::{Exact, Real};
+use crate::mode::Corner;
 
 /// The limit states of a [`Point`]: negative where what they are named for happens.
 ///
@@ -78,11 +81,6 @@ pub enum LimitState {
     SfOverturning,
 }
 
-const TIP: Of = (|p| p.tip, |p| p.tip);
-const TURN: Of = (|p| p.turn, |p| p.turn);
-const SLIP_LEFT: Of = (|p| p.slip_left, |p| p.slip_left);
-const SLIP_RIGHT: Of = (|p| p.slip_right, |p| p.slip_right);
-
 impl LimitState {
     /// All, in the order of the fields.
     pub const ALL: [LimitState; 12] = [
@@ -139,26 +137,78 @@ impl LimitState {
     /// Its value at a point, without those of the others.
     #[inline]
     pub fn at(self, point: &Point) -> f64 {
-        self.told(point, |g| Corner::of(g, point.numbers()))
+        self.of_terms(point, &Terms::of(point.numbers()))
     }
 
-    /// Its value at a point, by what tells the polynomials about O (g = γ) and O' (g = −γ).
+    /// Its value at a point of these terms.
+    #[inline]
+    fn of_terms(self, point: &Point, terms: &Terms<Approx>) -> f64 {
+        let (value, is_told) = self.screened(point, terms);
+        if is_told { value } else { self.exactly(point, terms) }
+    }
+
+    /// Its value by floating point, and whether its sign is certain. No branches: columns of it vectorise.
     #[inline(always)]
-    fn told(self, point: &Point, corner: impl Fn(f64) -> Corner) -> f64 {
-        let gamma = point.gamma;
-        // What the polynomials of slip are multiplied out by: μf_y ∓ f_x of the rock is theirs over 4(1+γ²).
-        let inertia = 4.0 * (1.0 + gamma * gamma);
-        // `0.0 − x` rather than `−x`, so that nothing becomes −0.
+    pub(crate) fn screened(self, point: &Point, terms: &Terms<Approx>) -> (f64, bool) {
+        match self.polynomial(terms) {
+            Some(polynomial) => (self.by(point, terms, polynomial.value()), polynomial.is_told()),
+            None => (self.by(point, terms, 0.0), true),
+        }
+    }
+
+    /// Its value where floating point cannot tell the sign: by the exact polynomial, rounded once.
+    #[cold]
+    fn exactly(self, point: &Point, terms: &Terms<Approx>) -> f64 {
+        let polynomial = self.polynomial(&Terms::<Exact>::of(point.numbers()));
+        self.by(point, terms, polynomial.map_or(0.0, |polynomial| polynomial.to_f64()))
+    }
+
+    /// Whether it is made of the force's moment, and whether of D, M or G beside it.
+    #[inline(always)]
+    pub(crate) fn needs(self) -> (bool, bool) {
+        match self {
+            LimitState::Slide
+            | LimitState::LoadFactor
+            | LimitState::SfSliding
+            | LimitState::SfOverturning => (false, false),
+            LimitState::RockO | LimitState::RockOPrime => (true, false),
+            _ => (true, true),
+        }
+    }
+
+    /// The polynomial that it is made of, if it is.
+    #[inline(always)]
+    fn polynomial<T: Real>(self, terms: &Terms<T>) -> Option<T> {
+        Some(match self {
+            LimitState::RockO => terms.tip(Corner::O),
+            LimitState::RockOPrime => terms.tip(Corner::OPrime),
+            LimitState::TurnO => terms.turn(Corner::O),
+            LimitState::TurnOPrime => terms.turn(Corner::OPrime),
+            LimitState::SlipOLeft => terms.slip_left(Corner::O),
+            LimitState::SlipORight => terms.slip_right(Corner::O),
+            LimitState::SlipOPrimeLeft => terms.slip_left(Corner::OPrime),
+            LimitState::SlipOPrimeRight => terms.slip_right(Corner::OPrime),
+            LimitState::Slide
+            | LimitState::LoadFactor
+            | LimitState::SfSliding
+            | LimitState::SfOverturning => return None,
+        })
+    }
+
+    /// Its value, by that of its polynomial.
+    #[inline(always)]
+    fn by(self, point: &Point, terms: &Terms<Approx>, polynomial: f64) -> f64 {
         match self {
             LimitState::Slide => point.mu - point.k,
-            LimitState::RockO => 0.0 - corner(gamma).value(TIP),
-            LimitState::RockOPrime => 0.0 - corner(-gamma).value(TIP),
-            LimitState::TurnO => 0.0 - corner(gamma).value(TURN),
-            LimitState::TurnOPrime => 0.0 - corner(-gamma).value(TURN),
-            LimitState::SlipOLeft => corner(gamma).value(SLIP_LEFT) / inertia,
-            LimitState::SlipORight => corner(gamma).value(SLIP_RIGHT) / inertia,
-            LimitState::SlipOPrimeLeft => corner(-gamma).value(SLIP_LEFT) / inertia,
-            LimitState::SlipOPrimeRight => corner(-gamma).value(SLIP_RIGHT) / inertia,
+            // `0.0 − x` rather than `−x`, so that nothing becomes −0.
+            LimitState::RockO | LimitState::RockOPrime | LimitState::TurnO | LimitState::TurnOPrime => {
+                0.0 - polynomial
+            }
+            // What the polynomials of slip are multiplied out by: μf_y ∓ f_x of the rock is theirs over 4(1+γ²).
+            LimitState::SlipOLeft
+            | LimitState::SlipORight
+            | LimitState::SlipOPrimeLeft
+            | LimitState::SlipOPrimeRight => polynomial / terms.inertia.value(),
             LimitState::LoadFactor => point.safety_against_sliding().min(point.safety_against_overturning()),
             LimitState::SfSliding => point.safety_against_sliding(),
             LimitState::SfOverturning => point.safety_against_overturning(),
@@ -183,8 +233,8 @@ impl LimitState {
 
 impl LimitStates {
     pub(super) fn of(point: &Point) -> LimitStates {
-        let [o, o_prime] = [point.gamma, -point.gamma].map(|g| Corner::of(g, point.numbers()));
-        let at = |state: LimitState| state.told(point, |g| if g > 0.0 { o } else { o_prime });
+        let terms = Terms::of(point.numbers());
+        let at = |state: LimitState| state.of_terms(point, &terms);
         LimitStates {
             slide: at(LimitState::Slide),
             rock_o: at(LimitState::RockO),

@@ -24,10 +24,80 @@
 
 use crate::approx::{Approx, Signed};
 use crate::exact::{Exact, Real};
+use crate::mode::Corner;
 
 /// The signed slenderness g of the corner that a force can tip the body about: γ (O), or −γ (O') for k' < −1.
 pub(super) fn signed_slenderness(gamma: f64, k_prime: f64) -> f64 {
     if k_prime < -1.0 { -gamma } else { gamma }
+}
+
+/// What the polynomials are made of, the same for both corners.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Terms<T> {
+    pub(crate) gamma: T,
+    pub(crate) mu: T,
+    /// γ k (1+k').
+    pub(crate) moment: T,
+    /// D.
+    pub(crate) surplus: T,
+    /// M.
+    pub(crate) sum: T,
+    /// G.
+    pub(crate) inertia: T,
+}
+
+impl<T: Real> Terms<T> {
+    /// Those of a valid point.
+    #[inline(always)]
+    pub(crate) fn of([gamma, k_prime, k, mu]: [f64; 4]) -> Terms<T> {
+        let [one, four] = [1.0, 4.0].map(T::of);
+        let [gamma, k_prime, k, mu] = [gamma, k_prime, k, mu].map(T::of);
+        Terms {
+            moment: gamma.clone() * (k.clone() * (k_prime + one.clone())),
+            surplus: mu.clone() - k.clone(),
+            sum: mu.clone() + k,
+            inertia: four * (gamma.clone() * gamma.clone() + one),
+            gamma,
+            mu,
+        }
+    }
+
+    /// g.
+    #[inline(always)]
+    fn slenderness(&self, corner: Corner) -> T {
+        of_corner(corner, &self.gamma)
+    }
+
+    #[inline(always)]
+    pub(super) fn tip(&self, corner: Corner) -> T {
+        of_corner(corner, &self.moment) - T::of(1.0)
+    }
+
+    #[inline(always)]
+    pub(super) fn turn(&self, corner: Corner) -> T {
+        self.slenderness(corner) * self.surplus.clone() + self.tip(corner)
+    }
+
+    #[inline(always)]
+    pub(super) fn slip_left(&self, corner: Corner) -> T {
+        let reach = self.mu.clone() + self.slenderness(corner);
+        self.inertia.clone() * self.surplus.clone() + T::of(3.0) * self.tip(corner) * reach
+    }
+
+    #[inline(always)]
+    pub(super) fn slip_right(&self, corner: Corner) -> T {
+        let reach = self.mu.clone() - self.slenderness(corner);
+        T::of(3.0) * self.tip(corner) * reach + self.inertia.clone() * self.sum.clone()
+    }
+}
+
+/// A number that has the sign of g.
+#[inline(always)]
+fn of_corner<T: Real>(corner: Corner, about_o: &T) -> T {
+    match corner {
+        Corner::O => about_o.clone(),
+        Corner::OPrime => -about_o.clone(),
+    }
 }
 
 /// The polynomials of the module's table.
@@ -56,25 +126,19 @@ pub(super) enum Need {
 impl<T: Real> Polynomials<T> {
     /// The polynomials for the corner O (g = γ) or O' (g = −γ).
     #[inline(always)]
-    fn about(g: f64, [gamma, k_prime, k, mu]: [f64; 4]) -> Polynomials<T> {
-        let [one, two, three, four] = [1.0, 2.0, 3.0, 4.0].map(T::of);
-        let [g, γ, k_prime, k, μ] = [g, gamma, k_prime, k, mu].map(T::of);
-
-        let tip = g.clone() * (k.clone() * (k_prime + one.clone())) - one.clone();
-        let difference = μ.clone() - k.clone();
-        let sum = μ.clone() + k;
-        let turn = g.clone() * difference.clone() + tip.clone();
-        let square = γ.clone() * γ;
-        let inertia = four.clone() * (square.clone() + one);
-        let lever = three.clone() * tip.clone();
+    fn about(g: f64, point: [f64; 4]) -> Polynomials<T> {
+        let corner = if g < 0.0 { Corner::OPrime } else { Corner::O };
+        let terms = Terms::<T>::of(point);
+        let [two, three, four] = [2.0, 3.0, 4.0].map(T::of);
+        let [g, γ, μ] = [terms.slenderness(corner), terms.gamma.clone(), terms.mu.clone()];
         Polynomials {
-            regularity: square + four - three * (μ.clone() * g.clone()),
-            turn_right: tip.clone() - g.clone() * sum.clone(),
-            toe: turn.clone() + two,
-            slip_left: inertia.clone() * difference + lever.clone() * (μ.clone() + g.clone()),
-            slip_right: lever * (μ - g) + inertia * sum,
-            tip,
-            turn,
+            tip: terms.tip(corner),
+            turn: terms.turn(corner),
+            toe: terms.turn(corner) + two,
+            slip_left: terms.slip_left(corner),
+            slip_right: terms.slip_right(corner),
+            turn_right: terms.tip(corner) - g.clone() * terms.sum.clone(),
+            regularity: γ.clone() * γ + four - three * (μ * g),
         }
     }
 
@@ -116,35 +180,6 @@ impl Polynomials<f64> {
     #[cold]
     fn exact(g: f64, point: [f64; 4]) -> Polynomials<f64> {
         Polynomials::<Exact>::about(g, point).map(|value| value.to_f64())
-    }
-}
-
-/// The polynomials for a corner with rounding tracked, each of which is asked for by itself.
-#[derive(Clone, Copy)]
-pub(super) struct Corner {
-    g: f64,
-    point: [f64; 4],
-    tracked: Polynomials<Approx>,
-}
-
-/// One of the polynomials, by its values in tracked and in exact arithmetic.
-pub(super) type Of = (fn(&Polynomials<Approx>) -> Approx, fn(&Polynomials<f64>) -> f64);
-
-impl Corner {
-    /// Those for the corner of g at a valid point.
-    #[inline(always)]
-    pub(super) fn of(g: f64, point: [f64; 4]) -> Corner {
-        Corner { g, point, tracked: Polynomials::about(g, point) }
-    }
-
-    /// The value of one, whose sign is right: exact, rounded once, where floating point cannot tell the sign.
-    #[inline(always)]
-    pub(super) fn value(&self, (tracked, exact): Of) -> f64 {
-        let value = tracked(&self.tracked);
-        match value.sign() {
-            Some(_) => value.value(),
-            None => exact(&Polynomials::exact(self.g, self.point)),
-        }
     }
 }
 

@@ -4,6 +4,7 @@
 mod cases;
 #[cfg(feature = "columnar")]
 mod formats;
+mod motions;
 #[path = "../common/mutated.rs"]
 mod mutated;
 mod text;

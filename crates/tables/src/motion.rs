@@ -1,0 +1,96 @@
+//! Tables of motions: text whose rows are read whole, by the reader of all other tables and with its errors.
+
+use standfast_cases::CaseFile;
+use standfast_cases::motion::{ColumnError, MotionRows, RowFault};
+
+use crate::case::nothing_varies;
+use crate::text::{FirstLine, Rows, Text, lossy};
+use crate::{RowProblem, TableError, TablePlace};
+
+/// Bytes of text read at once.
+const TEXT: usize = 1 << 17;
+
+/// A table of motions, read whole.
+pub struct MotionTable {
+    name: String,
+    header: FirstLine,
+    rows: Vec<MotionRow>,
+}
+
+/// A row of a table of motions.
+#[derive(Debug, Clone)]
+pub struct MotionRow {
+    /// The cells, as many as there are columns.
+    pub cells: Vec<String>,
+    /// Fault of the row as text.
+    pub problem: Option<RowProblem>,
+    line: u64,
+}
+
+impl MotionTable {
+    /// Reads CSV text; `name` is what errors call the table.
+    ///
+    /// # Errors
+    /// If there is no header, or a quotation mark is never closed.
+    pub fn read(text: &[u8], name: &str) -> Result<MotionTable, TableError> {
+        let needed = || "one that varies the case".to_owned();
+        let (mut text, header) = Text::begin(text, TEXT, name, needed)?;
+        let mut rows = Vec::new();
+        while let Some(piece) = text.next()? {
+            let mut found = Rows::new(&piece.bytes);
+            while found.advance() {
+                let problem = found.check(&header.names).err();
+                let mut cells: Vec<String> = found.record.iter().map(lossy).collect();
+                cells.resize(header.names.len(), String::new());
+                rows.push(MotionRow { cells, problem, line: found.line(piece.line) });
+            }
+        }
+        Ok(MotionTable { name: name.to_owned(), header, rows })
+    }
+
+    /// The names of the columns.
+    pub fn columns(&self) -> &[String] {
+        &self.header.names
+    }
+
+    /// The rows.
+    pub fn rows(&self) -> &[MotionRow] {
+        &self.rows
+    }
+
+    /// The case of a file, varied by the columns.
+    ///
+    /// # Errors
+    /// If a column cannot vary what it names, none varies anything, or the case makes no sense.
+    pub fn varying(&self, file: &CaseFile) -> Result<MotionRows, TableError> {
+        let rows = MotionRows::of(file, self.columns()).map_err(|error| self.refused(error))?;
+        if rows.varied().next().is_none() {
+            let error = nothing_varies(&self.name, file, self.columns(), None);
+            return Err(self.header.refused(&self.name, error));
+        }
+        Ok(rows)
+    }
+
+    fn refused(&self, error: ColumnError) -> TableError {
+        let name = self.name.clone();
+        let error = match error {
+            ColumnError::NoFactor { column, error } => TableError::NoFactor { name, column, error },
+            ColumnError::SameKey { one, two, key } => TableError::SameKey { name, one, two, key },
+            ColumnError::Case(error) => TableError::Case(error),
+            error => TableError::Column { name, error },
+        };
+        self.header.refused(&self.name, error)
+    }
+
+    /// A fault of a row, in the table's words.
+    pub fn problem(&self, row: usize, fault: RowFault) -> RowProblem {
+        let field = |place: usize| (self.columns()[place].clone(), self.rows[row].cells[place].clone());
+        RowProblem::Case { fields: fault.columns.into_iter().map(field).collect(), problem: fault.problem }
+    }
+
+    /// The error of a row with a problem.
+    pub fn error(&self, row: usize, problem: RowProblem) -> TableError {
+        let place = TablePlace::Line(self.rows[row].line);
+        TableError::Row { name: self.name.clone(), place, problem }
+    }
+}
