@@ -1,11 +1,11 @@
 //! Limit states of arrays of points.
 
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::batch::LimitColumn;
 use standfast::initiation::LimitState;
 
+use crate::errors::StandfastError;
 use crate::ndarray::{Arrays, Mask, broadcast, halted, mask_of, shaped};
 use crate::run::Run;
 
@@ -14,7 +14,7 @@ type Columns<'py> = Vec<Bound<'py, PyArrayDyn<f64>>>;
 
 fn of_name(name: &str) -> PyResult<LimitState> {
     let found = LimitState::ALL.into_iter().find(|state| state.name() == name);
-    found.ok_or_else(|| PyValueError::new_err(format!("there is no limit state {name:?}")))
+    found.ok_or_else(|| StandfastError::new_err(format!("there is no limit state {name:?}")))
 }
 
 /// The limit states of these names, and which points have none, if there are such.
