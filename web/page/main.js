@@ -1,6 +1,7 @@
 // The page: one explorer in wasm, whose state is the text of a case; the modules beside this one hand it what a person does and show
 // what it answers.
 
+import { unpacked } from "unpacked";
 import { start, Explorer } from "library";
 import { byId } from "dom";
 import { connectVerdict } from "verdict";
@@ -18,7 +19,7 @@ import { connectUndo } from "undo";
 import { connectTheme } from "theme";
 
 async function library() {
-  const packed = Uint8Array.from(atob(byId("wasm").textContent), (letter) => letter.charCodeAt(0));
+  const packed = unpacked(byId("wasm").textContent);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   await start({ module_or_path: await new Response(stream).arrayBuffer() });
 }
