@@ -363,7 +363,10 @@ impl Room {
             let inputs = (figure / ROW).saturating_sub(3).min(INPUTS);
             return Room { width, beside, inputs, rows: free.max(2) };
         }
-        let inputs = free.saturating_sub(needed).clamp(2, INPUTS);
-        Room { width, beside, inputs, rows: free.saturating_sub(inputs).max(2) }
+        match free.saturating_sub(needed).min(INPUTS) {
+            // Criteria go before inputs, whose heading and head have room then.
+            0 | 1 => Room { width, beside, inputs: 0, rows: (free + (LINE + 9 + ROW) / ROW).max(2) },
+            inputs => Room { width, beside, inputs, rows: free - inputs },
+        }
     }
 }

@@ -90,7 +90,7 @@ bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U`
 | `max_of` | `count`, and the law of which it is the largest, with its own `lower` and `upper` |
 | beside any | `lower`, `upper` cut the law; `every = "year"` draws it anew each year, `"life"` (if not given) once |
 
-`records = ["a.smc", "b.smc"]` are shakings for `--over pga=…` of a body with `[motion.base]`: every body that is drawn is followed under each of them, in the place of the case's own. There the numbers of `[motion.impact]` and `[motion.initial]` may be random too; those of `[motion.base]` are scaled to the peak.
+`records = ["a.smc", "b.smc"]` are shakings for `--over pga=…` of a body with `[motion.base]`: every body that is drawn is followed under each of them, in the place of the case's own. With its vertical partner a record is `{ horizontal = "a.smc", vertical = "b.smc" }`: one factor scales both. There the numbers of `[motion.impact]` and `[motion.initial]` may be random too; those of `[motion.base]` are scaled to the peak.
 
 In place of a body, `[point]` with `gamma`, `k_prime`, `k` and `mu` is a point of the report's plane; `[random]` names these four.
 
