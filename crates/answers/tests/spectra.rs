@@ -262,3 +262,33 @@ fn areas_of_a_rocking_spectrum_are_of_single_blocks() {
     assert!(matches!(points(false, 1), SpectrumPoints::Rocking { edges: None, .. }));
     assert_eq!(points(true, 3), found.points);
 }
+
+/// Between two factors that both overturn a body one may not: where nobody says at which factors, they lie within half a percent of each
+/// other there, so that the window is found. Inside it, and on both sides, single motions tell.
+#[test]
+fn a_window_between_coarse_factors_is_found() {
+    let text = include_str!("../../../examples/motion/server-rack-earthquake.toml");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/motion/");
+    let read =
+        |name: &str| std::fs::read_to_string(format!("{folder}{name}")).map_err(|error| error.to_string());
+    let rack = CaseFile::read("case.toml", text, &read).unwrap().motions().unwrap().remove(0);
+    let found = spectrum(&rack, &SpectrumRequest::new(SpectrumKind::Overturning)).unwrap();
+    let SpectrumPoints::Overturning { scales, bodies, stretches } = found.points else { panic!("{found:?}") };
+    let over = |i: usize| bodies[i].overturned || bodies[i + 1].overturned;
+    let near = |i: usize| scales[i + 1] / scales[i] < 1.0051;
+    assert!((0..scales.len() - 1).all(|i| !over(i) || near(i)), "{scales:?}");
+    let alone = |factor: f64| {
+        let mut case = rack.clone();
+        for history in
+            [&mut case.problem.base.horizontal, &mut case.problem.base.vertical].into_iter().flatten()
+        {
+            *history = history.clone().times_factor(factor);
+        }
+        FollowedMotion::of(case, &Follow::default()).unwrap().outcome.overturned()
+    };
+    let is_over = |factor: f64| stretches.iter().any(|[from, to]| (*from..=*to).contains(&factor));
+    for factor in [1.0, 1.022, 1.036, 1.08, 1.15] {
+        assert_eq!(is_over(factor), alone(factor), "{factor}: {stretches:?}");
+    }
+    assert!(is_over(1.022) && !is_over(1.036) && is_over(1.08), "{stretches:?}");
+}

@@ -164,3 +164,26 @@ pub(crate) fn criteria(checks: &[ToldCriterion]) -> Option<String> {
         }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{ToldCriterion, criteria};
+
+    #[test]
+    fn every_criterion_that_fails_is_named_once() {
+        let told = |checks: &[(&'static str, bool)]| {
+            let told = |(name, met): &(&'static str, bool)| ToldCriterion {
+                name,
+                met: *met,
+                words: format!("{name} is 1"),
+            };
+            criteria(&checks.iter().map(told).collect::<Vec<_>>()).unwrap()
+        };
+        assert_eq!(told(&[("a", false), ("b", true)]), "Not met: a is 1.");
+        let two = [("a", false), ("a", false), ("b", false), ("c", true)];
+        assert_eq!(told(&two), "Not met, 3 of 4 criteria; the governing one: a is 1. b fails, too.");
+        let three = [("a", false), ("b", false), ("c", false), ("b", false)];
+        assert_eq!(told(&three), "Not met, 4 of 4 criteria; the governing one: a is 1. b and c fail, too.");
+        assert_eq!(told(&[("a", true), ("b", true)]), "Both criteria are met; the governing one: a is 1.");
+    }
+}

@@ -516,3 +516,34 @@ fn refusals_of_two_quantities() {
     let said = refused("height", "SF_overturning_net=9", "friction", None);
     assert!(said.contains("whatever friction is from 0.25 to 1, the target is not met; at 0.5: "), "{said}");
 }
+
+/// Written in whatever unit, a number is found alike, told in that unit, and read back from it as what was assessed. In g it is rounded in g.
+#[test]
+fn a_number_found_has_the_unit_of_the_file() {
+    for (written, unit, told) in [
+        ("300e3", "N/m", "300000 N/m"),
+        ("\"300 kN/m\"", "kN/m", "300 kN/m"),
+        ("\"0.3 MN/m\"", "MN/m", "0.3 MN/m"),
+    ] {
+        let file = file(&BLOCK.replace("300e3", written));
+        let found =
+            Design::of(&file, request("load[1].force", "SF_sliding=1.2", Extreme::Greatest), Portion::UNSEEN);
+        let found = found.unwrap();
+        // μ m g/(1.2 F), to four digits below.
+        let exact: f64 = 0.5 * 4.0 * 6.0 * 2400.0 * 9.81 / 1.2;
+        let text = &found.found().text;
+        assert_eq!(text.split_once(' ').unwrap().1, unit);
+        let read = found.quantity.variable.read(text, file.inputs()).unwrap();
+        assert_eq!(read, found.found().rounded);
+        assert!(read <= exact && exact - read < 1e-3 * exact, "{text} {exact}");
+        assert_eq!(found.quantity.shown(found.quantity.present), told);
+    }
+    let shaken = "[body]\nwidth = 4\nheight = 6\ndensity = 2400\nfriction = 0.3\n[earthquake]\nhorizontal = \"0.1 g\"\n";
+    let found = Design::of(
+        &file(shaken),
+        request("earthquake.horizontal", "SF_sliding=1.3", Extreme::Greatest),
+        Portion::UNSEEN,
+    );
+    // 0.3/1.3 = 0.230769.
+    assert_eq!(found.unwrap().found().text, "0.2307 g");
+}

@@ -523,6 +523,8 @@ fn probabilities_along_a_number_are_those_of_each_value() {
     );
     let fragility = along.unwrap().fragility.unwrap();
     assert_eq!(fragility.points.iter().map(|point| point.value).collect::<Vec<_>>(), [14.0, 16.0, 18.0]);
+    // A width is no strength of a load.
+    assert_eq!(fragility.fit, None);
     // Mass and weight go with the width, as they do in `design`.
     let heavier = goda("16 m").replace("346.05 t/m", "369.12 t/m").replace("2318.64 kN/m", "2473.216 kN/m");
     let there = answer(&heavier, ChanceRequest::default());

@@ -230,3 +230,14 @@ fn a_long_note_is_cut_at_a_sentence() {
     assert!(said.ends_with("told. (The note goes on in the case file.)") && said.len() < 400, "{said}");
     assert!(html("case.toml", &text).contains(note.trim()));
 }
+
+/// Where the ground fails before the body moves, inputs are ranked by the load factor of the ground, of which friction has no part.
+#[test]
+fn on_ground_inputs_are_ranked_by_the_ground() {
+    let text = "[body]\nwidth = 6\nheight = 4\nmass = 5e4\nfriction = 0.9\n[ground]\nfriction_angle_deg = 30\nunit_weight = 10e3\n\
+                [[load]]\nforce = 60e3\nelevation = 2\n";
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    let page = Html::parse_document(&sheet(&file, true).unwrap());
+    let inputs = words(&page, "table[data-table='deciding'] td code").concat();
+    assert!(inputs.starts_with("ground.friction_angle_deg") && !inputs.contains("body.friction"), "{inputs}");
+}

@@ -191,7 +191,8 @@ mod tests {
                 .as_bytes()
                 .chunks(5)
                 .flat_map(|group| {
-                    let number = (0..5).fold(0, |n, i| n * 85 + group.get(i).map_or(84, |letter| digit(*letter)));
+                    let number =
+                        (0..5).fold(0, |n, i| n * 85 + group.get(i).map_or(84, |letter| digit(*letter)));
                     u32::try_from(number).unwrap().to_be_bytes().into_iter().take(group.len() - 1)
                 })
                 .collect();
