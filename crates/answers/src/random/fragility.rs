@@ -28,7 +28,7 @@ use super::subject::{ChanceSubject, problems_of};
 use crate::couple::vary;
 use crate::key::Id;
 use crate::key::Key;
-use crate::units::Dimension;
+use crate::units::ShownUnit;
 use standfast_model::{CaseFile, GivenBase};
 
 /// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`, or one by one, `NAME=VALUE,VALUE`.
@@ -79,8 +79,8 @@ pub struct Fragility {
     pub name: String,
     /// Its meaning in a few words.
     pub words: String,
-    /// Its dimension, where it has one.
-    pub dimension: Option<Dimension>,
+    /// The unit in which the file writes it; `None` of a plain number.
+    pub shown: Option<ShownUnit>,
     /// The probabilities at each value.
     pub points: Vec<FragilityPoint>,
     /// The curve through the probabilities of not resting.
@@ -113,9 +113,14 @@ pub struct Fit {
 const AS_LIKELY: f64 = 1e-9;
 
 impl Fragility {
-    /// The number's unit in SI, where it has one.
-    pub fn unit(&self) -> Option<&'static str> {
-        self.dimension.map(Dimension::si)
+    /// The number's unit for reading, empty of a plain number.
+    pub fn unit(&self) -> String {
+        self.shown.map_or(String::new(), ShownUnit::symbol)
+    }
+
+    /// A value in that unit.
+    pub fn in_unit(&self, value: f64) -> f64 {
+        self.shown.map_or(value, |unit| unit.of_si(value))
     }
 }
 
@@ -242,7 +247,7 @@ impl ValueRange {
         request: &ChanceRequest,
         portion: Portion<'_>,
     ) -> Result<Fragility, ProbabilityError> {
-        let (id, dimension, points) = match asked {
+        let (id, shown, points) = match asked {
             ChanceSubject::Point(of) => {
                 let coordinate = Coordinate::ALL.into_iter().find(|c| c.name() == self.name);
                 let Some(coordinate) = coordinate else {
@@ -292,12 +297,12 @@ impl ValueRange {
                     problems_of(&changed, None, None)
                 };
                 let points = self.points(self.values(read)?, (request, portion), at)?;
-                (variable.id(), variable.dimension(), points)
+                (variable.id(), variable.shown_unit(), points)
             }
         };
         let told: Vec<(f64, f64)> = points.iter().map(|point| (point.value, point.not_rest.value)).collect();
         let fit = Fit::of(&told).filter(|_| is_intensity(id.key));
-        Ok(Fragility { name: self.name.clone(), words: id.words(), dimension, points, fit })
+        Ok(Fragility { name: self.name.clone(), words: id.words(), shown, points, fit })
     }
 
     fn points(

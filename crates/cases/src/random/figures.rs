@@ -13,7 +13,6 @@ use super::text::floor;
 use super::{Chances, Fit, Fragility, Happening, Method, Overturning, Probability, Sliding};
 use crate::document::AnswerFigure;
 use crate::layout::{apart, digits};
-use crate::units::Dimension;
 
 mod areas;
 mod cloud;
@@ -230,8 +229,8 @@ fn convergence(worst: &Chances, title: &str) -> Option<Figure> {
 
 /// Probabilities along a number.
 fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
-    let Fragility { words, dimension, points, fit, .. } = fragility;
-    let (unit, scale) = dimension.map_or(("", 1.0), Dimension::on_paper);
+    let Fragility { words, points, fit, .. } = fragility;
+    let (unit, shown) = (fragility.unit(), |value: f64| fragility.in_unit(value));
     let most = points.iter().map(|point| point.not_rest.value).fold(0.0, f64::max);
     let is_linear = most > 0.2;
     // On an axis of equal steps what is rarer is a line along it.
@@ -240,15 +239,14 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
     let count = points.first().map_or(0, |point| point.modes.len());
     let modes = (0..count).filter(|place| likely(*place)).filter_map(|place| {
         let mode = points[0].modes[place].0.mode().filter(|mode| *mode != Mode::Rest)?;
-        let of_mode =
-            points.iter().map(|point| (point.value / scale, chance(point.modes[place].1))).collect();
+        let of_mode = points.iter().map(|point| (shown(point.value), chance(point.modes[place].1))).collect();
         Some((mode, of_mode))
     });
     let modes: Vec<(Mode, Vec<(f64, Chance)>)> = modes.collect();
     let names: Vec<String> = modes.iter().map(|(mode, _)| mode.words().replace('\'', "′")).collect();
     let moved: Vec<(f64, Chance)> =
-        points.iter().map(|point| (point.value / scale, chance(point.not_rest))).collect();
-    let (first, last) = (points[0].value / scale, points[points.len() - 1].value / scale);
+        points.iter().map(|point| (shown(point.value), chance(point.not_rest))).collect();
+    let (first, last) = (shown(points[0].value), shown(points[points.len() - 1].value));
     let (from, to) = (first.min(last), first.max(last));
     let up = if is_linear {
         SpectrumAxis { name: "probability", from: 0.0, to: TO_ONE, logarithmic: false }
@@ -258,7 +256,7 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
     let mut lines = vec![ChanceLine { name: "does not rest", look: LineLook::Answer, points: moved }];
     let mut caption = format!("At {} values.", points.len());
     if let Some(Fit { median, dispersion, misfit }) = fit {
-        let median = median / scale;
+        let median = shown(*median);
         let points = smooth((from, to), (median, *dispersion));
         lines.push(ChanceLine { name: "lognormal", look: LineLook::Fit, points });
         caption += &format!(
@@ -271,7 +269,7 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
     for ((mode, points), name) in modes.into_iter().zip(&names) {
         lines.push(ChanceLine { name, look: LineLook::Mode(mode), points });
     }
-    let across_name = quantity(words, unit);
+    let across_name = quantity(words, &unit);
     let across = SpectrumAxis { name: &across_name, from, to, logarithmic: false };
     let title = format!("Along the {words}: {title}");
     chance_lines(&ChanceLines { title: &title, caption: &caption, across, up, lines: &lines, marks: &[] })

@@ -131,9 +131,10 @@ fn overturns(overturning: &Overturning) -> String {
 
 /// That the body moves, along a number of the case.
 fn along(answer: &Probability, fragility: &Fragility) -> String {
-    let unit = fragility.unit().map_or(String::new(), |unit| format!(" {unit}"));
+    let unit = fragility.unit();
     let at = |point: &FragilityPoint| {
-        (below_or(point.not_rest), format!("{} = {}{unit}", fragility.name, digits(point.value)))
+        let place = format!("{} = {} {unit}", fragility.name, digits(fragility.in_unit(point.value)));
+        (below_or(point.not_rest), place.trim_end().to_owned())
     };
     format!("{} is {}.", not_resting(answer), from_to(fragility.points.iter().map(at)))
 }

@@ -430,16 +430,17 @@ fn grouped(n: u64) -> String {
 /// Probabilities along a number: a column for each mode that is likely enough anywhere.
 fn along(fragility: &Fragility, floor: f64) -> String {
     let (Fragility { name, points, fit, .. }, unit) = (fragility, fragility.unit());
+    let shown = |value: f64| digits(fragility.in_unit(value));
     let likely = |place: usize| points.iter().any(|point| point.modes[place].1.value >= floor);
     let places: Vec<usize> =
         (0..points.first().map_or(0, |point| point.modes.len())).filter(|i| likely(*i)).collect();
-    let head = unit.map_or_else(|| name.clone(), |unit| format!("{name} ({unit})"));
+    let head = if unit.is_empty() { name.clone() } else { format!("{name} ({unit})") };
     let names = places.iter().map(|place| points[0].modes[*place].0.name());
     let mut rows = vec![[head].into_iter().chain(names).chain(["not RE".to_owned()]).collect::<Vec<_>>()];
     for point in points {
         let modes = places.iter().map(|place| probability(point.modes[*place].1.value));
         rows.push(
-            [digits(point.value)]
+            [shown(point.value)]
                 .into_iter()
                 .chain(modes)
                 .chain([probability(point.not_rest.value)])
@@ -451,9 +452,8 @@ fn along(fragility: &Fragility, floor: f64) -> String {
     text += &match fit {
         Some(Fit { median, dispersion, misfit }) => paragraph(
             &format!(
-                "A lognormal curve through what does not rest: median {}{}, dispersion {}; it misses by {} at most.",
-                digits(*median),
-                unit.map_or_else(String::new, |unit| format!(" {unit}")),
+                "A lognormal curve through what does not rest: median {}, dispersion {}; it misses by {} at most.",
+                format!("{} {unit}", shown(*median)).trim_end(),
                 digits(*dispersion),
                 digits(*misfit)
             ),

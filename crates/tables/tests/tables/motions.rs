@@ -20,7 +20,7 @@ fn of_cases(text: &[u8]) -> Option<TableError> {
     let case = CaseTable::of(file(AT_REST)).unwrap();
     let options =
         TableOptions { case: Some(case.into()), on_error: OnError::Stop, ..TableOptions::new("table.csv") };
-    run(text, &mut Vec::new(), &options).err()
+    run(text, Vec::new(), &options).err()
 }
 
 /// The error of a table whose rows are motions.
