@@ -17,8 +17,24 @@ import { connectLink } from "link";
 import { connectUndo } from "undo";
 import { connectTheme } from "theme";
 
+/** Bytes of letters: five are four bytes, digits to the base of 85 from `(` on, with `~` in the place of `<`. */
+function unlettered(letters, length) {
+  const view = new DataView(new ArrayBuffer((letters.length / 5) * 4));
+  const digit = (place) => {
+    const code = letters.charCodeAt(place);
+    return code === 126 ? 20 : code - 40;
+  };
+  for (let i = 0, at = 0; i < letters.length; i += 5, at += 4) {
+    let number = 0;
+    for (let j = 0; j < 5; j += 1) number = number * 85 + digit(i + j);
+    view.setUint32(at, number);
+  }
+  return new Uint8Array(view.buffer, 0, length);
+}
+
 async function library() {
-  const packed = Uint8Array.from(atob(byId("wasm").textContent), (letter) => letter.charCodeAt(0));
+  const { textContent: letters, dataset } = byId("wasm");
+  const packed = unlettered(letters, Number(dataset.length));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   await start({ module_or_path: await new Response(stream).arrayBuffer() });
 }

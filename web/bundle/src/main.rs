@@ -47,7 +47,7 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
         .remove_producers_section(true)
         .generate_output()?;
     let glue = output.js().to_owned();
-    let library = output.wasm_mut().emit_wasm();
+    let library = packed(&output.wasm_mut().emit_wasm())?;
 
     let mut modules = BTreeMap::new();
     for entry in fs::read_dir(page)? {
@@ -68,8 +68,9 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
         (
             "<!-- library -->",
             format!(
-                "<script type=\"application/wasm+gzip\" id=\"wasm\">{}</script>",
-                STANDARD.encode(packed(&library)?)
+                "<script type=\"application/wasm+gzip\" id=\"wasm\" data-length=\"{}\">{}</script>",
+                library.len(),
+                lettered(&library)
             ),
         ),
         ("<!-- script -->", format!("<script type=\"module\">{script}</script>")),
@@ -153,9 +154,32 @@ fn packed(bytes: &[u8]) -> io::Result<Vec<u8>> {
     packer.finish()
 }
 
+/// Bytes as letters, five for four bytes, a fourteenth less than base64 takes: digits to the base of 85, the greatest first, which are the
+/// letters from `(` on, with `~` in the place of `<`. Zeros fill the last four.
+fn lettered(bytes: &[u8]) -> String {
+    let letter = |digit: u32| match b'(' + digit as u8 {
+        b'<' => '~',
+        letter => char::from(letter),
+    };
+    let mut letters = String::with_capacity(bytes.len() / 4 * 5 + 5);
+    for four in bytes.chunks(4) {
+        let byte = |i: usize| four.get(i).copied().unwrap_or(0);
+        let number = u32::from_be_bytes([byte(0), byte(1), byte(2), byte(3)]);
+        letters.extend((0..5).rev().map(|power| letter(number / 85_u32.pow(power) % 85)));
+    }
+    letters
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// 4 294 967 295 is 82 · 85⁴ + 23 · 85³ + 54 · 85² + 12 · 85; and 20 is that of `<`.
+    #[test]
+    fn four_bytes_are_five_letters() {
+        assert_eq!(lettered(&[255; 4]), "z?^4(");
+        assert_eq!(lettered(&[0, 0, 0, 20, 0]), "((((~(((((");
+    }
 
     #[test]
     fn modules_become_one_script_in_the_order_of_their_needs() {
