@@ -2,6 +2,7 @@
 
 mod figures;
 pub(crate) mod json;
+pub mod screen;
 mod spectrum;
 mod summary;
 mod text;
