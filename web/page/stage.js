@@ -38,7 +38,10 @@ export function connectStage(app) {
   };
   /** Shows a moment; gives back the clock. */
   app.showMoment = (t) => {
-    const moment = JSON.parse(app.explorer.moment(t));
+    // Between another case and its picture the motion is one that was.
+    const json = app.explorer.moment(t);
+    if (!json) return "";
+    const moment = JSON.parse(json);
     const scale = stage.hidden ? "" : app.motion.times;
     put(byId("moment"), [...moment.words, scale].filter(Boolean).join(" · "));
     if (!stage.hidden) {

@@ -176,6 +176,16 @@ impl Explorer {
         self.page.moment(t)
     }
 
+    /// Tries the motion under one more factor on its loads; true while there is more to try.
+    pub fn try_strength(&mut self) -> bool {
+        self.page.try_strength()
+    }
+
+    /// The strip of strengths, so wide; empty while they are not known.
+    pub fn strengths(&self, width: f64) -> String {
+        self.page.strengths(width)
+    }
+
     /// Left, top, right and bottom of the plot of the histories last drawn; empty of other plates.
     pub fn histories_plot(&self) -> Vec<f64> {
         self.page.histories_plot()

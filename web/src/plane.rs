@@ -4,8 +4,8 @@ use serde::Serialize;
 use standfast::Diagram;
 use standfast_cases::assess::UP_TO;
 use standfast_cases::assess::screen::{load_plane_on_screen, section_on_screen};
-use standfast_cases::motion::MotionView;
 use standfast_cases::motion::screen::MotionOnScreen;
+use standfast_cases::motion::{MotionView, Tried};
 use standfast_cases::{AnswerFigure, AssessmentView, Document};
 use standfast_figures::{
     DesignPoint, Figure, FreeBody, Map, Picture, Pose, Rect, SectionArrow, View, cases_on_screen, free_body,
@@ -22,6 +22,8 @@ pub struct Drawn {
     /// Histories of the motion, if they are the right plate, and the motion of the left one.
     pub histories: Option<Picture>,
     pub motion: Option<MotionOnScreen>,
+    /// What was tried of its strength so far.
+    pub tried: Vec<Tried>,
     /// Name of that plate.
     which: String,
     /// Forces of the section.

@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 use standfast_cases::motion::screen::{
-    MotionOnScreen, histories_on_screen, is_shaken, moment, motion_on_screen,
+    MotionOnScreen, histories_on_screen, is_shaken, moment, motion_on_screen, strengths_on_screen,
 };
+use standfast_cases::motion::{Factors, Strength, Tried};
 use standfast_figures::Picture;
 
 use crate::page::Page;
@@ -77,6 +78,36 @@ impl Page {
         shown.and_then(|shown| serde_json::to_string(&shown).ok()).unwrap_or_default()
     }
 
+    /// Tries the motion under one more factor on its loads; true while there is more to try. At the end the answer has its strength.
+    pub fn try_strength(&mut self) -> bool {
+        if self.held.is_some() {
+            return false;
+        }
+        let tried = std::mem::take(&mut self.drawn.tried);
+        let Some(worst) = self.settled_motion() else { return false };
+        if worst.strength.is_some() || !Strength::is_asked_of(&worst.case, &worst.outcome) {
+            return false;
+        }
+        let next = Factors::Rungs.values().get(tried.len()).copied();
+        let mut tried = tried;
+        if let Some(factor) = next {
+            // A motion that is refused under a factor has no strength.
+            let Ok(one) = Tried::under(&worst.case.problem, factor) else { return false };
+            tried.push(one);
+            self.drawn.tried = tried;
+            return true;
+        }
+        worst.strength = Strength::of_tried(&worst.case, &worst.outcome, tried).ok();
+        false
+    }
+
+    /// The strip of strengths, so wide; empty while they are not known.
+    pub fn strengths(&self, width: f64) -> String {
+        let worst = self.answered().motions.first();
+        let strip = worst.and_then(|worst| strengths_on_screen(worst, width));
+        strip.map_or(String::new(), |strip| strip.svg().to_owned())
+    }
+
     /// The histories, of about a size.
     pub(crate) fn histories(&self, size: (f64, f64)) -> Option<Picture> {
         histories_on_screen(self.answered().motions.first()?, size)
@@ -91,6 +122,9 @@ impl Page {
 
 #[cfg(test)]
 mod tests {
+    use standfast_cases::Document;
+    use standfast_cases::motion::{Follow, FollowedMotion, StrengthAsked};
+
     use super::*;
     use crate::examples;
 
@@ -157,6 +191,27 @@ mod tests {
             (&first["clock"], &first["arc"], &first["slid"]),
             (&"0.0 s".into(), &"".into(), &"".into())
         );
+    }
+
+    /// Tried one by one, the strength is that of the program, which tries all at once; another text begins anew.
+    #[test]
+    fn strength_one_by_one_is_that_of_all_at_once() {
+        let mut page = page("block-base-pulse");
+        assert_eq!(page.strengths(500.0), "");
+        let steps = std::iter::from_fn(|| page.try_strength().then_some(())).count();
+        assert_eq!(steps, Factors::Rungs.values().len());
+        let follow =
+            Follow { divergence: true, strength: StrengthAsked::Always(Factors::Rungs), series: true };
+        let at_once = FollowedMotion::of_file(page.file(), &follow).unwrap();
+        assert!(at_once[0].strength.is_some());
+        assert_eq!(page.answered().motions[0].strength, at_once[0].strength);
+        assert_eq!(page.answered().summary(), at_once[..].summary());
+        assert!(page.strengths(500.0).contains("overturn"));
+        page.try_strength();
+        let text = page.text().replacen('\n', "\n\n", 1);
+        assert!(page.edit(&text));
+        assert_eq!(page.strengths(500.0), "");
+        assert!(page.try_strength());
     }
 
     /// From the earth the ground moves, from the floor it does not.

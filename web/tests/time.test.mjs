@@ -46,7 +46,7 @@ test("a case at rest has no time, and one in time begins with the body as it sta
 
 test("where the body is on the page, the program says it is", async () => {
   const rack = path.join(import.meta.dirname, "../../examples/motion/server-rack-earthquake.toml");
-  const series = execFileSync(program, ["simulate", rack, "--series", "-", "--dt", "0.5"], { encoding: "utf8" });
+  const series = execFileSync(program, ["simulate", rack, "--no-figures", "--no-strength", "--series", "-", "--dt", "0.5"], { encoding: "utf8" });
   const rows = series.trim().split("\n").map((line) => line.split(","));
   const theta = rows[0].indexOf("theta");
   const page = await example("server-rack-earthquake");
@@ -170,4 +170,35 @@ test("a motion runs when it is opened, not for those who want none, and a frame 
   await quiet.waitForTimeout(150);
   assert.equal(await t(quiet), 0);
   await quiet.close();
+});
+
+test("another case may come while a motion runs", async () => {
+  const page = await example("server-rack-earthquake", { reducedMotion: "no-preference" });
+  await page.evaluate(async () => {
+    window.standfast.explorer.open_example("goda-2000");
+    await new Promise((done) => setTimeout(done, 80));
+    window.standfast.changed();
+  });
+  await drawn(page);
+  assert.equal(await page.isVisible("#transport"), false);
+  assert.deepEqual(page.heard, []);
+  await page.close();
+});
+
+test("how much stronger a shaking overturns the body comes by itself, as the program says it", async () => {
+  const page = await example("server-rack-earthquake");
+  const rack = path.join(import.meta.dirname, "../../examples/motion/server-rack-earthquake.toml");
+  const { summary } = JSON.parse(execFileSync(program, ["simulate", rack, "--format", "json", "--no-figures"], { encoding: "utf8" }));
+  await page.waitForSelector("#strengths:not([hidden]) svg", { timeout: 30_000 });
+  assert.equal(await page.textContent("#near"), summary.near);
+  assert.match(summary.near, /stronger overturns it/);
+  assert.match(await page.textContent("#strengths desc"), /^Of 47 factors on the loads \d+ overturn it/);
+  // Of another text it is looked for anew.
+  await page.evaluate(() => {
+    window.standfast.explorer.set("body.friction", "0.36");
+    window.standfast.changed();
+  });
+  await drawn(page);
+  assert.equal(await page.isVisible("#strengths"), false);
+  await page.close();
 });

@@ -8,6 +8,7 @@ mod histories;
 mod positions;
 mod spectra;
 mod stage;
+mod strength;
 
 use standfast::{Mode, Verdict};
 
@@ -24,6 +25,7 @@ pub use histories::{motion_histories, motion_histories_on_screen};
 pub use positions::motion_positions;
 pub use spectra::{SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map};
 pub use stage::{MotionStage, StageLines, motion_stage};
+pub use strength::strength_strip;
 
 /// A motion to be drawn.
 #[derive(Debug, Clone, PartialEq)]

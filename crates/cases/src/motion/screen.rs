@@ -2,7 +2,8 @@
 
 use standfast::{History, Mode};
 use standfast_figures::{
-    MotionOutline, MotionPose, MotionStage, Picture, StageLines, motion_histories_on_screen, motion_stage,
+    Figure, MotionOutline, MotionPose, MotionStage, Picture, StageLines, motion_histories_on_screen,
+    motion_stage, strength_strip,
 };
 use standfast_motion::ground::displacements;
 
@@ -130,4 +131,13 @@ fn rounded(value: f64) -> String {
 /// True if the base moves sideways, so that the motion is another from the earth.
 pub fn is_shaken(followed: &FollowedMotion) -> bool {
     followed.case.problem.base.horizontal.as_ref().is_some_and(|history: &History| history.peak() > 0.0)
+}
+
+/// The strip of strengths of a motion, so wide; `None` where its strength is not known.
+pub fn strengths_on_screen(followed: &FollowedMotion, width: f64) -> Option<Figure> {
+    let strength = followed.strength.as_ref()?;
+    let mut tried: Vec<_> = strength.tried.iter().map(|tried| (tried.factor, tried.overturned)).collect();
+    tried.push((1.0, followed.outcome.overturned()));
+    tried.sort_by(|one, other| one.0.total_cmp(&other.0));
+    Some(strength_strip(&tried, width))
 }
