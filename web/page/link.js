@@ -1,4 +1,4 @@
-// The address: `#c=` the text of the case, deflated, in letters of base64 for addresses; `&n=` its name, `&v=` plate and tab.
+// The address: `#c=` the text of the case, deflated, in letters of base64 for addresses; `&n=` its name, `&v=` plate, tab and moment.
 
 import { byId, say } from "dom";
 
@@ -40,7 +40,8 @@ export async function connectLink(app) {
     if (parts.has("c")) {
       try {
         const text = await unpacked(parts.get("c"));
-        const [plate, tab] = (parts.get("v") ?? "").split(",");
+        const [plate, tab, t] = (parts.get("v") ?? "").split(",");
+        app.startAt = /^\d+(\.\d+)?$/.test(t) ? Number(t) : undefined;
         app.plate = ["load", "k-mu", "time"].includes(plate) ? plate : "";
         app.showTab(tab);
         app.explorer.open((parts.get("n") ?? "").replace(/[^\p{L}\p{N}._ -]+/gu, "").slice(0, 80) || "link.toml", text);
@@ -58,7 +59,8 @@ export async function connectLink(app) {
   });
   const fragment = async () => {
     const name = app.explorer.name();
-    const view = [app.shownPlate, app.tab].join(",");
+    const t = app.motion && app.time.t > 0 ? [app.time.t.toFixed(3)] : [];
+    const view = [app.shownPlate, app.tab, ...t].join(",");
     return `c=${await packed(app.explorer.text())}&n=${encodeURIComponent(name)}&v=${view}`;
   };
   byId("link").addEventListener("click", async () => {

@@ -6,7 +6,10 @@ import { start, Explorer } from "library";
 import { byId } from "dom";
 import { connectVerdict } from "verdict";
 import { connectSection } from "section";
+import { connectStage } from "stage";
 import { connectPlate } from "plate";
+import { connectTransport } from "transport";
+import { connectStrengths } from "strengths";
 import { connectForm } from "form";
 import { connectPane } from "pane";
 import { connectTabs } from "tabs";
@@ -51,8 +54,8 @@ async function connect() {
     due ||= requestAnimationFrame(draw);
   };
   for (const connectPart of [
-    connectVerdict, connectTabs, connectSection, connectPlate, connectForm, connectPane, connectWhy, connectTerms, connectMenus,
-    connectFiles, connectUndo,
+    connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectForm, connectPane,
+    connectWhy, connectTerms, connectMenus, connectFiles, connectUndo,
   ]) {
     parts.push(connectPart(app));
   }

@@ -149,6 +149,7 @@ export function connectPlate(app) {
       // What is too wide is made smaller as a whole, and the point with it.
       scale = svg ? Math.min(size.scale, map.clientWidth / own) : 1;
       if (svg) svg.style.width = `${own * scale}px`;
+      app.plateScale = scale;
       // The words below a plane of the load stand in the answer already.
       const bottom = app.explorer.plate_bottom();
       if (bottom > 0) picture.style.height = `${bottom * scale}px`;
@@ -160,6 +161,6 @@ export function connectPlate(app) {
       point.classList.toggle("outside", shown === 0);
       point.setAttribute("aria-label", `Design point, at ${sideways ? "its force and friction" : "its friction"}${shown ? "" : ", outside the view"}`);
     }
-    put(byId("point-help"), point.hidden ? "" : sideways && up ? "drag the diamond, or use arrow keys" : up ? "drag the diamond up or down: friction" : "drag the diamond to the side");
+    put(byId("point-help"), point.hidden ? (app.shownPlate === "time" ? "pull the line" : "") : sideways && up ? "drag the diamond, or use arrow keys" : up ? "drag the diamond up or down: friction" : "drag the diamond to the side");
   };
 }

@@ -17,7 +17,8 @@ export function connectSection(app) {
   const play = byId("play");
   const fields = new Map();
   const rings = new Map();
-  let begins = false;
+  // What is shown: the section to scale, what begins, or the body in motion; of a case in time the last unless another is chosen.
+  let view = "";
   let running = !stills.matches;
   let animation = null;
   let settle = 0;
@@ -33,7 +34,7 @@ export function connectSection(app) {
     animation = null;
     const drawing = body.querySelector(".body");
     const [x, y, shift, turn] = app.explorer.pose(...bodySize());
-    if (!drawing || !running || !begins || (shift === 0 && turn === 0)) return;
+    if (!drawing || !running || body.hidden || (shift === 0 && turn === 0)) return;
     drawing.style.transformOrigin = `${x}px ${y}px`;
     const end = { translate: `${shift}px 0px`, rotate: `${turn}deg` };
     // From rest at constant acceleration: this easing is the square of the time.
@@ -51,11 +52,12 @@ export function connectSection(app) {
     app.changed();
   });
   const choose = (chosen) => () => {
-    begins = chosen;
+    view = chosen;
     app.changed();
   };
-  byId("begins").addEventListener("click", choose(true));
-  byId("to-scale").addEventListener("click", choose(false));
+  byId("begins").addEventListener("click", choose("begins"));
+  byId("to-scale").addEventListener("click", choose("to-scale"));
+  byId("moves").addEventListener("click", choose("moves"));
   const drawBody = whenChanged(() => {
     animation?.cancel();
     body.innerHTML = app.explorer.free_body(...bodySize());
@@ -147,18 +149,27 @@ export function connectSection(app) {
     // Another case is another drawing; what was typed for the last is gone.
     if (name !== `${said.name} ${said.title}`) fields.forEach(({ reset }) => reset());
     name = `${said.name} ${said.title}`;
-    const hasPoint = said.point !== null;
-    byId("begins").hidden = byId("to-scale").hidden = !hasPoint;
-    const moving = begins && hasPoint;
-    byId("begins").setAttribute("aria-pressed", String(moving));
-    byId("to-scale").setAttribute("aria-pressed", String(!moving));
-    place.hidden = moving;
-    body.hidden = !moving;
-    play.hidden = !moving || said.mode === "RE";
+    const has = { moves: said.in_time, "to-scale": true, begins: said.point !== null };
+    const shown = has[view] ? view : said.in_time ? "moves" : "to-scale";
+    const only = Object.values(has).filter(Boolean).length === 1;
+    for (const [id, exists] of Object.entries(has)) {
+      byId(id).hidden = !exists || only;
+      byId(id).setAttribute("aria-pressed", String(id === shown));
+    }
+    const begins = shown === "begins";
+    place.hidden = shown !== "to-scale";
+    body.hidden = !begins;
+    byId("stage").hidden = shown !== "moves";
+    play.hidden = !begins || said.mode === "RE";
     play.textContent = running ? "Pause" : "Play";
     play.setAttribute("aria-pressed", String(running));
     const numbers = byKey(said);
-    if (moving) {
+    document.querySelector(".legend").hidden = true;
+    if (shown === "moves") {
+      loose(new Map(), numbers);
+      return;
+    }
+    if (begins) {
       drawBody([said.point, said.mode, bodySize()]);
       put(byId("body-hint"), said.mode === "RE" ? "to scale, at rest" : "the motion is exaggerated; dashed: accelerations of the corners");
       loose(new Map(), numbers);

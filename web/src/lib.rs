@@ -14,7 +14,7 @@
 //! | Which case is it, and which were before? | `page` |
 //! | What is its answer? | `answered`; as the page shows it: `said`, `text` |
 //! | Which numbers can be typed or dragged? | `numbers`, `drag` |
-//! | What is drawn? | `plane` |
+//! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
 //!
@@ -31,6 +31,7 @@ mod page;
 mod plane;
 mod said;
 mod text;
+mod time;
 
 use standfast_figures as figures;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -158,6 +159,36 @@ impl Explorer {
     /// How far down the plate last drawn is seen: of a plane of the load the words below it are left to readers who do not see; 0 of all.
     pub fn plate_bottom(&self) -> f64 {
         self.page.plate_bottom()
+    }
+
+    /// The stage of a motion, about `width` by `height` units, from the floor or from the earth, as JSON; empty of a case at rest.
+    pub fn stage(&mut self, from_earth: bool, width: f64, height: f64) -> String {
+        self.page.stage(from_earth, (width, height))
+    }
+
+    /// Poses on the stage last drawn at even steps: x, y, degrees clockwise, shift of the ground, number of the mode.
+    pub fn poses(&self) -> Vec<f32> {
+        self.page.poses()
+    }
+
+    /// A moment on the stage last drawn: what is said, and lines of the drawing, as JSON.
+    pub fn moment(&self, t: f64) -> String {
+        self.page.moment(t)
+    }
+
+    /// Tries the motion under one more factor on its loads; true while there is more to try.
+    pub fn try_strength(&mut self) -> bool {
+        self.page.try_strength()
+    }
+
+    /// The strip of strengths, so wide; empty while they are not known.
+    pub fn strengths(&self, width: f64) -> String {
+        self.page.strengths(width)
+    }
+
+    /// Left, top, right and bottom of the plot of the histories last drawn; empty of other plates.
+    pub fn histories_plot(&self) -> Vec<f64> {
+        self.page.histories_plot()
     }
 
     /// Begins to drag.

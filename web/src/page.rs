@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use standfast_cases::motion::FollowedMotion;
 use standfast_cases::{CaseError, CaseFile, Inputs};
 use standfast_figures::View;
 
@@ -110,6 +111,11 @@ impl Page {
         self.held.as_ref().map_or(&self.answered, |held| &held.answered)
     }
 
+    /// The worst motion of the last text that has an answer.
+    pub(crate) fn settled_motion(&mut self) -> Option<&mut FollowedMotion> {
+        self.answered.motions.first_mut()
+    }
+
     /// Fault of the text, if it has one.
     pub fn fault(&self) -> Option<&CaseError> {
         self.fault.as_ref()
@@ -181,6 +187,7 @@ impl Page {
     /// Reads the text that stands; true if it has an answer.
     fn settle(&mut self) -> bool {
         self.held = None;
+        self.drawn.tried.clear();
         match read(&self.now, &self.files) {
             Ok((file, answered)) => {
                 (self.file, self.answered, self.fault) = (file, answered, None);

@@ -4,7 +4,8 @@ use serde::Serialize;
 use standfast::Diagram;
 use standfast_cases::assess::UP_TO;
 use standfast_cases::assess::screen::{load_plane_on_screen, section_on_screen};
-use standfast_cases::motion::MotionView;
+use standfast_cases::motion::screen::MotionOnScreen;
+use standfast_cases::motion::{MotionView, Tried};
 use standfast_cases::{AnswerFigure, AssessmentView, Document};
 use standfast_figures::{
     DesignPoint, Figure, FreeBody, Map, Picture, Pose, Rect, SectionArrow, View, cases_on_screen, free_body,
@@ -18,6 +19,11 @@ use crate::page::Page;
 pub struct Drawn {
     /// The plane of the right plate.
     pub plane: Option<Picture>,
+    /// Histories of the motion, if they are the right plate, and the motion of the left one.
+    pub histories: Option<Picture>,
+    pub motion: Option<MotionOnScreen>,
+    /// What was tried of its strength so far.
+    pub tried: Vec<Tried>,
     /// Name of that plate.
     which: String,
     /// Forces of the section.
@@ -158,11 +164,8 @@ impl Page {
         }
         .map_or((String::new(), None), |picture| (picture.figure.svg().to_owned(), Some(picture)));
         self.drawn.plane = plane;
-        if which != TIME {
-            return svg;
-        }
-        let figures = self.answered().motions[..].figures(&MotionView::default()).unwrap_or_default();
-        figures.first().map_or(String::new(), |figure| figure.figure.svg_on_screen())
+        self.drawn.histories = if which == TIME { self.histories(size) } else { None };
+        self.drawn.histories.as_ref().map_or(svg, |picture| picture.figure.svg().to_owned())
     }
 
     fn load_plane(&self, (width, height): (f64, f64)) -> Option<Picture> {

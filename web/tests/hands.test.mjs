@@ -356,6 +356,9 @@ test("examples stand on four shelves, new cases beside them, and each opens", as
     assert.ok(await page.isHidden("#case-sheet"));
   }
   await choose(page, "Block in pure numbers");
+  assert.match(await page.textContent("#stage svg title"), /in motion$/);
+  await page.click("#to-scale");
+  await drawn(page);
   assert.match(await page.textContent("#section svg title"), /[Pp]osition/);
   assert.match(await page.textContent("#sentences"), /unique/);
   assert.deepEqual(page.heard, []);

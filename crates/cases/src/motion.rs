@@ -2,6 +2,7 @@
 
 mod figures;
 pub(crate) mod json;
+pub mod screen;
 mod spectrum;
 mod summary;
 mod text;
@@ -16,7 +17,7 @@ pub use spectrum::spectrum_csv;
 pub use standfast_answers::motion::*;
 pub use standfast_model::{BlockCase, FirstInstant, GivenBase, LoadPeak, MotionCriterion, MotionWarning};
 pub use standfast_motion::record::{Record, RecordUnit};
-pub use standfast_motion::strength::Factors;
+pub use standfast_motion::strength::{Factors, Tried};
 pub use standfast_motion::{MotionError, MotionOutcome, Position};
 pub use text::{Rows, energy_rows, event_rows, number_rows, uniqueness, verdict};
 

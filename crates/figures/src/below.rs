@@ -57,11 +57,23 @@ impl Key {
 
 /// The modes with their tints and words, in rows between two edges; returns the y below.
 pub(crate) fn modes_key(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), top: f64) -> f64 {
+    keyed(scene, modes, edges, top, true)
+}
+
+/// The same, without words where the edges are too near for them.
+pub(crate) fn modes_key_within(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), top: f64) -> f64 {
+    /// What the longest words take, with patch and symbol.
+    const ROOM: f64 = 450.0;
+    keyed(scene, modes, edges, top, edges.1 - edges.0 >= ROOM)
+}
+
+fn keyed(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), top: f64, with_words: bool) -> f64 {
     let mut key = Key::new(edges, top);
     for &mode in modes {
         let words = Text::verbatim(&mode.words().replace('\'', "′"), SMALL);
         let paint = |scene: &mut Scene, patch: &Rect| scene.area(&patch.corners(), Verdict::Begins(mode));
-        key.patch(scene, paint, &[Text::new(symbol(mode), SMALL), words]);
+        let all = [Text::new(symbol(mode), SMALL), words];
+        key.patch(scene, paint, if with_words { &all } else { &all[..1] });
     }
     key.below()
 }

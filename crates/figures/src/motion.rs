@@ -7,6 +7,8 @@ mod animation;
 mod histories;
 mod positions;
 mod spectra;
+mod stage;
+mod strength;
 
 use standfast::{Mode, Verdict};
 
@@ -19,9 +21,11 @@ use crate::scene::{Path, Rect, Scene};
 use crate::text::Text;
 
 pub use animation::motion_animation;
-pub use histories::motion_histories;
+pub use histories::{motion_histories, motion_histories_on_screen};
 pub use positions::motion_positions;
 pub use spectra::{SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map};
+pub use stage::{MotionStage, StageLines, motion_stage};
+pub use strength::strength_strip;
 
 /// A motion to be drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,29 +122,39 @@ fn extent<'a>(outline: &MotionOutline, poses: impl Iterator<Item = &'a MotionPos
     all
 }
 
+/// So many times as large are moves drawn, in a number and a word, if else they would not be seen.
+fn enlargement(outline: &MotionOutline, poses: &[MotionPose]) -> Option<(f64, &'static str)> {
+    const UNSEEN: f64 = 0.03;
+    const FACTORS: [(f64, &str); 3] = [(10.0, "ten"), (100.0, "a hundred"), (1000.0, "a thousand")];
+    let moved = |pose: &MotionPose| pose.slide.abs().max(pose.theta.abs() * outline.height);
+    let most = poses.iter().map(moved).fold(0.0, f64::max) / (outline.b1 + outline.b2);
+    let flies = poses.iter().any(|pose| pose.mode == Mode::Flight);
+    let enough = FACTORS.into_iter().find(|(factor, _)| factor * most > UNSEEN);
+    enough.filter(|_| !flies && most <= UNSEEN)
+}
+
+/// A pose so many times as far from where the body stood.
+fn farther(outline: &MotionOutline, times: f64, pose: &MotionPose) -> MotionPose {
+    if times == 1.0 {
+        return *pose;
+    }
+    let MotionOutline { b1, b2, d, .. } = *outline;
+    let (slide, theta) = (times * pose.slide, times * pose.theta);
+    // About O it turns counter-clockwise, about O′ clockwise.
+    let corner = if theta >= 0.0 { -b1 } else { b2 };
+    let (sin, cos) = theta.sin_cos();
+    let x = corner + slide - corner * cos - d * sin;
+    MotionPose { x, y: d * cos - corner * sin, theta, ..*pose }
+}
+
 /// Poses as they are drawn: ten, a hundred or a thousand times farther from where the body stood, if else its moves would not be seen, which the caption then
 /// says.
 fn enlarged(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> (Vec<MotionPose>, String) {
-    const UNSEEN: f64 = 0.03;
-    const FACTORS: [(f64, &str); 3] = [(10.0, "ten"), (100.0, "a hundred"), (1000.0, "a thousand")];
-    let MotionOutline { b1, b2, d, height } = picture.outline;
-    let moved = |pose: &MotionPose| pose.slide.abs().max(pose.theta.abs() * height);
-    let most = poses.iter().map(moved).fold(0.0, f64::max) / (b1 + b2);
-    let flies = poses.iter().any(|pose| pose.mode == Mode::Flight);
-    let enough = FACTORS.into_iter().find(|(factor, _)| factor * most > UNSEEN);
-    let Some((times, words)) = enough.filter(|_| !flies && most <= UNSEEN) else {
+    let Some((times, words)) = enlargement(&picture.outline, poses) else {
         return (poses.to_vec(), picture.caption.to_owned());
     };
-    let farther = |pose: &MotionPose| {
-        let (slide, theta) = (times * pose.slide, times * pose.theta);
-        // About O it turns counter-clockwise, about O′ clockwise.
-        let corner = if theta >= 0.0 { -b1 } else { b2 };
-        let (sin, cos) = theta.sin_cos();
-        let x = corner + slide - corner * cos - d * sin;
-        MotionPose { x, y: d * cos - corner * sin, theta, ..*pose }
-    };
     (
-        poses.iter().map(farther).collect(),
+        poses.iter().map(|pose| farther(&picture.outline, times, pose)).collect(),
         format!("{} Moves are drawn {words} times as large.", picture.caption),
     )
 }

@@ -34,6 +34,7 @@ mod decide;
 pub mod divergence;
 mod error;
 mod forcing;
+pub mod ground;
 mod impact;
 mod machine;
 mod outcome;

@@ -84,6 +84,14 @@ impl Tried {
         }
     }
 
+    /// That of a problem with its loads times a factor; what acts without end stays.
+    ///
+    /// # Errors
+    /// As [`simulate`].
+    pub fn under(problem: &MotionProblem, factor: f64) -> Result<Tried, MotionError> {
+        simulate(&scaled(problem, factor), Keep::default()).map(|outcome| Tried::of(factor, &outcome))
+    }
+
     /// True if the body does not come to rest within a distance of where it was: it slides farther, overturns, or is not followed so far.
     pub fn is_beyond(&self, distance: f64) -> bool {
         !self.ended || self.overturned || self.slide > distance
@@ -147,12 +155,17 @@ impl<'a> Strengths<'a> {
         let steps = portion.steps(values.len());
         let one = |factor| {
             portion.check()?;
-            let tried = run(problem, factor)?;
+            let tried = Tried::under(problem, factor)?;
             steps.advance();
             Ok(tried)
         };
         let tried = values.into_iter().map(one).collect::<Result<_, MotionError>>()?;
-        Ok(Strengths { problem, itself: Tried::of(1.0, outcome), tried })
+        Ok(Strengths::of_tried(problem, outcome, tried))
+    }
+
+    /// The same of motions that were tried before, their factors rising.
+    pub fn of_tried(problem: &'a MotionProblem, outcome: &MotionOutcome, tried: Vec<Tried>) -> Strengths<'a> {
+        Strengths { problem, itself: Tried::of(1.0, outcome), tried }
     }
 
     /// How a verdict changes with the factor.
@@ -170,7 +183,7 @@ impl<'a> Strengths<'a> {
             let near = 0.01 * (change.factor - same).abs();
             while (change.factor - change.same).abs() > near {
                 let middle = 0.5 * (change.factor + change.same);
-                match holds(&run(self.problem, middle)?) == verdict {
+                match holds(&Tried::under(self.problem, middle)?) == verdict {
                     true => change.same = middle,
                     false => change.factor = middle,
                 }
@@ -192,10 +205,6 @@ impl<'a> Strengths<'a> {
         let windows = turns.iter().any(|turns| *turns > 1) || turns.iter().all(|turns| *turns > 0);
         Ok(VerdictStrength { verdict, up, down, share, windows })
     }
-}
-
-fn run(problem: &MotionProblem, factor: f64) -> Result<Tried, MotionError> {
-    simulate(&scaled(problem, factor), Keep::default()).map(|outcome| Tried::of(factor, &outcome))
 }
 
 /// A problem with its loads times a factor; what acts without end stays.

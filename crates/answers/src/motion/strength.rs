@@ -69,14 +69,34 @@ impl Strength {
         portion: Portion<'_>,
     ) -> Result<Option<Strength>, MotionError> {
         let Some(factors) = asked.factors(case) else { return Ok(None) };
-        let varies = case.problem.histories().any(|history| history.end().is_finite());
-        if !varies || !Tried::of(1.0, outcome).ended {
+        if !Strength::is_asked_of(case, outcome) {
             return Ok(None);
         }
-        let problem = &case.problem;
         let tried = factors.values().len() as f64;
         let [of_tried, _] = portion.parts([tried, HALVINGS]);
-        let strengths = Strengths::of(problem, outcome, factors, of_tried)?;
+        let strengths = Strengths::of(&case.problem, outcome, factors, of_tried)?;
+        Strength::of_strengths(case, strengths).map(Some)
+    }
+
+    /// True of a motion that has a verdict, under loads that go with time.
+    pub fn is_asked_of(case: &BlockCase, outcome: &MotionOutcome) -> bool {
+        let varies = case.problem.histories().any(|history| history.end().is_finite());
+        varies && Tried::of(1.0, outcome).ended
+    }
+
+    /// The strength of a case of motions that were [tried](Tried::under) before, one by one, their factors rising.
+    ///
+    /// # Errors
+    /// If a problem is refused.
+    pub fn of_tried(
+        case: &BlockCase,
+        outcome: &MotionOutcome,
+        tried: Vec<Tried>,
+    ) -> Result<Strength, MotionError> {
+        Strength::of_strengths(case, Strengths::of_tried(&case.problem, outcome, tried))
+    }
+
+    fn of_strengths(case: &BlockCase, strengths: Strengths<'_>) -> Result<Strength, MotionError> {
         let overturning = strengths.verdict(|tried| tried.overturned)?;
         let [mut slide, mut max_theta] = [None, None];
         for criterion in &case.criteria {
@@ -90,6 +110,6 @@ impl Strength {
                 MotionCriterion::NotOverturned => {}
             }
         }
-        Ok(Some(Strength { onset: onset(problem)?, overturning, slide, max_theta, tried: strengths.tried }))
+        Ok(Strength { onset: onset(&case.problem)?, overturning, slide, max_theta, tried: strengths.tried })
     }
 }

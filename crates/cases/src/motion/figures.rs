@@ -30,27 +30,18 @@ pub(super) fn all(followed: &FollowedMotion) -> Vec<AnswerFigure> {
         return Vec::new();
     }
     let samples = Samples::of(followed);
-    let loads: Vec<_> = samples.loads.iter().map(|(name, points)| MotionLoad { name, points }).collect();
-    let block = &case.problem.block;
-    let [time_unit, length_unit] = if case.si { ["s", "m"] } else { ["", ""] };
-    let picture = MotionPicture {
-        title: &samples.title,
-        caption: &samples.caption,
-        outline: MotionOutline { b1: block.b1, b2: block.b2, d: block.d, height: case.height },
-        begin: 0.0,
-        end: samples.end,
-        time_unit,
-        length_unit,
-        states: &samples.states,
-        loads: &loads,
-        slide: &samples.slide,
-        theta: &samples.theta,
-        ground: &samples.ground,
-        balance: [(block.b1 / block.d).atan(), -(block.b2 / block.d).atan()],
-    };
+    samples.with_picture(followed, |picture| figures(&samples, outcome, case.si, picture))
+}
+
+fn figures(
+    samples: &Samples,
+    outcome: &MotionOutcome,
+    si: bool,
+    picture: &MotionPicture<'_>,
+) -> Vec<AnswerFigure> {
     let (begin, end) = samples.moves();
     let from = significant(begin, 3);
-    let to = format!("{}{}", significant(end, 3), if case.si { " s" } else { "" });
+    let to = format!("{}{}", significant(end, 3), if si { " s" } else { "" });
     let told = match (begin > 0.0, end < samples.end) {
         (false, false) => samples.caption.clone(),
         (true, false) => format!("{} Shown from t = {from} on: before, the body rests.", samples.caption),
@@ -66,18 +57,18 @@ pub(super) fn all(followed: &FollowedMotion) -> Vec<AnswerFigure> {
     let moving = MotionPicture { caption: &told, begin, end, ground: &ground, ..picture.clone() };
     let frames = samples.frames(outcome, (begin, end));
     vec![
-        AnswerFigure::new("-motion", "Histories", motion_histories(&picture)),
-        AnswerFigure::new("-positions", "Positions", motion_positions(&picture, &samples.moments(outcome))),
+        AnswerFigure::new("-motion", "Histories", motion_histories(picture)),
+        AnswerFigure::new("-positions", "Positions", motion_positions(picture, &samples.moments(outcome))),
         AnswerFigure::new("-animation", "Animation", motion_animation(&moving, &frames)),
     ]
 }
 
 /// The numbers of the figures.
-struct Samples {
-    title: String,
+pub(super) struct Samples {
+    pub title: String,
     caption: String,
-    end: f64,
-    states: Vec<(f64, Mode)>,
+    pub end: f64,
+    pub states: Vec<(f64, Mode)>,
     loads: Vec<(&'static str, Vec<(f64, f64)>)>,
     slide: Vec<(f64, f64)>,
     theta: Vec<(f64, f64)>,
@@ -85,11 +76,9 @@ struct Samples {
 }
 
 impl Samples {
-    fn of(followed: &FollowedMotion) -> Samples {
+    pub(super) fn of(followed: &FollowedMotion) -> Samples {
         let (case, outcome) = (&followed.case, &followed.outcome);
-        let last = outcome.events.last().map_or(0.0, |event| event.t);
-        let end = if outcome.overturned() { last } else { outcome.t_final };
-        let end = if end > 0.0 && end.is_finite() { end } else { 1.0 };
+        let end = Samples::end_of(outcome);
         let mut states: Vec<(f64, Mode)> = Vec::new();
         for event in &outcome.events {
             if states.last().is_none_or(|(_, mode)| *mode != event.state) {
@@ -129,6 +118,40 @@ impl Samples {
                 .flat_map(|history| ground(history, end, gravity))
                 .collect(),
         }
+    }
+
+    /// The last moment that is shown.
+    pub(super) fn end_of(outcome: &MotionOutcome) -> f64 {
+        let last = outcome.events.last().map_or(0.0, |event| event.t);
+        let end = if outcome.overturned() { last } else { outcome.t_final };
+        if end > 0.0 && end.is_finite() { end } else { 1.0 }
+    }
+
+    /// Does something with the picture of the whole motion.
+    pub(super) fn with_picture<T>(
+        &self,
+        followed: &FollowedMotion,
+        draw: impl FnOnce(&MotionPicture<'_>) -> T,
+    ) -> T {
+        let case = &followed.case;
+        let loads: Vec<_> = self.loads.iter().map(|(name, points)| MotionLoad { name, points }).collect();
+        let block = &case.problem.block;
+        let [time_unit, length_unit] = if case.si { ["s", "m"] } else { ["", ""] };
+        draw(&MotionPicture {
+            title: &self.title,
+            caption: &self.caption,
+            outline: MotionOutline { b1: block.b1, b2: block.b2, d: block.d, height: case.height },
+            begin: 0.0,
+            end: self.end,
+            time_unit,
+            length_unit,
+            states: &self.states,
+            loads: &loads,
+            slide: &self.slide,
+            theta: &self.theta,
+            ground: &self.ground,
+            balance: balance(followed),
+        })
     }
 
     /// Positions of the body as it leaves rest, at its largest slide and rotation, at the end, and between them.
@@ -201,7 +224,13 @@ fn ground(history: &History, end: f64, gravity: f64) -> Vec<(f64, f64)> {
     moments.map(|t| (t, history.at(t) / gravity)).collect()
 }
 
-fn pose(outcome: &MotionOutcome, t: f64) -> Option<MotionPose> {
+/// θ of balance about O, and about O' (below zero).
+pub(super) fn balance(followed: &FollowedMotion) -> [f64; 2] {
+    let block = &followed.case.problem.block;
+    [(block.b1 / block.d).atan(), -(block.b2 / block.d).atan()]
+}
+
+pub(super) fn pose(outcome: &MotionOutcome, t: f64) -> Option<MotionPose> {
     let Position { x, y, theta, slide, state, .. } = outcome.at(t)?;
     Some(MotionPose { t, x, y, theta, slide, mode: state })
 }

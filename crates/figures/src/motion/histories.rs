@@ -1,11 +1,14 @@
 //! Load, slide and rotation over the time, one above the other, with the states behind.
 
+use standfast::Mode;
+
 use super::{Lengths, MotionPicture, band, finished, time_axis};
-use crate::Figure;
 use crate::axes::{Axes, Axis, FRAME, LEFT, NUMBER, PAGE, Tick, named, widest};
+use crate::below::modes_key_within;
 use crate::palette::{FAINT, INK, MARK, PUSH};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
+use crate::{Figure, Picture};
 
 /// White right of the plots, in which half of the last number stands.
 const RIGHT: f64 = 22.0;
@@ -53,8 +56,52 @@ impl Panel<'_> {
     }
 }
 
+/// Where histories are drawn: the right edge of the plots and their height each.
+struct Layout {
+    right: f64,
+    height: f64,
+}
+
 /// Histories of the loads, the slide and the rotation, under the band of states. What is zero throughout is a line of words.
 pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
+    let mut scene = Scene::default();
+    let layout = |_: usize, _: f64| Layout { right: PAGE - RIGHT, height: HEIGHT };
+    let Laid { below, edges, description, .. } = laid(&mut scene, picture, layout);
+    finished(scene, picture, "histories", edges, below + 12.0, RIGHT, &description)
+}
+
+/// The same for a screen, about as large as `size`: without words below the key of the states. Its plot is that of all histories, with the
+/// time to the right.
+pub fn motion_histories_on_screen(picture: &MotionPicture<'_>, (width, height): (f64, f64)) -> Picture {
+    /// The least height of a plot, and what the axis of the time and the key of the states take.
+    const LEAST: f64 = 56.0;
+    const UNDER: f64 = 84.0;
+    let mut scene = Scene::themed();
+    let layout = |plots: usize, taken: f64| Layout {
+        right: width - RIGHT,
+        height: ((height - taken - UNDER) / plots.max(1) as f64).max(LEAST),
+    };
+    let Laid { area, below, edges, description } = laid(&mut scene, picture, layout);
+    let occurs = |mode: &Mode| picture.states.iter().any(|(_, state)| state == mode);
+    let modes: Vec<Mode> = Mode::ALL.into_iter().filter(occurs).collect();
+    let below = modes_key_within(&mut scene, &modes, edges, below + 8.0);
+    let title = format!("{}: histories", picture.title);
+    let size = (width, below + 8.0);
+    let (svg, labels) = scene.finish(size.0, size.1, &title, &format!("{description} {}", picture.caption));
+    let figure = Figure { svg, title, caption: String::new(), labels, size };
+    let across = Axis::linear(picture.begin, picture.end);
+    Picture { figure, plot: area, across, up: Axis::linear(0.0, 1.0) }
+}
+
+/// Histories that were drawn: all of their plots, the y below the axis of the time, their edges, and what they show, in words.
+struct Laid {
+    area: Rect,
+    below: f64,
+    edges: (f64, f64),
+    description: String,
+}
+
+fn laid(scene: &mut Scene, picture: &MotionPicture<'_>, layout: impl Fn(usize, f64) -> Layout) -> Laid {
     let size = picture.outline.b1.max(picture.outline.b2);
     let names: Vec<&str> = picture.loads.iter().map(|load| load.name).collect();
     let lengths = Lengths::of(picture);
@@ -88,18 +135,20 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
         },
     ];
     let panels = &panels[usize::from(names.is_empty())..];
+    let flat = panels.iter().filter(|panel| panel.flat.is_some()).count();
+    let plots = panels.len() - flat;
+    let Layout { right, height } =
+        layout(plots, TOP + STRIP + GAP * plots as f64 + (FLAT + STRIP) * flat as f64);
     let axes: Vec<(Axis, Vec<Tick>)> = panels
         .iter()
         .map(|panel| {
             let up = panel.axis();
-            (up, if panel.flat.is_some() { Vec::new() } else { up.ticks(HEIGHT, true) })
+            (up, if panel.flat.is_some() { Vec::new() } else { up.ticks(height, true) })
         })
         .collect();
     let left = axes.iter().fold(20.0, |most, (_, ticks)| widest(ticks, most)) + LEFT + 9.0;
-    let right = PAGE - RIGHT;
-    let mut scene = Scene::default();
     let strip = Rect { x0: left, y0: TOP, x1: right, y1: TOP + STRIP };
-    band(&mut scene, picture, strip);
+    band(scene, picture, strip);
     let mut top = TOP + STRIP;
     for (panel, (up, ticks)) in panels.iter().zip(&axes) {
         if let Some(words) = panel.flat {
@@ -108,10 +157,10 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
             continue;
         }
         top += GAP;
-        let area = Rect { x0: left, y0: top, x1: right, y1: top + HEIGHT };
+        let area = Rect { x0: left, y0: top, x1: right, y1: top + height };
         let axes = Axes { area, across: Axis::linear(picture.begin, picture.end), up: *up };
-        draw(&mut scene, picture, panel, &axes, ticks);
-        top += HEIGHT;
+        draw(scene, picture, panel, &axes, ticks);
+        top += height;
     }
     // Ticks of the time stand on the last line: below words, or the strip alone, they need room.
     if panels.iter().all(|panel| panel.flat.is_some()) {
@@ -119,7 +168,8 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
     } else if panels.last().is_some_and(|panel| panel.flat.is_some()) {
         top += FLAT / 2.0;
     }
-    let below = time_axis(&mut scene, picture, Rect { x0: left, y0: TOP, x1: right, y1: top });
+    let area = Rect { x0: left, y0: TOP, x1: right, y1: top };
+    let below = time_axis(scene, picture, area);
     let edges = (LEFT, right);
     let quantities: Vec<String> = panels
         .iter()
@@ -129,7 +179,7 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
         })
         .collect();
     let description = format!("Over the time, from above: the states; {}.", quantities.join("; "));
-    finished(scene, picture, "histories", edges, below + 12.0, RIGHT, &description)
+    Laid { area, below, edges, description }
 }
 
 fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes: &Axes, ticks: &[Tick]) {

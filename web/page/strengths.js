@@ -1,0 +1,27 @@
+// How much stronger the loads have to be to overturn the body: tried one factor after the other once the page is drawn, so that nothing waits.
+
+import { byId, whenChanged } from "dom";
+
+/** Between two tries the page has its turn, ms. */
+const TURN = 25;
+
+export function connectStrengths(app) {
+  const place = byId("strengths");
+  let timer = 0;
+  let known = false;
+  const show = whenChanged((svg) => (place.innerHTML = svg));
+  const step = () => {
+    timer = 0;
+    if (app.held || !app.motion) return;
+    if (app.explorer.try_strength()) timer = setTimeout(step, TURN);
+    else if (app.explorer.strengths(300) && !known) app.changed();
+  };
+  return () => {
+    const svg = app.motion && app.shownPlate === "time" ? app.explorer.strengths(Math.floor(byId("map").clientWidth)) : "";
+    known = app.motion !== null && app.explorer.strengths(300) !== "";
+    place.hidden = !svg;
+    show(svg);
+    clearTimeout(timer);
+    if (app.motion && !app.held && !known) timer = setTimeout(step, TURN);
+  };
+}
