@@ -4,6 +4,7 @@ use serde::Serialize;
 use standfast::relation::Relation;
 use standfast::{Stage, Verdict};
 use standfast_cases::assess::verdict::{full_load, least_factor};
+use standfast_cases::case::Limit;
 use standfast_cases::layout::{digits, factor, percent};
 use standfast_cases::motion::{FollowedMotion, MotionCheck, uniqueness};
 use standfast_cases::results::ResultName;
@@ -258,7 +259,23 @@ fn rulers(rest: &Assessment, with_factors: bool) -> Vec<Ruler> {
             good: check.is_met(),
         })
     };
-    checks.iter().filter_map(of).collect()
+    let asked: Vec<Ruler> = checks.iter().filter_map(of).collect();
+    if !with_factors || !can_fail(rest.governing()) {
+        return asked;
+    }
+    // Of ground that can fail the ways to fail come first: of ground, sliding and overturning what is asked, or else the factor.
+    let ways = factors(rest.governing());
+    let (first, others): (Vec<_>, Vec<_>) =
+        asked.into_iter().partition(|ruler| ways.iter().any(|way| way.name == ruler.name));
+    let unasked: Vec<Ruler> =
+        ways.into_iter().filter(|way| first.iter().all(|ruler| ruler.name != way.name)).collect();
+    [first, unasked, others].into_iter().flatten().collect()
+}
+
+/// True of ground that can fail, beside whose factor those of a rigid base tell what comes next.
+fn can_fail(assessed: &Assessed) -> bool {
+    let limit = assessed.ground.as_ref().and_then(|ground| ground.limit);
+    matches!(limit, Some(Limit::Ground(_)))
 }
 
 /// The safety factors of a situation, the least first.
@@ -270,7 +287,8 @@ fn factors(assessed: &Assessed) -> Vec<Ruler> {
         (Some(stability.sliding), ResultName::SfSliding),
         (Some(stability.overturning()), ResultName::SfOverturningNet),
     ];
-    if assessed.outcome.full.is_lifted() || least_factor(assessed).is_none() {
+    let tell = can_fail(assessed) || least_factor(assessed).is_some();
+    if assessed.outcome.full.is_lifted() || !tell {
         return Vec::new();
     }
     let mut factors: Vec<(f64, ResultName)> =
@@ -330,6 +348,11 @@ mod tests {
         // 0.9809 of 1.4, on a line to twice the bound.
         assert!((first["at"].as_f64().unwrap() - 0.9809 / 1.4 / 2.0).abs() < 1e-4);
         assert_eq!(said["warnings"][0][0], "impulsive-breaking");
+        // Ground, sliding and overturning, the governing first: before other criteria, and whether asked or not.
+        let names: Vec<&str> =
+            said["rulers"].as_array().unwrap().iter().filter_map(|ruler| ruler["name"].as_str()).collect();
+        let ways = ["ground_factor", "SF_sliding", "SF_overturning_net"];
+        assert_eq!(names, [&ways[..], &["effective_pressure_max"]].concat());
     }
 
     #[test]

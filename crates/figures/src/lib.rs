@@ -297,6 +297,8 @@ pub struct LoadPlane<'a> {
     pub regions: &'a [Region],
     /// The plane of a base that gives way, up to the same load factor: boundaries on rigid ground are then drawn in grey behind.
     pub base: Option<&'a GroundLoadPlane>,
+    /// The load factors at which the ground fails at an angle of friction 2° less and more: a band, hatched; `None` where there is none.
+    pub uncertain: Option<[f64; 2]>,
     /// The largest load factor; above zero.
     pub up_to: f64,
     /// The body's friction to stick: the load path runs along it.
@@ -322,6 +324,7 @@ pub struct LoadPlane<'a> {
 /// let figure = load_plane(&LoadPlane {
 ///     regions: &situation.plane(2.0)?,
 ///     base: None,
+///     uncertain: None,
 ///     up_to: 2.0,
 ///     friction: situation.static_friction(),
 ///     stages: &situation.path()?,
@@ -335,6 +338,7 @@ pub struct LoadPlane<'a> {
 /// let figure = load_plane(&LoadPlane {
 ///     regions: &situation.plane(2.0)?,
 ///     base: Some(&GroundLoadPlane::crushing(&situation, 3e6, 2.0)?),
+///     uncertain: None,
 ///     up_to: 2.0,
 ///     friction: situation.static_friction(),
 ///     stages: &outcome(&situation, 3e6)?.outcome.path,

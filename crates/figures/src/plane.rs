@@ -19,7 +19,7 @@ use crate::margins::{self, Tab};
 use crate::number::{digits, distinct_digits};
 use crate::outlines::Polyline;
 use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol};
-use crate::plot::{Arc, Piece, View, clip_strips, level};
+use crate::plot::{Arc, Fall, Piece, View, clip_strips, hatch, level};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{Figure, LoadPlane, Picture, caption};
@@ -34,7 +34,11 @@ const BOUNDARY: Pen = Pen::solid(INK, 1.3);
 const SAME: f64 = 1e-6;
 
 /// Lines of the plane on rigid ground, behind.
-const RIGID: Pen = Pen::solid(BEHIND, 1.1);
+const RIGID: Pen = Pen { colour: BEHIND, width: 1.3, dashes: "1.5 3" };
+/// The name of these lines in the picture.
+const ON_RIGID: &str = "on rigid ground";
+/// What is uncertain of the ground.
+const UNCERTAIN: Pen = Pen::solid(MARK, 0.6);
 
 /// What is drawn.
 struct Plan<'a> {
@@ -43,6 +47,8 @@ struct Plan<'a> {
     corners: Vec<f64>,
     /// The regions on rigid ground, to be drawn behind.
     rigid: Vec<Shaded>,
+    /// Where a body rests on ground somewhat weaker, or stronger, and not on the other.
+    uncertain: Vec<Strip>,
     up_to: f64,
     friction: f64,
     stages: &'a [Stage],
@@ -80,7 +86,9 @@ impl<'a> Plan<'a> {
             }
         };
         let LoadPlane { up_to, friction, stages, title, .. } = *given;
-        Plan { regions, corners, rigid, up_to, friction, stages, title }
+        let uncertain =
+            given.base.zip(given.uncertain).map_or_else(Vec::new, |(base, ends)| ground::between(base, ends));
+        Plan { regions, corners, rigid, uncertain, up_to, friction, stages, title }
     }
 }
 
@@ -122,6 +130,8 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     for area in &areas {
         canvas.region(&area.pieces, area.verdict);
     }
+    let uncertain = clip_strips(&given.uncertain, &window);
+    canvas.scene.stroke(&hatch(&axes, &uncertain, 5.0, Fall::Rising), UNCERTAIN);
     let behind = self::areas(&given.rigid, &window);
     boundaries(&mut canvas, &given.rigid, &behind, RIGID);
     boundaries(&mut canvas, &given.regions, &areas, BOUNDARY);
@@ -135,6 +145,8 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
         }
     }
     path.names(&mut canvas, &named);
+    name_band(&mut canvas, &uncertain);
+    name_rigid(&mut canvas, given, &behind, &window);
 
     let [name, up] = ["Share of the load, $λ$", "Friction, $μ$"].map(|words| Text::inline(words, NUMBER));
     axes.framed(&mut canvas.scene, &axes.ticks());
@@ -149,12 +161,40 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     let width = (right.unwrap_or(axes.area.x1) + 12.0).max(axes.area.x1 + ROOM);
     let edges = (16.0, width - 16.0);
     let heading = if given.title.trim().is_empty() { "Load factor and friction" } else { given.title };
-    let behind = if given.rigid.is_empty() { "" } else { " Grey: on rigid ground." };
-    let details = margins::words(&(path.caption() + behind), SMALL);
+    let behind = if given.rigid.is_empty() { "" } else { " Dotted: on rigid ground." };
+    let band = if uncertain.is_empty() { "" } else { " Hatched: where the ground fails at $φ ± 2°$." };
+    let details = margins::words(&(path.caption() + behind + band), SMALL);
     let words = Words::new(verbatim(heading, SIZE), details);
     let description = description(&window, &areas, &words.caption);
     let figure = words.figure(canvas.scene, edges, below + 14.0, 16.0, &description);
     Picture { figure, plot: axes.area, across: axes.across, up: axes.up }
+}
+
+/// The name of the band, beside it and as far up as there is room.
+fn name_band(canvas: &mut Canvas, band: &[Piece]) {
+    let (Some(first), Some(last)) = (band.first(), band.last()) else { return };
+    let axes = canvas.board.axes;
+    let text = Text::new("$φ ± 2°$", NUMBER);
+    let (left, right) = (axes.x(first.from), axes.x(last.to));
+    let places = (0..8).flat_map(|row| {
+        let y = axes.area.y0 + text.height() * (0.9 + 1.2 * f64::from(row));
+        [left - 4.0 - text.width / 2.0, right + 4.0 + text.width / 2.0]
+            .map(|x| Rect::around(x, y, text.width, text.height()))
+    });
+    let place = places.clone().find(|rect| canvas.board.clear(rect, 1.8));
+    canvas.place(&text, place, MARK);
+}
+
+/// The name of the boundaries on rigid ground, where the ground fails that is there.
+fn name_rigid(canvas: &mut Canvas, given: &Plan<'_>, behind: &[Area], window: &View) {
+    let fails = given.regions.iter().filter(|region| region.verdict == Verdict::BearingFailure);
+    let Some(from) = fails.flat_map(|region| &region.strips).map(|strip| strip.from).reduce(f64::min) else {
+        return;
+    };
+    let arcs = edges(behind, window).into_iter().filter(|arc| arc.to > from);
+    let mut arcs: Vec<Arc> = arcs.map(|arc| Arc { from: arc.from.max(from), ..arc }).collect();
+    arcs.sort_by(|one, other| (other.to - other.from).total_cmp(&(one.to - one.from)));
+    canvas.beside_line(&arcs, &Text::inline(ON_RIGID, NUMBER));
 }
 
 /// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region
@@ -444,7 +484,7 @@ mod tests {
     }
 
     fn plane(regions: &[standfast::region::Region]) -> LoadPlane<'_> {
-        LoadPlane { regions, base: None, up_to: 2.0, friction: 0.3, stages: &[], title: "" }
+        LoadPlane { regions, base: None, uncertain: None, up_to: 2.0, friction: 0.3, stages: &[], title: "" }
     }
 
     #[test]

@@ -36,6 +36,7 @@ fn planes() -> Vec<Figure> {
     let path = LoadPlane {
         regions: &regions,
         base: None,
+        uncertain: None,
         up_to: 2.0,
         friction: 0.6,
         stages: &stages,

@@ -51,6 +51,7 @@ impl Case {
         load_plane(&LoadPlane {
             regions: &self.regions,
             base: None,
+            uncertain: None,
             up_to: self.up_to,
             friction: self.friction,
             stages: &self.stages,
@@ -189,8 +190,15 @@ fn numbers_out_of_the_ordinary_are_drawn_or_left_out() {
             for Case { regions, stages, .. } in &cases {
                 let (title, empty) = ("W".repeat(400), String::new());
                 for title in [&title, &empty] {
-                    let figure =
-                        load_plane(&LoadPlane { regions, base: None, up_to, friction, stages, title });
+                    let figure = load_plane(&LoadPlane {
+                        regions,
+                        base: None,
+                        uncertain: None,
+                        up_to,
+                        friction,
+                        stages,
+                        title,
+                    });
                     assert_tidy(&figure);
                     assert_on_page(&figure);
                 }
@@ -198,6 +206,7 @@ fn numbers_out_of_the_ordinary_are_drawn_or_left_out() {
             assert_tidy(&load_plane(&LoadPlane {
                 regions: &[],
                 base: None,
+                uncertain: None,
                 up_to,
                 friction,
                 stages: &[],
@@ -247,6 +256,7 @@ fn load_factors_that_nearly_agree_are_told_apart() {
     let figure = load_plane(&LoadPlane {
         regions: &[],
         base: None,
+        uncertain: None,
         up_to: 2.0,
         friction: 0.6,
         stages: &stages,
@@ -267,6 +277,7 @@ fn a_tick_is_seen_beside_the_diamond() {
         let figure = load_plane(&LoadPlane {
             regions: &[],
             base: None,
+            uncertain: None,
             up_to: 2.0,
             friction: 0.6,
             stages: &stages,

@@ -201,6 +201,10 @@ pub(super) fn with_load_plane<T>(
     Ok(draw(&LoadPlane {
         regions: &regions,
         base: plane.as_ref(),
+        uncertain: assessed.ground.as_ref().and_then(|ground| {
+            let factors = ground.load_factors?;
+            Some([factors.less?, factors.more?])
+        }),
         up_to,
         friction,
         stages: &assessed.outcome.path,

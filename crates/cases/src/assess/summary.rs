@@ -100,17 +100,23 @@ fn near(assessment: &Assessment) -> Option<String> {
     let assessed = assessment.least(|assessed| assessed.departure().load_factor());
     let head = place(assessment, assessed).map_or(String::new(), |name| format!("Under {}, ", quoted(&name)));
     let loads = verdict::risen_loads(assessed);
-    let less = assessed.ground.as_ref().and_then(|ground| ground.load_factors?.less);
+    let factors = assessed.ground.as_ref().and_then(|ground| ground.load_factors);
+    let [less, more] = [factors.and_then(|factors| factors.less), factors.and_then(|factors| factors.more)];
     let departs = match assessed.departure() {
         Departure::AtOnce { permanent: true, verdict } => {
             format!("the permanent loads alone move it: it {}.", predicate(verdict))
         }
         Departure::AtOnce { permanent: false, .. } => format!("any share of {loads} moves it."),
         Departure::At { factor, verdict: Some(Verdict::BearingFailure) } => {
-            let less = less.map_or(String::new(), |less| {
-                format!(", and at {} with an angle of friction 2° less", percent(less))
-            });
-            format!("the ground fails at {} of {loads}{less}.", percent(factor))
+            let range = match (less, more) {
+                (Some(less), Some(more)) if more.is_finite() => {
+                    format!(" ({} to {} for φ ± 2°)", percent(less), percent(more))
+                }
+                (Some(less), _) => format!(" ({} for φ − 2°)", percent(less)),
+                _ => String::new(),
+            };
+            let rigid = on_rigid_ground(assessed).unwrap_or_default();
+            format!("the ground fails at {} of {loads}{range}.{rigid}", percent(factor))
         }
         Departure::At { factor, verdict } => {
             let goes = verdict
@@ -149,6 +155,17 @@ fn near(assessment: &Assessment) -> Option<String> {
         .filter(|words| !words.is_empty())
         .collect();
     (!words.is_empty()).then(|| words.join(" "))
+}
+
+/// What would first happen if the ground bore everything.
+fn on_rigid_ground(assessed: &Assessed) -> Option<String> {
+    match assessed.situation.outcome().ok()?.departure {
+        Departure::At { factor, verdict } => {
+            Some(format!(" On rigid ground it {} at {}.", predicate(verdict), percent(factor)))
+        }
+        Departure::Never => Some(" On rigid ground nothing moves it.".to_owned()),
+        Departure::AtOnce { .. } => None,
+    }
 }
 
 /// What first happens on springs in time, under the loads under which it takes the least of them.

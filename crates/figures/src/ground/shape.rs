@@ -35,33 +35,38 @@ pub(crate) fn traced<T: Copy>(
         (k / view.width() * crate::chart::PLOT.0, mu / view.height() * crate::chart::PLOT.1)
     };
     for pair in stops.windows(2) {
-        bend(&at, &page, (pair[0], pair[1]), 14, &mut points);
-        points.push(at(pair[1]));
+        let (one, other) = (points[points.len() - 1], at(pair[1]));
+        bend(&at, &page, (pair[0], one), (pair[1], other), 14, &mut points);
+        points.push(other);
     }
     points
 }
 
+/// Adds the points that a curve takes between two of its points.
 fn bend<T: Copy>(
     at: &impl Fn(f64) -> T,
     page: &impl Fn(&T) -> (f64, f64),
-    (from, to): (f64, f64),
+    (from, one): (f64, T),
+    (to, other): (f64, T),
     depth: u32,
     points: &mut Vec<T>,
 ) {
-    let middle = from + (to - from) / 2.0;
-    let ((x0, y0), (x, y), (x1, y1)) = (page(&at(from)), page(&at(middle)), page(&at(to)));
+    let ((x0, y0), (x1, y1)) = (page(&one), page(&other));
     let far = |x: f64, y: f64| !(-9.0..=2.0 * crate::chart::PLOT.0).contains(&x.max(y));
-    if far(x0, y0) && far(x1, y1) {
+    if depth == 0 || (far(x0, y0) && far(x1, y1)) {
         return;
     }
+    let middle = from + (to - from) / 2.0;
+    let between = at(middle);
+    let (x, y) = page(&between);
     let (dx, dy) = (x1 - x0, y1 - y0);
     let off = ((x - x0) * dy - (y - y0) * dx).abs() / dx.hypot(dy).max(1e-9);
     // A middle that is much nearer to one end hides a bend on the other side.
     let uneven = (x - x0).hypot(y - y0) > 4.0 * (x1 - x).hypot(y1 - y).max(1.0);
-    if depth > 0 && (off > TOLERANCE || uneven) {
-        bend(at, page, (from, middle), depth - 1, points);
-        points.push(at(middle));
-        bend(at, page, (middle, to), depth - 1, points);
+    if off > TOLERANCE || uneven {
+        bend(at, page, (from, one), (middle, between), depth - 1, points);
+        points.push(between);
+        bend(at, page, (middle, between), (to, other), depth - 1, points);
     }
 }
 

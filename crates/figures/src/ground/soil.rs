@@ -75,15 +75,16 @@ fn edges(plane: &BearingPlane, view: &View) -> (Polyline, Polyline) {
     };
     let mut stops = vec![0.0, plane.k_bf().min(top), view.mu_max.min(top), top];
     // Where the edges leave the window.
-    let steps = (0..=400).map(|i| top * f64::from(i) / 400.0).collect::<Vec<_>>();
+    let steps: Vec<_> = (0..=400).map(|i| range(top * f64::from(i) / 400.0)).collect();
     for pair in steps.windows(2) {
         for side in [|at: (f64, f64, f64)| at.1, |at: (f64, f64, f64)| at.2] {
-            let is_out = |mu: f64| side(range(mu)) > view.k_max;
-            if is_out(pair[0]) != is_out(pair[1]) {
-                let (mut one, mut other) = (pair[0], pair[1]);
+            let is_out = |at: (f64, f64, f64)| side(at) > view.k_max;
+            let begins = is_out(pair[0]);
+            if begins != is_out(pair[1]) {
+                let (mut one, mut other) = (pair[0].0, pair[1].0);
                 for _ in 0..60 {
                     let middle = (one + other) / 2.0;
-                    if is_out(middle) == is_out(pair[0]) { one = middle } else { other = middle }
+                    if is_out(range(middle)) == begins { one = middle } else { other = middle }
                 }
                 stops.push(other);
             }

@@ -42,6 +42,26 @@ pub(super) fn lines(plane: &GroundLoadPlane, friction: f64) -> Vec<(LoadEdge, Po
     lines
 }
 
+/// Where friction holds a body between two load factors.
+pub(super) fn between(plane: &GroundLoadPlane, [from, to]: [f64; 2]) -> Vec<Strip> {
+    const PARTS: u32 = 16;
+    let end = plane.bands().last().map_or(0.0, |band| band.to);
+    let to = to.min(end);
+    if from >= to {
+        return Vec::new();
+    }
+    let held = LoadEdge::Friction { slips: false };
+    let stop = |i: u32| from + (to - from) * f64::from(i) / f64::from(PARTS);
+    let points: Polyline = (0..=PARTS).filter_map(|i| Some((stop(i), plane.at(held, stop(i))?))).collect();
+    let strip = |pair: &[(f64, f64)]| Strip {
+        from: pair[0].0,
+        to: pair[1].0,
+        lower: through(pair[0], pair[1]),
+        upper: None,
+    };
+    points.windows(2).map(strip).collect()
+}
+
 /// How close the curves are to be followed: as this part of the plane asks for.
 fn view(plane: &GroundLoadPlane, friction: f64) -> View {
     let end = plane.bands().last().map_or(1.0, |band| band.to);

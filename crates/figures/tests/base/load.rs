@@ -57,6 +57,7 @@ fn lines(plane: &GroundLoadPlane, situation: &Situation) -> Vec<(LoadEdge, Vec<(
     load_lines(&LoadPlane {
         regions: &rigid,
         base: Some(plane),
+        uncertain: None,
         up_to: UP_TO,
         friction,
         stages: &[],
@@ -316,26 +317,34 @@ fn the_drawing_is_tidy_and_says_what_it_shows() {
     for which in 0..SITUATIONS {
         let situation = situation(which, 0.6);
         let rigid = situation.plane(UP_TO).expect("a plane");
-        let draw = |plane: &GroundLoadPlane, stages: &[Stage]| {
+        let draw = |plane: &GroundLoadPlane, stages: &[Stage], uncertain: Option<[f64; 2]>| {
             let figure = load_plane(&LoadPlane {
                 regions: &rigid,
                 base: Some(plane),
+                uncertain,
                 up_to: UP_TO,
                 friction: 0.6,
                 stages,
                 title: "Body",
             });
             super::assert_tidy(&figure);
-            assert!(figure.caption().ends_with("Grey: on rigid ground."), "{}", figure.caption());
+            // The band from φ − 2° on is in sight where it begins before the end.
+            let band = uncertain.is_some_and(|[less, _]| less < UP_TO);
+            let said = figure.caption();
+            assert!(said.contains("Dotted: on rigid ground."), "{said}");
+            assert_eq!(said.contains(" Hatched: where the ground fails at φ"), band, "{which}: {said}");
             figure
         };
         for q in STRENGTHS {
             let stages = strength::outcome(&situation, q).expect("an outcome").outcome.path;
-            draw(&GroundLoadPlane::crushing(&situation, q, UP_TO).expect("a plane"), &stages);
+            draw(&GroundLoadPlane::crushing(&situation, q, UP_TO).expect("a plane"), &stages, None);
         }
         for soil in soils() {
-            let stages = bearing::outcome(&situation, soil).expect("an outcome").outcome.path;
-            let figure = draw(&GroundLoadPlane::failing(&situation, soil, UP_TO).expect("a plane"), &stages);
+            let found = bearing::outcome(&situation, soil).expect("an outcome");
+            let (stages, factors) = (found.outcome.path, found.load_factors);
+            let plane = GroundLoadPlane::failing(&situation, soil, UP_TO).expect("a plane");
+            let figure =
+                draw(&plane, &stages, factors.less.zip(factors.more).map(|(less, more)| [less, more]));
             assert!(figure.svg().contains("stands on ground that fails"), "{which}");
         }
     }

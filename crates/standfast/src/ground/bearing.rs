@@ -87,8 +87,22 @@ pub enum GroundLaw {
 /// Law by which the ground bears: soil, for V₀ and the inclination factors, or an envelope in their place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kind {
-    Soil { law: GroundLaw, angle_deg: f64, unit_weight: f64, surcharge: f64, cohesion: f64 },
+    Soil { law: GroundLaw, angle: Angle, unit_weight: f64, surcharge: f64, cohesion: f64 },
     Envelope { centric: f64, horizontal: f64, moment: f64, coupling: f64 },
+}
+
+/// An angle of friction with what the laws make of it, once and not at every reaction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Angle {
+    degrees: f64,
+    tan: f64,
+    factors: BearingFactors,
+}
+
+impl Angle {
+    fn new(law: GroundLaw, degrees: f64) -> Angle {
+        Angle { degrees, tan: degrees.to_radians().tan(), factors: law.factors(degrees) }
+    }
 }
 
 /// The ground under a strip.
@@ -220,7 +234,8 @@ impl Ground {
             Expected::GroundAngle,
         )?;
         let unit_weight = InputError::positive(Quantity::UnitWeight, unit_weight)?;
-        Ok(Ground(Kind::Soil { law, angle_deg, unit_weight, surcharge: 0.0, cohesion: 0.0 }))
+        let angle = Angle::new(law, angle_deg);
+        Ok(Ground(Kind::Soil { law, angle, unit_weight, surcharge: 0.0, cohesion: 0.0 }))
     }
 
     /// Ground known by what it bears centric and upright, V₀ (N per metre run), and by Butterfield & Gottardi's envelope with their
@@ -278,8 +293,9 @@ impl Ground {
     /// Ground at another angle of friction, `by` degrees more; `None` for an envelope, which has none. It may leave 20° to 50° by that.
     pub fn turned(&self, by: f64) -> Option<Ground> {
         match self.0 {
-            Kind::Soil { law, angle_deg, unit_weight, surcharge, cohesion } => {
-                Some(Ground(Kind::Soil { law, angle_deg: angle_deg + by, unit_weight, surcharge, cohesion }))
+            Kind::Soil { law, angle, unit_weight, surcharge, cohesion } => {
+                let angle = Angle::new(law, angle.degrees + by);
+                Some(Ground(Kind::Soil { law, angle, unit_weight, surcharge, cohesion }))
             }
             Kind::Envelope { .. } => None,
         }
@@ -296,7 +312,7 @@ impl Ground {
     /// The angle of friction in degrees; `None` for an envelope.
     pub fn friction_angle_deg(&self) -> Option<f64> {
         match self.0 {
-            Kind::Soil { angle_deg, .. } => Some(angle_deg),
+            Kind::Soil { angle, .. } => Some(angle.degrees),
             Kind::Envelope { .. } => None,
         }
     }
@@ -312,7 +328,7 @@ impl Ground {
     /// N_q, N_c, N_γ; `None` for an envelope.
     pub fn factors(&self) -> Option<BearingFactors> {
         match self.0 {
-            Kind::Soil { law, angle_deg, .. } => Some(law.factors(angle_deg)),
+            Kind::Soil { angle, .. } => Some(angle.factors),
             Kind::Envelope { .. } => None,
         }
     }
@@ -321,8 +337,8 @@ impl Ground {
     pub fn centric_resistance(&self, half_width: f64) -> f64 {
         match self.0 {
             Kind::Envelope { centric, .. } => centric,
-            Kind::Soil { law, angle_deg, unit_weight, surcharge, cohesion } => {
-                let BearingFactors { n_q, n_c, n_gamma } = law.factors(angle_deg);
+            Kind::Soil { angle, unit_weight, surcharge, cohesion, .. } => {
+                let BearingFactors { n_q, n_c, n_gamma } = angle.factors;
                 2.0 * half_width * (cohesion * n_c + surcharge * n_q + unit_weight * half_width * n_gamma)
             }
         }
@@ -333,10 +349,9 @@ impl Ground {
     pub fn resistance(&self, reaction: &Reaction) -> f64 {
         let Reaction { half_width, p, x, e } = *reaction;
         match self.0 {
-            Kind::Soil { law, angle_deg, unit_weight, surcharge, cohesion } => {
+            Kind::Soil { law, angle, unit_weight, surcharge, cohesion } => {
                 let width = reaction.effective_width();
-                let BearingFactors { n_q, n_c, n_gamma } = law.factors(angle_deg);
-                let tan = angle_deg.to_radians().tan();
+                let Angle { tan, factors: BearingFactors { n_q, n_c, n_gamma }, .. } = angle;
                 let [i_q, i_gamma] = law.inclined(x.abs() / (p + width * cohesion / tan));
                 let i_c = (i_q - (1.0 - i_q) / (n_c * tan)).max(0.0);
                 width

@@ -187,6 +187,16 @@ impl GroundLoadPlane {
         friction.filter(|friction| *friction >= 0.0 && friction.is_finite())
     }
 
+    /// All boundaries that there are at λ, with their μ.
+    fn all_at(&self, edges: &[LoadEdge], factor: f64) -> Vec<(f64, LoadEdge)> {
+        match &self.base {
+            Base::Crushing(own) => {
+                edges.iter().filter_map(|edge| Some((own.at(*edge, factor)?, *edge))).collect()
+            }
+            Base::Failing(own) => own.all_at(edges, factor),
+        }
+    }
+
     /// All boundaries that there may be.
     fn edges(&self) -> Vec<LoadEdge> {
         let ratio = match &self.base {
@@ -214,9 +224,8 @@ impl GroundLoadPlane {
 
     /// The row of verdicts at a load factor.
     fn column(&self, edges: &[LoadEdge], factor: f64) -> Vec<LoadCell> {
-        let mut above: Vec<(f64, LoadEdge)> =
-            edges.iter().filter_map(|edge| Some((self.at(*edge, factor)?, *edge))).collect();
-        above.retain(|(mu, _)| *mu > 0.0);
+        let mut above = self.all_at(edges, factor);
+        above.retain(|(mu, _)| *mu > 0.0 && mu.is_finite());
         above.sort_by(|one, other| one.0.total_cmp(&other.0));
         above.dedup_by(|later, earlier| later.0 - earlier.0 <= SAME * later.0);
         let mut cells: Vec<LoadCell> = Vec::new();

@@ -73,10 +73,10 @@ impl BearingPlane {
         let share = InputError::positive(Quantity::BearingShare, share)?;
         let centric = 1.0 / share / ground.centric_resistance(1.0);
         let ground = match ground.0 {
-            Kind::Soil { law, angle_deg, unit_weight, surcharge, cohesion } => {
+            Kind::Soil { law, angle, unit_weight, surcharge, cohesion } => {
                 let [unit_weight, surcharge, cohesion] =
                     [unit_weight, surcharge, cohesion].map(|x| x * centric);
-                Kind::Soil { law, angle_deg, unit_weight, surcharge, cohesion }
+                Kind::Soil { law, angle, unit_weight, surcharge, cohesion }
             }
             Kind::Envelope { horizontal, moment, coupling, .. } => {
                 Kind::Envelope { centric: 1.0 / share, horizontal, moment, coupling }
