@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::key::{Id, Key, Kind, Table};
 use crate::record::RecordFile;
-use crate::units::{Dimension, Extent, ShownUnit};
+use crate::units::{Dimension, Extent, ShownUnit, in_gravity};
 
 /// A value under a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -120,6 +120,13 @@ impl Inputs {
     /// Says in which unit the file writes a number.
     pub(crate) fn put_unit(&mut self, id: Id, unit: ShownUnit) {
         self.written.push((id, unit));
+    }
+
+    /// The unit that a text writes behind a number of a key; `None` if it writes none.
+    pub fn unit_in(&self, id: Id, text: &str) -> Option<ShownUnit> {
+        let dimension = self.dimension(id)?;
+        let in_g = in_gravity(text).filter(|_| dimension == Dimension::Acceleration);
+        in_g.map(|_| ShownUnit::gravity(self.gravity())).or_else(|| dimension.shown_unit(text))
     }
 
     /// The unit in which the file writes a number; that of SI, in which it takes one without, where it writes none.

@@ -79,7 +79,7 @@ pub struct Fragility {
     pub name: String,
     /// Its meaning in a few words.
     pub words: String,
-    /// The unit in which the file writes it; `None` of a plain number.
+    /// The unit in which it is asked for, or in which the file writes it; `None` of a plain number.
     pub shown: Option<ShownUnit>,
     /// The probabilities at each value.
     pub points: Vec<FragilityPoint>,
@@ -229,6 +229,14 @@ impl ValueRange {
         })
     }
 
+    /// The first value, as it is written.
+    fn first(&self) -> &str {
+        match &self.values {
+            Values::Steps { from, .. } => from,
+            Values::These(values) => values.first().map_or("", String::as_str),
+        }
+    }
+
     /// Number of values.
     fn count(&self) -> usize {
         match &self.values {
@@ -297,7 +305,9 @@ impl ValueRange {
                     problems_of(&changed, None, None)
                 };
                 let points = self.points(self.values(read)?, (request, portion), at)?;
-                (variable.id(), variable.shown_unit(), points)
+                // In the unit that is asked in, or else in that of the file.
+                let asked_in = file.inputs().unit_in(variable.id(), self.first());
+                (variable.id(), asked_in.or(variable.shown_unit()), points)
             }
         };
         let told: Vec<(f64, f64)> = points.iter().map(|point| (point.value, point.not_rest.value)).collect();
