@@ -87,7 +87,12 @@ def test_form_adds_the_nearest_point_of_every_mode(program: list[str], tmp_path:
 
 def test_along_a_number_each_point_is_its_own_case(program: list[str]) -> None:
     found = standfast.probability(PLANE, over="gamma=0.7..0.9:3")
-    assert found.fragility is not None and found.fragility.name == "gamma" and found.fragility.fit is not None
+    assert found.fragility is not None and found.fragility.name == "gamma"
+    # A lognormal curve is one along a strength, as k is, and the slenderness is none.
+    assert found.fragility.fit is None
+    along_k = {**PLANE, "random": {name: law for name, law in PLANE["random"].items() if name != "k"}, "point": {**PLANE["point"], "k": 0.5}}
+    pushed = standfast.probability(along_k, over="k=0.3..0.9:4").fragility
+    assert pushed is not None and pushed.fit is not None
     assert [point.value for point in found.fragility.points] == pytest.approx([0.7, 0.8, 0.9])
     for point in found.fragility.points:
         alone = standfast.probability({**PLANE, "point": {**PLANE["point"], "gamma": point.value}})

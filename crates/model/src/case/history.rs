@@ -251,7 +251,8 @@ impl Field<'_> {
         let record =
             file.record(column, self.number(Key::RecordStep)).map_err(|error| wrong(error.to_string()))?;
         // One that is given as an array, and not in a file, may be in the units of the case.
-        let is_in_its_units = file.text().is_none() && record.unit == RecordUnit::Unnamed;
+        let is_in_its_units = file.text().is_none()
+            && (record.unit == RecordUnit::Unnamed || matches!(self.of, HistoryOf::Pure));
         let unit = if is_in_its_units { 1.0 } else { self.unit_of(file.name(), &record, column)? };
         let record = match inputs.choice(self.id(Key::Baseline)) {
             Some("mean") => record.corrected(Baseline::Mean),
