@@ -213,7 +213,7 @@ listed! {
         "R, resistance of the ground at the eccentricity and inclination of the resultant, no partial factor applied", |a| ground(a, |g| g.resistance));
     GroundFactor = number("ground_factor", None, "R/V, resistance of the ground over the force on it", |a| ground(a, |g| g.factor));
     GroundMargin = number("ground_margin", Some(Dimension::Force),
-        "R − P, what the ground leaves: negative where it does not bear a body at rest; with `margin_sliding` not negative either, the body can rest on this base",
+        "R − V, what the ground leaves: negative where it does not bear a body at rest; with `margin_sliding` not negative either, the body can rest on this base",
         |a| ground(a, |g| g.margin));
     LoadFactorGround = number("load_factor_ground", None,
         "where R/V falls to 1 under a body that friction holds, as a multiple of the variable loads; 0 under the permanent loads alone",

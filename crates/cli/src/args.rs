@@ -451,7 +451,7 @@ pub struct DiagramArgs {
     /// The plane of ground that fails, by this law of its bearing resistance
     #[arg(long, value_enum, value_name = "LAW", requires = "share")]
     pub law: Option<BearingLaw>,
-    /// Share u = P/V0 of the vertical resistance of the ground, centric and upright, that the weight takes
+    /// Share u = V/V0 of the vertical resistance of the ground, centric and upright, that the weight takes
     #[arg(long, value_name = "U", allow_hyphen_values = true, value_parser = share, requires = "law")]
     pub share: Option<f64>,
     /// A point to mark; may be given again

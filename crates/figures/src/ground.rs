@@ -303,7 +303,7 @@ impl Draft {
             _ => "an envelope",
         };
         let takes = format!(
-            "Ground by {law}; the weight takes $u = P/V_0 = {}$ of what it bears.",
+            "Ground by {law}; the weight takes $u = V/V_0 = {}$ of what it bears.",
             digits(plane.share())
         );
         if plane.k_bf() > 0.0 { takes } else { takes + " It does not bear the body alone." }

@@ -25,7 +25,7 @@ const HEIGHT: f64 = 260.0;
 const TOP: f64 = 50.0;
 /// Room right of a plot for names at the ends of lines.
 const ROOM: f64 = 26.0;
-const NAMES: [&str; 2] = ["Rotation, $θ$ (mrad)", "Moment over weight and half-width, $M/(PB)$"];
+const NAMES: [&str; 2] = ["Rotation, $θ$ (mrad)", "Moment over weight and half-width, $M/(VB)$"];
 /// The beginning has a plot of its own if it takes less than this share of the whole.
 const HIDDEN: f64 = 0.22;
 
@@ -86,7 +86,7 @@ struct Panel {
 }
 
 impl Draft<'_> {
-    /// M/(PB) of a moment.
+    /// M/(VB) of a moment.
     fn share(&self, moment: f64) -> f64 {
         moment.abs() / (self.given.base.p() * self.given.base.half_width())
     }
@@ -143,7 +143,7 @@ impl Draft<'_> {
             ..Words::new(verbatim(&title, SIZE), margins::words(&self.caption()?, SMALL))
         };
         let description = format!(
-            "Chart of the moment about the middle of the base in P B, upwards, over the rotation in mrad, to the right. {}",
+            "Chart of the moment about the middle of the base in V B, upwards, over the rotation in mrad, to the right. {}",
             words.caption
         );
         Ok(words.figure(canvas.scene, edges, bottom + 16.0, 16.0, &description))
@@ -177,7 +177,7 @@ impl Draft<'_> {
         Ok(axes.name_below(&mut canvas.scene, &across))
     }
 
-    /// Moments that a base bears that does not give, and one of its strength alone, as multiples of P B.
+    /// Moments that a base bears that does not give, and one of its strength alone, as multiples of V B.
     fn limits(&self) -> Vec<f64> {
         let omega = self.given.base.omega();
         if omega > 0.0 { vec![1.0, 1.0 - omega] } else { vec![1.0] }
@@ -241,7 +241,7 @@ impl Draft<'_> {
     fn caption(&self) -> Result<String, InputError> {
         let base = &self.given.base;
         let mrad = |turn: f64| format!("${}$ mrad", digits(1e3 * turn));
-        let mut parts = vec![format!("$τ = θ k_n B^2/P$ is 1 at {}", mrad(base.unit_rotation()))];
+        let mut parts = vec![format!("$τ = θ k_n B^2/V$ is 1 at {}", mrad(base.unit_rotation()))];
         let mut pieces = Vec::new();
         let mut from = 0.0;
         for turn in self.joints.iter().copied().chain([f64::INFINITY]) {
@@ -252,7 +252,7 @@ impl Draft<'_> {
             pieces.push(format!("{}{end}, {formula}", words(state)));
             from = turn;
         }
-        parts.push(format!("$M/(PB)$: {}", pieces.join("; ")));
+        parts.push(format!("$M/(VB)$: {}", pieces.join("; ")));
         let full = digits(self.share(self.given.moment));
         parts.push(match self.design {
             Some(turn) => {
@@ -267,7 +267,7 @@ impl Draft<'_> {
             None => format!("Full load (at the edge): ${full}$, which no rotation bears"),
         });
         let kappa = base.p() * self.given.height / (base.p() * base.half_width()) * base.unit_rotation();
-        let kappa = format!("$κ = P d/(k_n B^3) = {}$", digits(kappa));
+        let kappa = format!("$κ = V d/(k_n B^3) = {}$", digits(kappa));
         parts.push(if self.stands() {
             let (m, turn) = (digits(self.share(self.largest.moment)), mrad(self.largest.rotation));
             format!("Dashed: what is left for a load that is raised slowly while the weight leans with the body, $κτ$ less, {kappa}; the largest is ${m}$ at {turn}")
@@ -294,7 +294,7 @@ fn words(state: ContactState) -> &'static str {
     }
 }
 
-/// M/(PB), in markup.
+/// M/(VB), in markup.
 fn formula(state: ContactState) -> &'static str {
     match state {
         ContactState::Full => "$2τ/3$",

@@ -145,7 +145,7 @@ fn ground_fails_on_the_drawn_line() {
     for (which, plane) in soils().enumerate() {
         let shown = outlines(&KMuPlane::Failing(plane), &DiagramContent::default());
         let (γ, h, u) = (plane.gamma(), plane.k_prime(), plane.share());
-        let line = points_of(&shown, "R = P");
+        let line = points_of(&shown, "R = V");
         for &(k, mu) in &line {
             let ε = γ * (mu + k * h);
             let excess = match which / 3 % 3 {

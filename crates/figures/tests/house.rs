@@ -218,7 +218,7 @@ fn the_axes_of_a_plane_are_named_in_words() {
         ["Force over weight, k", "Friction, μ"],
         ["Share of the load, λ", "Friction, μ"],
         ["Friction, μ", "Width, w (m)"],
-        ["Rotation, θ (mrad)", "Moment over weight and half-width, M/(PB)"],
+        ["Rotation, θ (mrad)", "Moment over weight and half-width, M/(VB)"],
     ]) {
         for name in names {
             assert!(texts(figure).iter().any(|text| text == name), "{name:?}: {:?}", texts(figure));

@@ -25,7 +25,7 @@ pub struct BaseResponse {
     pub resistance: Option<f64>,
     /// R/V.
     pub factor: Option<f64>,
-    /// R − P, N per metre run or of the whole object.
+    /// R − V, N per metre run or of the whole object.
     pub margin: Option<f64>,
     /// Load factors at which R/V falls to 1 as the variable loads rise.
     pub load_factors: Option<LoadFactors>,
@@ -38,7 +38,7 @@ pub struct BaseResponse {
 /// Elastic part of the response of a base.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elastic {
-    /// Under P of the full load, per metre run.
+    /// Under V of the full load, per metre run.
     pub base: ElasticBase,
     /// The moment of all loads about the middle of the base, N·m per metre run.
     pub moment: f64,
@@ -135,7 +135,7 @@ impl BaseResponse {
         let (omega, reaction) = (self.omega?, self.reaction?);
         match self.crush.as_ref().filter(|crush| crush.neutral.is_some()) {
             Some(crush) => Some(crush.pressed.width() / 2.0),
-            // N = P as a turn begins.
+            // N = V as a turn begins.
             None => Some(omega * reaction.half_width()),
         }
     }

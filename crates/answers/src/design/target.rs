@@ -428,7 +428,7 @@ fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
         Binding::because(
             "uplift",
             "nothing presses the body on its base".to_owned(),
-            Some("P > 0 fails".to_owned()),
+            Some("V > 0 fails".to_owned()),
         )
     } else if sliding(assessed) < factor {
         let brief = format!("the factor of the body against sliding is less than {at_least}");
@@ -506,18 +506,18 @@ fn motion(verdict: Option<Verdict>) -> &'static str {
 fn condition(assessed: &Assessed, verdict: Option<Verdict>) -> Option<String> {
     let mode = match verdict {
         Some(Verdict::Begins(mode)) => mode,
-        Some(_) => return Some("R ≥ P fails".to_owned()),
+        Some(_) => return Some("R ≥ V fails".to_owned()),
         None => return None,
     };
     let (ends, edges) = match assessed.is_on_ground() {
-        true => ("the base crushes under an edge", "−b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q"),
-        false => ("the resultant leaves the base", "−b₁ P ≤ X d − M ≤ b₂ P"),
+        true => ("the base crushes under an edge", "−b₁V + V²/2q ≤ X d − M ≤ b₂V − V²/2q"),
+        false => ("the resultant leaves the base", "−b₁ V ≤ X d − M ≤ b₂ V"),
     };
     let condition = match (mode.corner(), mode.slip()) {
-        (None, Some(_)) => "the friction is used up: |X| ≤ μ P fails".to_owned(),
+        (None, Some(_)) => "the friction is used up: |X| ≤ μ V fails".to_owned(),
         (Some(_), None) => format!("{ends}: {edges} fails"),
-        (Some(_), Some(_)) => format!("|X| ≤ μ P or {edges} fails"),
-        _ => "nothing presses it on its base: P > 0 fails".to_owned(),
+        (Some(_), Some(_)) => format!("|X| ≤ μ V or {edges} fails"),
+        _ => "nothing presses it on its base: V > 0 fails".to_owned(),
     };
     if assessed.is_on_ground() {
         return Some(condition);

@@ -36,7 +36,7 @@ impl Crushing {
         let neutral = motion.and_then(|motion| motion.neutral.map(|_| motion.pressed.width()));
         BaseNumbers {
             omega,
-            // N = P as a turn begins.
+            // N = V as a turn begins.
             pivot: motion.map(|_| neutral.map_or(omega, |neutral| neutral / 2.0)),
             neutral,
             effective_width: motion.map(|motion| 2.0 * (1.0 - motion.motion.xi.abs())),

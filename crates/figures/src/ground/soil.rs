@@ -40,7 +40,7 @@ pub(super) fn shape(plane: &BearingPlane, view: &View) -> Shape {
     };
     let beyond: Polyline = left.into_iter().filter(|(k, mu)| k > mu || *mu >= k_bf).collect();
     let bearing = [right, beyond].iter().flat_map(|edge| shown(edge, view)).collect();
-    add("R = P", "$R = P$", bearing);
+    add("R = V", "$R = V$", bearing);
     add("OA", "$μ = k$", straight(Curve::DIAGONAL, 0.0, k_bf, view));
     if k_bf > 0.0 && view.shows(k_bf, k_bf) {
         add("vertical at k_BF", "", vec![vec![(k_bf, k_bf), (k_bf, view.mu_max)]]);

@@ -78,7 +78,7 @@ impl Assessed {
         (motion.f_y > 0.0).then(|| holds("friction", share, Sign::LessOrEqual, friction))
     }
 
-    /// On ground that can fail: R ≥ P of the body that rests or slides.
+    /// On ground that can fail: R ≥ V of the body that rests or slides.
     fn failing(&self, path: &GroundPath, verdict: Verdict) -> Vec<Relation> {
         let full = &self.outcome.full;
         let (x, p) = (full.wrench.x, full.wrench.p);
