@@ -83,13 +83,12 @@ impl Page {
         if self.held.is_some() {
             return false;
         }
-        let tried = std::mem::take(&mut self.drawn.tried);
+        let mut tried = std::mem::take(&mut self.drawn.tried);
         let Some(worst) = self.settled_motion() else { return false };
         if worst.strength.is_some() || !Strength::is_asked_of(&worst.case, &worst.outcome) {
             return false;
         }
         let next = Factors::Rungs.values().get(tried.len()).copied();
-        let mut tried = tried;
         if let Some(factor) = next {
             // A motion that is refused under a factor has no strength.
             let Ok(one) = Tried::under(&worst.case.problem, factor) else { return false };

@@ -549,6 +549,7 @@ fn a_record_may_have_a_vertical_partner() {
         "up.csv" => Ok(wave("a_g", 0.8, 0.3)),
         "up-si.csv" => Ok(wave("a_m_s2", 0.8 * 9.81, 0.3)),
         "up-bare.csv" => Ok(wave("a", 0.8, 0.3)),
+        "push.csv" => Ok(wave("push_kN", 0.8, 0.3)),
         _ => Err("no such file".to_owned()),
     };
     let of = |vertical: &str, records: &str| {
@@ -574,6 +575,8 @@ fn a_record_may_have_a_vertical_partner() {
     assert_ne!(chances(&alone), chances(&own));
     let refused = paired("up-bare.csv").unwrap_err().to_string();
     assert!(refused.contains("side.csv says its unit, and up-bare.csv does not"), "{refused}");
+    let refused = paired("push.csv").unwrap_err().to_string();
+    assert!(refused.contains("push.csv is no record of an acceleration"), "{refused}");
 }
 
 /// Random numbers are called by their words in pictures, and not by their keys; β stands in a sentence.

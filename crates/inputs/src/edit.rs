@@ -2,11 +2,10 @@
 
 use std::ops::Range as Span;
 
-use crate::inputs::Value;
 use crate::key::{Id, Kind};
 use crate::parse::CaseText;
 use crate::typed::TypedUnits;
-use crate::units::{GRAVITY_UNIT, split_text};
+use crate::units::split_text;
 
 /// A number as it stands in the text of a case.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -69,8 +68,7 @@ impl CaseText {
     /// A number in a unit of the key's, in SI units; `None` if the unit is not one of its.
     pub fn in_si(&self, id: Id, number: f64, unit: &str) -> Option<f64> {
         match self.inputs().dimension(id) {
-            _ if unit == GRAVITY_UNIT && self.units_of(id).gravity => Some(number * self.inputs().gravity()),
-            Some(dimension) => Some(dimension.unit(unit)?.si(number)),
+            Some(_) => Some(self.inputs().unit_named(id, unit)?.in_si(number)),
             None => unit.is_empty().then_some(number),
         }
     }
@@ -78,18 +76,15 @@ impl CaseText {
     /// An SI value in a unit of the key's; `None` if the unit is not one of its.
     pub fn from_si(&self, id: Id, si: f64, unit: &str) -> Option<f64> {
         match self.inputs().dimension(id) {
-            _ if unit == GRAVITY_UNIT && self.units_of(id).gravity => Some(si / self.inputs().gravity()),
-            Some(dimension) => Some(dimension.unit(unit)?.of_si(si)),
+            Some(_) => Some(self.inputs().unit_named(id, unit)?.of_si(si)),
             None => unit.is_empty().then_some(si),
         }
     }
 
     /// Units that a number under a key may be typed in.
     pub fn units_of(&self, id: Id) -> TypedUnits {
-        let gravity = matches!(id.key.info().kind, Kind::InGravity | Kind::Reached)
-            || matches!(self.inputs().get(id), Some(Value::InGravity(_)));
         let dimension = self.inputs().dimension(id);
-        TypedUnits { dimension, gravity: gravity && dimension.is_some() }
+        TypedUnits { dimension, gravity: id.key.info().kind.is_of_shaking() && dimension.is_some() }
     }
 
     /// Span of a number: of its entry, or of its element in a list.

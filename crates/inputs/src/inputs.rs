@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::key::{Id, Key, Kind, Table};
 use crate::record::RecordFile;
-use crate::units::{Dimension, Extent, ShownUnit, in_gravity};
+use crate::units::{Dimension, Extent, GRAVITY_UNIT, ShownUnit, split_text};
 
 /// A value under a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -122,11 +122,18 @@ impl Inputs {
         self.written.push((id, unit));
     }
 
+    /// The unit of a name, where numbers under a key may have it.
+    pub fn unit_named(&self, id: Id, name: &str) -> Option<ShownUnit> {
+        let dimension = self.dimension(id)?;
+        match id.key.info().kind {
+            kind if kind.is_of_shaking() && name == GRAVITY_UNIT => Some(ShownUnit::gravity(self.gravity())),
+            _ => dimension.shown_unit(name),
+        }
+    }
+
     /// The unit that a text writes behind a number of a key; `None` if it writes none.
     pub fn unit_in(&self, id: Id, text: &str) -> Option<ShownUnit> {
-        let dimension = self.dimension(id)?;
-        let in_g = in_gravity(text).filter(|_| dimension == Dimension::Acceleration);
-        in_g.map(|_| ShownUnit::gravity(self.gravity())).or_else(|| dimension.shown_unit(text))
+        self.unit_named(id, split_text(text.trim())?.1.trim())
     }
 
     /// The unit in which the file writes a number; that of SI, in which it takes one without, where it writes none.

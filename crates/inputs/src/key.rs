@@ -476,6 +476,13 @@ pub struct KeyInfo {
     pub gives: &'static [Quantity],
 }
 
+impl Kind {
+    /// True of an acceleration of the base, which g counts where its numbers have units.
+    pub fn is_of_shaking(self) -> bool {
+        matches!(self, Kind::InGravity | Kind::Reached)
+    }
+}
+
 impl KeyInfo {
     const fn silent(self, words: &'static str) -> KeyInfo {
         KeyInfo { silent: Some(words), ..self }

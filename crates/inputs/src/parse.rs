@@ -308,8 +308,12 @@ impl CaseText {
                 }
                 kind => {
                     self.inputs.put(id, field.value(kind)?);
-                    let unit = value.get_ref().as_str().zip(field.dimension());
-                    if let Some(unit) = unit.and_then(|(text, dimension)| dimension.shown_unit(text)) {
+                    // What is in g is put so; the gravity of the case may stand further down.
+                    let unit = value.get_ref().as_str().and_then(|text| split_text(text.trim()));
+                    let unit = unit.zip(field.dimension());
+                    if let Some(unit) =
+                        unit.and_then(|((_, name), dimension)| dimension.shown_unit(name.trim()))
+                    {
                         self.inputs.put_unit(id, unit);
                     }
                     for (place, decimal) in field.long_decimals() {

@@ -292,13 +292,13 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
 
 /// The records of a list: of each the file, or one for the sides and one for up and down.
 fn records(item: &Item<'_>) -> ReadResult<Vec<RandomRecord>> {
-    const EXPECTED: &str =
-        "a list of files in quotes, or of { horizontal = \"a.smc\", vertical = \"b.smc\" }";
+    const EXPECTED: &str = "a file in quotes, or { horizontal = \"a.smc\", vertical = \"b.smc\" }";
     let list = item.get_ref().as_array().filter(|list| !list.is_empty());
-    let list = list.ok_or_else(|| wrong(item, "`records`", EXPECTED))?;
+    let list = list.ok_or_else(|| wrong(item, "`records`", "a list of files in quotes, one or more"))?;
     let record = |item: &Item<'_>| {
-        let refused = || wrong(item, "a record of `records`", EXPECTED);
-        let name = |value: &Item<'_>| value.get_ref().as_str().map(str::to_owned).ok_or_else(refused);
+        let of_record = |what: &Item<'_>| wrong(what, "a record of `records`", EXPECTED);
+        let name =
+            |file: &Item<'_>| file.get_ref().as_str().map(str::to_owned).ok_or_else(|| of_record(file));
         let Some(table) = item.get_ref().as_table() else {
             return Ok(RandomRecord { horizontal: name(item)?, vertical: None });
         };
@@ -307,10 +307,13 @@ fn records(item: &Item<'_>) -> ReadResult<Vec<RandomRecord>> {
             match key {
                 "horizontal" => horizontal = Some(name(value)?),
                 "vertical" => vertical = Some(name(value)?),
-                _ => return Err(refused()),
+                other => {
+                    return Err(wrong(value, format!("`{other}` of a record"), "`horizontal` or `vertical`"));
+                }
             }
         }
-        Ok(RandomRecord { horizontal: horizontal.ok_or_else(refused)?, vertical })
+        let lacking = || wrong(item, "a record of `records`", "one with `horizontal`");
+        Ok(RandomRecord { horizontal: horizontal.ok_or_else(lacking)?, vertical })
     };
     list.iter().map(record).collect()
 }

@@ -310,10 +310,9 @@ impl Dimension {
         Ok((value, known))
     }
 
-    /// The unit that a text such as "450 kN/m" writes behind its number, where it is one of its.
-    pub(crate) fn shown_unit(self, text: &str) -> Option<ShownUnit> {
-        let (_, unit) = split(text.trim())?;
-        let (name, power) = self.units().iter().find(|(known, _)| *known == unit)?;
+    /// The unit of a name, where it fits, to show numbers in.
+    pub(crate) fn shown_unit(self, name: &str) -> Option<ShownUnit> {
+        let (name, power) = self.units().iter().find(|(known, _)| *known == name)?;
         Some(ShownUnit { name, of: ShownScale::Power(Unit(*power)) })
     }
 

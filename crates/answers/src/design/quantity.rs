@@ -6,7 +6,6 @@ use crate::couple::Variable;
 use crate::digits::significant;
 use crate::error::Problem;
 use crate::inputs::Inputs;
-use crate::key::Kind;
 
 /// Number of digits where nothing asks for more.
 pub const DIGITS: usize = 4;
@@ -64,6 +63,16 @@ impl Quantity {
         format!("from {from} to {to}")
     }
 
+    /// A number in the unit that is shown, in SI units.
+    pub(super) fn in_si(&self, shown: f64) -> f64 {
+        self.variable.shown_unit().map_or(shown, |unit| unit.in_si(shown))
+    }
+
+    /// A value in the unit that is shown.
+    pub(super) fn of_si(&self, si: f64) -> f64 {
+        self.variable.shown_unit().map_or(si, |unit| unit.of_si(si))
+    }
+
     /// A value of the case with its unit, to the digits that are given of most.
     pub fn shown(&self, value: f64) -> String {
         with_unit(value, &self.variable, GIVEN)
@@ -118,7 +127,7 @@ pub(super) fn fault(problem: &Problem) -> String {
 
 fn expected(variable: &Variable) -> String {
     match (variable.id().key.info().kind, variable.dimension()) {
-        (Kind::InGravity, Some(dimension)) => {
+        (kind, Some(dimension)) if kind.is_of_shaking() => {
             format!("expected a number with its unit, as \"0.2 g\": g, {}", dimension.understood())
         }
         (_, Some(dimension)) => {

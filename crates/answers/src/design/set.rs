@@ -207,18 +207,17 @@ impl Search<'_> {
         };
         let end = (DIGITS..=ALL_DIGITS).find_map(|count| {
             // It is rounded in the unit that is printed.
-            let unit = variable.shown_unit();
-            let number = unit.map_or(found.meets, |unit| unit.of_si(found.meets));
+            let number = self.quantity.of_si(found.meets);
             let rounded = self.tight(Decimal::of(number, count, inwards), found, inwards.other());
-            let in_si = |number: f64| unit.map_or(number, |unit| unit.in_si(number));
-            let text = with_unit(in_si(rounded.value()), variable, count);
+            let in_si = |decimal: Decimal| self.quantity.in_si(decimal.value());
+            let text = with_unit(in_si(rounded), variable, count);
             let value =
                 variable.read(&text, &self.varied.subject.numbers).ok().filter(|value| is_inside(*value))?;
             let trial = self.attempt(value);
             let answer = trial.answer.ok().filter(|_| trial.met)?;
             let beyond = match found.fails {
                 None => OuterState::Range,
-                Some(fails) => self.beyond(fails, in_si(rounded.next(inwards.other()).value()), count),
+                Some(fails) => self.beyond(fails, in_si(rounded.next(inwards.other())), count),
             };
             // A short number between the two last values tried, 4 beside 4.000000000003, is the boundary as far as it is known.
             let outermost = match inwards {
@@ -233,8 +232,7 @@ impl Search<'_> {
     /// One digit less, where the boundary is known to lie farther out only and that meets the target, too.
     fn tight(&self, rounded: Decimal, found: &ExactEnd, outwards: Towards) -> Decimal {
         let next = rounded.next(outwards);
-        let unit = self.quantity.variable.shown_unit();
-        let value = unit.map_or(next.value(), |unit| unit.in_si(next.value()));
+        let value = self.quantity.in_si(next.value());
         let is_between = found.fails.is_some_and(|fails| match outwards {
             Towards::Less => fails < value,
             Towards::More => value < fails,

@@ -173,36 +173,38 @@ fn of_file(
             "[random] has `records` and the base moves up and down, by another record; a record of its own is { horizontal = \"a.smc\", vertical = \"b.smc\" }",
         ));
     }
-    let gravity = file.inputs().gravity();
+    let bases = records.iter().map(|record| base_of(file, &read(file, record, over)?));
+    let names = records.iter().map(|record| record.horizontal.clone()).collect();
+    Ok((names, bases.collect::<Result<_, _>>()?))
+}
+
+/// A record of a file.
+fn read(file: &CaseFile, named: &RandomRecord, over: &ValueRange) -> Result<GivenBase, ProbabilityError> {
     let record = |name: &String| {
         let text =
             file.beside(name).ok_or_else(|| over.wrong(format!("cannot read {name}: it is not read yet")))?;
-        text.record(None, None).map_err(|error| over.wrong(error.to_string()))
-    };
-    let history = |record: Record| {
-        record.history(record.unit.si(gravity)).map_err(|error| over.wrong(error.to_string()))
-    };
-    let base = |of: &RandomRecord| {
-        let horizontal = record(&of.horizontal)?;
-        let vertical = match &of.vertical {
-            Some(name) => Some((name, record(name)?)),
-            None => None,
-        };
-        // One factor scales both, so that how they compare has to be known.
-        let is_named = |record: &Record| record.unit != RecordUnit::Unnamed;
-        if let Some((name, vertical)) = &vertical
-            && is_named(vertical) != is_named(&horizontal)
-        {
-            let [one, two] = if is_named(vertical) { [name, &of.horizontal] } else { [&of.horizontal, name] };
-            return Err(
-                over.wrong(format!("{one} says its unit, and {two} does not; expected both, or neither"))
-            );
+        let record = text.record(None, None).map_err(|error| over.wrong(error.to_string()))?;
+        match record.unit {
+            RecordUnit::Unnamed => Ok(record),
+            unit if unit.is_acceleration() => Ok(record),
+            _ => {
+                Err(over
+                    .wrong(format!("{name} is no record of an acceleration, as that of a base has to be")))
+            }
         }
-        let vertical = vertical.map(|(_, record)| history(record)).transpose()?;
-        Ok(BaseMotion { horizontal: Some(history(horizontal)?), vertical })
     };
-    let names = records.iter().map(|record| record.horizontal.clone()).collect();
-    Ok((names, records.iter().map(base).collect::<Result<_, ProbabilityError>>()?))
+    let horizontal = record(&named.horizontal)?;
+    let vertical = named.vertical.as_ref().map(record).transpose()?;
+    // One factor scales both, so that how they compare has to be known.
+    let is_named = |record: &Record| record.unit != RecordUnit::Unnamed;
+    if let (Some(name), Some(vertical)) = (&named.vertical, &vertical)
+        && is_named(vertical) != is_named(&horizontal)
+    {
+        let (one, two) =
+            if is_named(vertical) { (name, &named.horizontal) } else { (&named.horizontal, name) };
+        return Err(over.wrong(format!("{one} says its unit, and {two} does not; expected both, or neither")));
+    }
+    Ok(GivenBase { horizontal: Some(horizontal), vertical })
 }
 
 /// Records that are given, called by their places.
@@ -210,13 +212,17 @@ fn of_given(
     file: &CaseFile,
     given: &[GivenBase],
 ) -> Result<(Vec<String>, Vec<BaseMotion>), ProbabilityError> {
-    let base = |given: &GivenBase| {
-        let motion = file.on_base(given).motions()?.swap_remove(0).problem;
-        let vertical = motion.base.vertical.filter(|_| given.vertical.is_some());
-        Ok(BaseMotion { horizontal: motion.base.horizontal.filter(|_| given.horizontal.is_some()), vertical })
-    };
     let names = (1..=given.len()).map(|place| format!("record {place}")).collect();
-    Ok((names, given.iter().map(base).collect::<Result<_, ProbabilityError>>()?))
+    Ok((names, given.iter().map(|given| base_of(file, given)).collect::<Result<_, _>>()?))
+}
+
+/// The base of a file as it moves by a record.
+fn base_of(file: &CaseFile, given: &GivenBase) -> Result<BaseMotion, ProbabilityError> {
+    let base = file.on_base(given).motions()?.swap_remove(0).problem.base;
+    Ok(BaseMotion {
+        horizontal: base.horizontal.filter(|_| given.horizontal.is_some()),
+        vertical: base.vertical.filter(|_| given.vertical.is_some()),
+    })
 }
 
 /// That beside the shaking nothing varies.

@@ -10,7 +10,7 @@ use crate::case::Case;
 use crate::couple::{Unknown, Variable};
 use crate::digits::digits;
 use crate::inputs::Inputs;
-use crate::key::{Kind, Range, Table};
+use crate::key::{Range, Table};
 use crate::suggest::closest;
 use standfast_inputs::random::{Parameter, Random, RandomEntry, RandomProblem, ReadResult, Written, years};
 use standfast_model::CaseFile;
@@ -280,7 +280,9 @@ impl Resolve<'_> {
                 })
             }
             (Written::Number(number), Quantity::Key(variable), _)
-                if variable.key().info().kind == Kind::InGravity && *number != 0.0 =>
+                if variable.key().info().kind.is_of_shaking()
+                    && variable.dimension().is_some()
+                    && *number != 0.0 =>
             {
                 // As behind the key itself.
                 let what = format!("`{}` of `{}`", parameter.name, named.name);

@@ -313,8 +313,7 @@ impl Factor {
 
 /// True if it is an acceleration of the base, which g counts.
 fn is_shaking(variable: &Variable) -> bool {
-    let kind = variable.id().key.info().kind;
-    kind == Kind::InGravity || kind == Kind::Reached && variable.dimension().is_some()
+    variable.id().key.info().kind.is_of_shaking() && variable.dimension().is_some()
 }
 
 /// Acceleration as a multiple of that of gravity: the share that gives it back, where a float does.

@@ -42,7 +42,7 @@ impl Problem {
             Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
             Problem::Unit { key, dimension, written, error } => {
                 let dimension = (*dimension)?;
-                let is_shaking = matches!(key.info().kind, Kind::InGravity | Kind::Reached);
+                let is_shaking = key.info().kind.is_of_shaking();
                 let also = if is_shaking { "g, " } else { "" };
                 let units = format!("the units understood here: {also}{}", dimension.understood());
                 match error {
