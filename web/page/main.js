@@ -20,11 +20,14 @@ import { connectFiles } from "files";
 import { connectLink } from "link";
 import { connectUndo } from "undo";
 import { connectTheme } from "theme";
+import { connectAsking } from "asking";
 
 async function library() {
   const packed = unpacked(byId("wasm").textContent);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  await start({ module_or_path: await new Response(stream).arrayBuffer() });
+  const compiled = await WebAssembly.compile(await new Response(stream).arrayBuffer());
+  await start({ module_or_path: compiled });
+  return compiled;
 }
 
 async function type() {
@@ -32,8 +35,8 @@ async function type() {
   for (const face of await Promise.all(faces.map((face) => face.load()))) document.fonts.add(face);
 }
 
-async function connect() {
-  const app = { explorer: new Explorer(), said: null, held: false, drag: null, frames: 0 };
+async function connect(compiled) {
+  const app = { explorer: new Explorer(), compiled, said: null, held: false, drag: null, frames: 0 };
   const parts = [];
   let due = 0;
   // Of all places that a hand came through since the last picture the last counts.
@@ -53,6 +56,7 @@ async function connect() {
   app.changed = () => {
     due ||= requestAnimationFrame(draw);
   };
+  connectAsking(app);
   for (const connectPart of [
     connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectForm, connectPane,
     connectWhy, connectTerms, connectMenus, connectFiles, connectUndo,
@@ -73,10 +77,10 @@ async function connect() {
 
 connectTheme();
 try {
-  await library();
+  const compiled = await library();
   await type();
   document.querySelector("main").hidden = false;
-  const { app, draw } = await connect();
+  const { app, draw } = await connect(compiled);
   draw();
   app.ready = performance.now();
   // For scripts in the browser's console, and for tests.

@@ -17,12 +17,14 @@
 //! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
+//! | What takes longer than a picture, and is asked in a thread of its own? | `asked` |
 //!
 //! Everything but this file runs, and is tested, without wasm.
 
 #![forbid(unsafe_code)]
 
 mod answered;
+mod asked;
 mod drag;
 mod examples;
 mod numbers;
@@ -44,6 +46,7 @@ pub use page::Page;
 #[derive(Debug, Default)]
 pub struct Explorer {
     page: Page,
+    asked: Option<Box<dyn asked::Question>>,
 }
 
 #[wasm_bindgen]
@@ -189,6 +192,26 @@ impl Explorer {
     /// Left, top, right and bottom of the plot of the histories last drawn; empty of other plates.
     pub fn histories_plot(&self) -> Vec<f64> {
         self.page.histories_plot()
+    }
+
+    /// How many answers there were, this one too: a question that was asked of one is not answered for another.
+    pub fn answers(&self) -> u32 {
+        self.page.answers()
+    }
+
+    /// The last case that has an answer, with the files that it may name, for another explorer.
+    pub fn handed_on(&self) -> String {
+        asked::handed_on(&self.page)
+    }
+
+    /// Takes what another explorer hands on, and asks something of it: [`next_part`](Explorer::next_part) tells the answer.
+    pub fn ask(&mut self, what: &str, handed_on: &str) {
+        self.asked = asked::ask(what, handed_on);
+    }
+
+    /// The next part of the answer to what was asked, as JSON; nothing once all is told.
+    pub fn next_part(&mut self) -> Option<String> {
+        self.asked.as_mut()?.next_part()
     }
 
     /// Begins to drag.

@@ -35,6 +35,8 @@ pub struct Page {
     file: CaseFile,
     answered: Answered,
     fault: Option<CaseError>,
+    /// How many answers there were, this one too.
+    answers: u32,
     /// What is dragged.
     pub(crate) held: Option<Held>,
     /// The part of the k–μ plane shown; without one, what shows all.
@@ -47,7 +49,7 @@ impl Default for Page {
         let first = examples::first();
         let now = Version { name: first.file(), text: first.text.to_owned() };
         let files = BTreeMap::new();
-        let (file, answered) = read(&now, &files).expect("the first example has an answer");
+        let (file, answered) = answer(&now, &files).expect("the first example has an answer");
         Page {
             now,
             past: Vec::new(),
@@ -56,6 +58,7 @@ impl Default for Page {
             file,
             answered,
             fault: None,
+            answers: 1,
             held: None,
             view: None,
             drawn: Drawn::default(),
@@ -63,15 +66,20 @@ impl Default for Page {
     }
 }
 
-/// The case of a text, with the files that it names, and its answer.
-fn read(version: &Version, files: &BTreeMap<String, String>) -> Result<(CaseFile, Answered), CaseError> {
+/// The case of a text, with the files that it names.
+pub(crate) fn read(version: &Version, files: &BTreeMap<String, String>) -> Result<CaseFile, CaseError> {
     let of_name = |path: &str| {
         // From whatever folder: the page has names alone.
         let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
         let own = files.get(name).map(String::as_str);
         own.or_else(|| examples::record(name)).map(str::to_owned).ok_or_else(|| NOT_DROPPED.to_owned())
     };
-    let file = CaseFile::read(&version.name, &version.text, &of_name)?;
+    CaseFile::read(&version.name, &version.text, &of_name)
+}
+
+/// The case of a text with its answer.
+fn answer(version: &Version, files: &BTreeMap<String, String>) -> Result<(CaseFile, Answered), CaseError> {
+    let file = read(version, files)?;
     let answered = Answered::of(&file)?;
     Ok((file, answered))
 }
@@ -114,6 +122,16 @@ impl Page {
     /// The worst motion of the last text that has an answer.
     pub(crate) fn settled_motion(&mut self) -> Option<&mut FollowedMotion> {
         self.answered.motions.first_mut()
+    }
+
+    /// How many answers there were, this one too.
+    pub fn answers(&self) -> u32 {
+        self.answers
+    }
+
+    /// The files that were taken for cases that name them, by their names.
+    pub fn files(&self) -> &BTreeMap<String, String> {
+        &self.files
     }
 
     /// Fault of the text, if it has one.
@@ -188,9 +206,10 @@ impl Page {
     fn settle(&mut self) -> bool {
         self.held = None;
         self.drawn.tried.clear();
-        match read(&self.now, &self.files) {
+        match answer(&self.now, &self.files) {
             Ok((file, answered)) => {
                 (self.file, self.answered, self.fault) = (file, answered, None);
+                self.answers += 1;
                 true
             }
             Err(error) => {
@@ -207,7 +226,7 @@ impl Page {
     pub(crate) fn take(&mut self, text: String) -> Result<(), String> {
         let name = self.file.name().to_owned();
         let next = Version { name, text };
-        read(&next, &self.files).map_err(|error| error.to_string())?;
+        answer(&next, &self.files).map_err(|error| error.to_string())?;
         self.step_to(next);
         Ok(())
     }

@@ -54,7 +54,6 @@ pub enum Extreme {
 }
 
 impl Extreme {
-    /// The end on the other side.
     /// The other end.
     pub fn other(self) -> Extreme {
         match self {
@@ -71,7 +70,6 @@ impl Extreme {
         }
     }
 
-    /// The end of a stretch.
     /// That end of a stretch.
     pub fn of(self, stretch: &Stretch) -> &End {
         match self {

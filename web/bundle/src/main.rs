@@ -2,7 +2,7 @@
 //!
 //! The page is `index.html` with its style sheet, its scripts and the compiled library put inside, so that it opens from
 //! a disk or a mail and fetches nothing. The scripts are modules that know each other by name; here they become one script, each in a
-//! function of its own, so that the policy of the page can name that script by its hash and allow no other. The library is packed by
+//! function of its own, so that the policy of the page can name it by its hash, beside the library's and the style's, and allow no other. The library is packed by
 //! gzip, which every browser undoes; it more than halves the file.
 
 #![forbid(unsafe_code)]
@@ -22,6 +22,9 @@ use wasm_bindgen_cli_support::Bindgen;
 
 /// Module that starts the page.
 const MAIN: &str = "main";
+
+/// Source of its second thread.
+const WORKER: &str = "worker";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -56,15 +59,24 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
             modules.insert(module.to_owned(), read(&name)?);
         }
     }
-    let script = script(&glue, &modules)?;
-    let hash = STANDARD.encode(Sha256::digest(script.as_bytes()));
+    // Not of the page's script: the source of its second thread, behind the library.
+    let worker = modules.remove(WORKER).ok_or_else(|| format!("there is no {WORKER}.js"))?;
+    let script = script(&modules)?;
+    let style = format!("\n{}", read("style.css")?);
+    for text in [&glue, &worker, &script] {
+        if text.contains("</script") {
+            return Err("a script ends the element that it stands in".into());
+        }
+    }
+    let [of_glue, of_script, of_style] = [&glue, &script, &style].map(|text| hash(text));
     let policy = format!(
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-{hash}' 'wasm-unsafe-eval'; \
-         style-src 'unsafe-inline'; img-src data: blob:; font-src data: blob:; base-uri 'none'; form-action 'none'\">"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src {of_glue} {of_script} \
+         'wasm-unsafe-eval'; worker-src blob:; style-src {of_style}; img-src data: blob:; font-src data: blob:; base-uri 'none'; \
+         form-action 'none'\">"
     );
     let parts = [
         ("<!-- policy -->", policy),
-        ("<!-- style -->", format!("<style>\n{}</style>", read("style.css")?)),
+        ("<!-- style -->", format!("<style>{style}</style>")),
         (
             "<!-- library -->",
             format!(
@@ -72,7 +84,13 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
                 letters(&packed(&library)?)
             ),
         ),
-        ("<!-- script -->", format!("<script type=\"module\">{script}</script>")),
+        (
+            "<!-- script -->",
+            format!(
+                "<script id=\"glue\">{glue}</script>\n<script type=\"text/plain\" id=\"worker\">{worker}</script>\n\
+                 <script type=\"module\">{script}</script>"
+            ),
+        ),
     ];
     let mut html = read("index.html")?;
     for (place, part) in parts {
@@ -82,16 +100,17 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
     Ok(html)
 }
 
-/// The modules as one script: the library first, then each behind those that it takes something from.
-fn script(glue: &str, modules: &BTreeMap<String, String>) -> Result<String, String> {
-    let mut script = format!(
-        "const module_library = (() => {{\n{glue}\nreturn {{ start: wasm_bindgen, Explorer: wasm_bindgen.Explorer }};\n}})();\n"
-    );
+/// A source of the page as its policy names it.
+fn hash(source: &str) -> String {
+    format!("'sha256-{}'", STANDARD.encode(Sha256::digest(source.as_bytes())))
+}
+
+/// The modules as one script, each behind those that it takes something from.
+fn script(modules: &BTreeMap<String, String>) -> Result<String, String> {
+    let library = "const module_library = { start: wasm_bindgen, Explorer: wasm_bindgen.Explorer };\n";
+    let mut script = library.to_owned();
     let mut done = vec!["library".to_owned()];
     add(MAIN, modules, &mut done, &mut script)?;
-    if script.contains("</script") {
-        return Err("a script ends the element that it stands in".to_owned());
-    }
     Ok(script)
 }
 
@@ -208,7 +227,7 @@ mod tests {
             ("two", "export function c(x) {\n}"),
         ];
         let modules = sources.map(|(name, source)| (name.to_owned(), source.to_owned())).into();
-        let script = script("let wasm_bindgen;", &modules).unwrap();
+        let script = script(&modules).unwrap();
         let at = |part: &str| script.find(part).unwrap_or_else(|| panic!("{part} in {script}"));
         assert!(at("const module_two") < at("const module_one") && at("const module_one") < at("a(b);"));
         assert!(
@@ -217,9 +236,7 @@ mod tests {
             )
         );
         assert!(
-            super::script("", &[("main".to_owned(), "import { x } from \"none\";".to_owned())].into())
-                .is_err()
+            super::script(&[("main".to_owned(), "import { x } from \"none\";".to_owned())].into()).is_err()
         );
-        assert!(super::script("\"</script>\"", &modules).is_err());
     }
 }
