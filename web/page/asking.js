@@ -5,10 +5,10 @@ import { byId } from "dom";
 export function connectAsking(app) {
   const source = URL.createObjectURL(new Blob([byId("glue").textContent, byId("worker").textContent], { type: "text/javascript" }));
   const answers = {};
-  const begin = (what, of) => {
-    answers[what]?.worker?.terminate();
+  const begin = (name, what, of) => {
+    answers[name]?.worker?.terminate();
     const worker = new Worker(source);
-    const answer = (answers[what] = { of, parts: [], done: false, fault: "", worker });
+    const answer = (answers[name] = { of, parts: [], done: false, fault: "", worker });
     const end = (fault) => {
       Object.assign(answer, { done: true, fault, worker: null });
       app.changed();
@@ -21,11 +21,12 @@ export function connectAsking(app) {
     worker.onerror = ({ message }) => end(message || "its thread did not start");
     worker.postMessage({ compiled: app.compiled, what, handedOn: app.explorer.handed_on() });
   };
-  /** The answer to a question on the case as it stands, as far as it is known: its parts, whether that is all, and what went wrong. While
-   * something is dragged it is the answer from before. */
+  /** The answer to a question on the case as it stands, as far as it is known: its parts, whether that is all, and what went wrong. Behind
+   * the name of a question may stand what is asked more closely. While something is dragged it is the answer from before. */
   app.asked = (what) => {
-    const of = app.explorer.answers();
-    if (answers[what]?.of !== of && !app.held) begin(what, of);
-    return answers[what] ?? { parts: [], done: false, fault: "" };
+    const name = what.split(" ")[0];
+    const of = `${app.explorer.answers()} ${what}`;
+    if (answers[name]?.of !== of && !app.held) begin(name, what, of);
+    return answers[name] ?? { parts: [], done: false, fault: "" };
   };
 }

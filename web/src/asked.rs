@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use standfast_cases::CaseFile;
 
+use crate::help::{Help, TwoNumbers};
 use crate::page::{Page, Version, read};
 
 /// A question whose answer is told part by part, the first soon.
@@ -35,7 +36,12 @@ pub fn ask(what: &str, handed_on: &str) -> Option<Box<dyn Question>> {
     question(what, file)
 }
 
-/// The questions there are.
-fn question(_what: &str, _file: CaseFile) -> Option<Box<dyn Question>> {
-    None
+/// The questions there are: a name, and behind it what is asked more closely.
+fn question(what: &str, file: CaseFile) -> Option<Box<dyn Question>> {
+    let mut words = what.split(' ');
+    match (words.next()?, words.next(), words.next()) {
+        ("help", None, None) => Some(Box::new(Help::of(&file))),
+        ("two", Some(up), Some(across)) => Some(Box::new(TwoNumbers::of(file, [up, across]))),
+        _ => None,
+    }
 }
