@@ -20,7 +20,7 @@ export function connectHelp(app) {
     // Another case by now has other answers.
     if (app.asked("help") !== answer) return;
     app.explorer.edit(row.text);
-    say(`${row.words}: ${row.value}. Undo takes it back.`);
+    say(`${row.words}: ${row.printed}. Undo takes it back.`);
     heading.focus({ preventScroll: true });
     app.changed();
   };
@@ -28,15 +28,16 @@ export function connectHelp(app) {
     const way = row.does === "helps" ? "→ " : row.wanted === "least" ? "down to " : "up to ";
     const small = row.with.length > 0 ? `with it ${row.with.join(", ")}` : row.does === "reserve" ? row.why : "";
     const cells = [
-      cell("what", row.words, ...(small ? [element("small", {}, small)] : [])), cell("present", row.present),
-      cell("found", cell("way", way), row.value), cell("share", row.change),
+      cell("what", row.words), cell("present", row.present_printed),
+      cell("found", cell("way", way), row.printed), cell("share", row.change),
     ];
     if (row.text) {
       const button = element("button", { type: "button", title: row.why ? `Just short of it, ${row.why}` : "" }, "Try");
-      button.setAttribute("aria-label", `Try ${row.words} ${row.value}`);
+      button.setAttribute("aria-label", `Try ${row.words} ${row.printed}`);
       button.addEventListener("click", () => take(answer, row));
       cells.push(button);
     }
+    if (small) cells.push(element("small", {}, small));
     return Object.assign(element("li", {}, ...cells), { share: Math.abs(row.share) });
   };
   const show = (answer, { fault, heading: words, met, row, numbers }) => {
@@ -46,7 +47,7 @@ export function connectHelp(app) {
       put(byId("others-title"), met ? "These may go as far as was tried" : "These do not help");
       list.classList.toggle("reserve", met);
     }
-    if (row?.value) {
+    if (row?.printed) {
       // The nearest limit stands first; of what helps the order stays, for a hand on its way to a button.
       const item = told(answer, row);
       const before = row.does === "reserve" ? [...list.children].find((other) => other.share > item.share) : null;

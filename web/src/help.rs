@@ -89,8 +89,8 @@ fn on_page(row: ChangeRow) -> ChangeRow {
     let set = |words: String| words.replace('-', "−");
     let number = |words: Option<String>| words.map(set);
     ChangeRow {
-        present: set(row.present.clone()),
-        value: number(row.value.clone()),
+        present_printed: set(row.present_printed.clone()),
+        printed: number(row.printed.clone()),
         change: number(row.change.clone()),
         ..row
     }
@@ -198,5 +198,61 @@ impl Question for TwoNumbers {
             Err(error) => BoundaryPart { words: error.to_string(), ..BoundaryPart::default() },
         };
         serde_json::to_string(&part).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::Value;
+
+    const SAND: &str = include_str!("../../examples/goda-on-sand.toml");
+
+    fn parts(question: &mut dyn Question) -> Vec<Value> {
+        std::iter::from_fn(|| question.next_part()).map(|part| serde_json::from_str(&part).unwrap()).collect()
+    }
+
+    fn file(text: &str) -> CaseFile {
+        CaseFile::parse("case.toml", text).unwrap()
+    }
+
+    #[test]
+    fn rows_are_told_one_by_one_and_two_numbers_in_the_end() {
+        let parts = parts(&mut Help::of(&file(SAND)));
+        let (first, last) = (&parts[0], parts.last().unwrap());
+        assert_eq!(first["met"], false);
+        let rows: Vec<&Value> = parts.iter().map(|part| &part["row"]).filter(|row| !row.is_null()).collect();
+        assert_eq!(rows.len(), parts.len() - 2);
+        assert_eq!(rows.len(), last["numbers"].as_array().unwrap().len());
+        let width = rows[0];
+        assert_eq!(
+            [&width["present_printed"], &width["printed"], &width["change"]],
+            ["15 m", "15.87 m", "+ 5.8 %"]
+        );
+        assert_eq!(width["with"][0], "mass 366.121 t/m");
+        assert!(width["text"].as_str().unwrap().contains("width = \"15.87 m\"\n"));
+        // Friction does not help on ground that fails: its angle of friction does.
+        assert_eq!(last["two"], serde_json::json!(["body.width", "ground.friction_angle_deg"]));
+        assert_eq!(last["slow"], false);
+    }
+
+    #[test]
+    fn two_numbers_have_their_boundary_in_two_widths() {
+        let text = "[body]\nwidth = 4\nheight = 6\ndensity = 2400\nfriction = 0.3\n[[load]]\nforce = 3e5\nelevation = 3\n";
+        let parts = parts(&mut TwoNumbers::of(file(text), ["body.width", "body.friction"]));
+        let [part] = &parts[..] else { panic!("{}", parts.len()) };
+        for (which, width) in ["narrow", "wide"].into_iter().zip(WIDTHS) {
+            let svg = part[which].as_str().unwrap();
+            assert!(svg.contains(&format!("width=\"{width}\"")) && svg.contains("var(--feasible,"));
+        }
+        assert!(part["words"].as_str().unwrap().starts_with("Shaded: the body rests under the full load."));
+    }
+
+    #[test]
+    fn what_cannot_be_asked_says_why() {
+        let block = include_str!("../../examples/motion/block-base-pulse.toml");
+        let parts = parts(&mut Help::of(&file(block)));
+        assert_eq!(parts.len(), 1);
+        assert!(parts[0]["fault"].as_str().unwrap().starts_with("a [block] has no first instant"));
     }
 }

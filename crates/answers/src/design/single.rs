@@ -110,7 +110,8 @@ impl SingleChanges {
         let parts = if self.target.asks_for_chance(&subject.case) { CHANCE_PARTS } else { PARTS };
         let search = Search { varied: &varied, quantity: &quantity, target: self.target, parts };
         let outwards = Outwards::of(&search, portion);
-        let found = match self.is_met {
+        // A value on its bound may be met as it stands, and not as it is computed anew.
+        let found = match self.is_met && outwards.meets(outwards.at)? {
             true => Found::Reserve(outwards.reserve()?),
             false => match outwards.nearest()? {
                 Ok((end, is_least)) => Found::Helps(self.written(variable, end, is_least)),

@@ -9,6 +9,7 @@ use crate::document::{AnswerFigure, Document};
 use crate::json::SCHEMA;
 use crate::layout::{columns, paragraph, row, significant};
 use crate::summary::{Summary, once};
+use crate::units::Dimension;
 use standfast_model::CaseFile;
 use standfast_watch::Portion;
 
@@ -30,10 +31,16 @@ pub struct ChangeRow {
     /// `helps` if the target is met from a value on, `reserve` if it is met and not beyond a value, `free` if it is met whatever the value,
     /// `none` if no value helps.
     pub does: &'static str,
-    /// Its present value with its unit.
-    pub present: String,
-    /// The value from which on, or up to which, the target is met, with its unit.
-    pub value: Option<String>,
+    /// The SI unit of its values; `None` of a plain number.
+    pub unit: Option<&'static str>,
+    /// Its present value.
+    pub present: f64,
+    /// The same with its unit, as the file has it.
+    pub present_printed: String,
+    /// The value from which on, or up to which, the target is met, as it is printed.
+    pub value: Option<f64>,
+    /// The same with its unit.
+    pub printed: Option<String>,
     /// `least` if that is the least of the values that meet the target, `greatest` if it is the greatest.
     pub wanted: Option<&'static str>,
     /// How much that is more than the present value, as a share of it.
@@ -90,8 +97,11 @@ impl ChangeRow {
             vary: quantity.variable.name().to_owned(),
             words: quantity.variable.id().words(),
             does,
-            present: quantity.shown(quantity.present),
-            value: end.map(|end| end.text.clone()),
+            unit: quantity.variable.dimension().map(Dimension::si),
+            present: quantity.present,
+            present_printed: quantity.shown(quantity.present),
+            value: end.map(|end| end.rounded),
+            printed: end.map(|end| end.text.clone()),
             wanted: end.map(|_| if is_least { "least" } else { "greatest" }),
             share,
             change: share.map(percent_more),
@@ -168,7 +178,7 @@ impl Document for ChangeList {
         });
         let answer = least.map_or("No number alone changes that.".to_owned(), |row| {
             let (name, value, change) =
-                (&row.vary, row.value.as_deref().unwrap_or(""), row.change.as_deref().unwrap_or(""));
+                (&row.vary, row.printed.as_deref().unwrap_or(""), row.change.as_deref().unwrap_or(""));
             match met {
                 true => format!("The nearest limit is {name} = {value}, {change}."),
                 false => format!("The least change that meets it is {name} = {value}, {change}."),
@@ -195,8 +205,8 @@ impl Document for ChangeList {
         text += &paragraph(&changes_heading(&self.of), 0);
         let [told, others] = self.rows();
         let cells = |row: &ChangeRow| {
-            let [value, change] = [&row.value, &row.change].map(|cell| cell.clone().unwrap_or_default());
-            row![&row.vary, &row.present, value, change]
+            let [value, change] = [&row.printed, &row.change].map(|cell| cell.clone().unwrap_or_default());
+            row![&row.vary, &row.present_printed, value, change]
         };
         text += &columns(&told.iter().map(cells).collect::<Vec<_>>(), 2, &[1, 2, 3]);
         let mut notes: Vec<&String> = Vec::new();
