@@ -1,7 +1,8 @@
 // The page: one explorer in wasm, whose state is the text of a case; the modules beside this one hand it what a person does and show
 // what it answers.
 
-import { unpacked } from "unpacked";
+import { bytesOf } from "letters";
+import { startUnpacker, unpack } from "unpacker";
 import { start, Explorer } from "library";
 import { byId } from "dom";
 import { connectVerdict } from "verdict";
@@ -24,9 +25,9 @@ import { connectTheme } from "theme";
 import { connectAsking } from "asking";
 
 async function library() {
-  const packed = unpacked(byId("wasm").textContent);
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  const compiled = await WebAssembly.compile(await new Response(stream).arrayBuffer());
+  const zipped = new Blob([bytesOf(byId("unpacker").textContent)]).stream().pipeThrough(new DecompressionStream("gzip"));
+  await startUnpacker({ module_or_path: await new Response(zipped).arrayBuffer() });
+  const compiled = await WebAssembly.compile(unpack(bytesOf(byId("wasm").textContent)));
   await start({ module_or_path: compiled });
   return compiled;
 }

@@ -18,16 +18,15 @@ fn build(mut bundler: Command) -> Result<PathBuf, String> {
     let toolchain = toolchain()?;
     // Apart from other builds: its compiler may be another one.
     let wasm = target().join("wasm");
-    let arguments =
-        ["build", "--quiet", "--package", "standfast-web", "--lib", "--profile", "wasm", "--target", TARGET];
+    let packages = ["--package", "standfast-web", "--package", "standfast-web-unpack", "--lib"];
+    let arguments = [&["build", "--quiet", "--profile", "wasm", "--target", TARGET], &packages[..]].concat();
     ran(cargo(&arguments).envs(toolchain).env("CARGO_TARGET_DIR", &wasm))?;
 
     let folder = target().join("explorer");
     let site = folder.join("site");
     fs::create_dir_all(&site).map_err(|error| format!("{}: {error}", site.display()))?;
     let page = folder.join("standfast-explorer.html");
-    let library = wasm.join(TARGET).join("wasm").join("standfast_web.wasm");
-    ran(bundler.arg(library).arg(root().join("web").join("page")).arg(&page))?;
+    ran(bundler.arg(wasm.join(TARGET).join("wasm")).arg(root().join("web").join("page")).arg(&page))?;
     fs::copy(&page, site.join("index.html")).map_err(|error| format!("{}: {error}", site.display()))?;
     Ok(page)
 }

@@ -1,4 +1,4 @@
-// Bytes from the letters that the library stands in: each five of 85 letters are four bytes, a quarter more than the bytes, where base64
+// Bytes from the letters that the libraries stand in: each five of 85 letters are four bytes, a quarter more than the bytes, where base64
 // is a third more.
 
 // Letters from # on, but for those that mean something in HTML or in scripts.
@@ -8,7 +8,7 @@ for (let code = 35; code < 127; code++) {
   if (!"&'<>\\`~".includes(String.fromCharCode(code))) VALUES[code] = next++;
 }
 
-export function unpacked(letters) {
+export function bytesOf(letters) {
   const bytes = new Uint8Array(letters.length - Math.ceil(letters.length / 5));
   for (let from = 0, to = 0; from < letters.length; from += 5, to += 4) {
     let number = 0;
