@@ -4,7 +4,7 @@
 use serde::Serialize;
 use standfast_cases::design::{
     BoundaryRequest, ChangeRow, DesignBoundary, DesignError, DesignRequest, Extreme, Found, SingleChanges,
-    Spelling, Target, boundary_on_screen, changes_heading,
+    Spelling, Target, boundary_on_screen, changes_heading, number_words,
 };
 use standfast_cases::{CaseFile, Portion};
 
@@ -126,8 +126,10 @@ impl Question for Help {
             }
             (Ok(of), Next::Choice) => {
                 self.next = Next::Nothing;
-                let words =
-                    of.variables.iter().map(|variable| [variable.name().to_owned(), variable.id().words()]);
+                let words = of
+                    .variables
+                    .iter()
+                    .map(|variable| [variable.name().to_owned(), number_words(of, variable)]);
                 HelpPart {
                     numbers: words.collect(),
                     two: self.two(),

@@ -5,6 +5,7 @@ use standfast::InputError;
 
 use super::text::sentence;
 use super::{DesignError, Found, SingleChange, SingleChanges, Target};
+use crate::couple::Variable;
 use crate::document::{AnswerFigure, Document};
 use crate::json::SCHEMA;
 use crate::layout::{columns, paragraph, row, significant};
@@ -74,6 +75,20 @@ pub fn changes_heading(of: &SingleChanges) -> String {
     }
 }
 
+/// The meaning of a number in a few words; in more where another number of the list has the same.
+pub fn number_words(of: &SingleChanges, variable: &Variable) -> String {
+    let short = |variable: &Variable| {
+        let words = variable.id().words();
+        words.split_once("; ").map_or(words.clone(), |(short, _)| short.to_owned())
+    };
+    let words = short(variable);
+    let is_another = |other: &&Variable| other.id() != variable.id() && short(other) == words;
+    match of.variables.iter().find(is_another) {
+        Some(_) => variable.key().info().words.to_owned(),
+        None => words,
+    }
+}
+
 impl ChangeRow {
     /// The row of a change.
     pub fn of(of: &SingleChanges, change: &SingleChange) -> ChangeRow {
@@ -95,7 +110,7 @@ impl ChangeRow {
         };
         ChangeRow {
             vary: quantity.variable.name().to_owned(),
-            words: quantity.variable.id().words(),
+            words: number_words(of, &quantity.variable),
             does,
             unit: quantity.variable.dimension().map(Dimension::si),
             present: quantity.present,
