@@ -14,7 +14,7 @@ use crate::units::Dimension;
 use standfast_model::CaseFile;
 use standfast_watch::Portion;
 
-/// The least change of every number of a case that a person can change.
+/// The least change of every number of a case that a person can change; JSON as `docs/changes.schema.json` has it.
 pub struct ChangeList {
     /// The case and what is asked of it.
     pub of: SingleChanges,
