@@ -121,9 +121,10 @@ impl SingleChanges {
         Ok(SingleChange { quantity, found })
     }
 
-    /// True if each value takes a motion or a probability.
+    /// True if each value takes long: a motion, a probability, a base that crushes.
     pub fn is_slow(&self) -> bool {
-        self.follows || self.target.asks_for_chance(&self.subject.case)
+        let crushes = self.subject.case.ground.is_some_and(|ground| ground.strength().is_some());
+        self.follows || crushes || self.target.asks_for_chance(&self.subject.case)
     }
 
     /// Notes on the numbers that go with one.
