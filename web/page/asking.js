@@ -16,13 +16,14 @@ export function connectAsking(app) {
   app.askOnce = (what) => new Promise((found, failed) => begin(what, found, (fault) => fault && failed(new Error(fault))));
 
   const answers = {};
-  /** The answer to a question on the case as it stands, as far as it is known: its parts, whether that is all, and what went wrong. While
-   * something is dragged it is the answer from before. */
+  /** The answer to a question on the case as it stands, as far as it is known: its parts, whether that is all, and what went wrong. Behind
+   * the name of a question may stand what is asked more closely. While something is dragged it is the answer from before. */
   app.asked = (what) => {
-    const of = app.explorer.answers();
-    if (answers[what]?.of !== of && !app.held) {
-      answers[what]?.worker.terminate();
-      const answer = (answers[what] = { of, parts: [], done: false, fault: "" });
+    const [name] = what.split(" ");
+    const of = `${app.explorer.answers()} ${what}`;
+    if (answers[name]?.of !== of && !app.held) {
+      answers[name]?.worker.terminate();
+      const answer = (answers[name] = { of, parts: [], done: false, fault: "" });
       const take = (part) => {
         answer.parts.push(part);
         app.changed();
@@ -32,6 +33,6 @@ export function connectAsking(app) {
         app.changed();
       });
     }
-    return answers[what] ?? { parts: [], done: false, fault: "" };
+    return answers[name] ?? { parts: [], done: false, fault: "" };
   };
 }

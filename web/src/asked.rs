@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use standfast_cases::CaseFile;
 
+use crate::help::{Help, TwoNumbers};
 use crate::page::{Page, Version, read};
 use crate::sheet::SheetAsked;
 
@@ -36,11 +37,15 @@ pub fn ask(what: &str, handed_on: &str) -> Option<Box<dyn Question>> {
     question(what, file)
 }
 
-/// The question of a name, with what belongs to it behind.
+/// The questions there are: a name, and behind it what is asked more closely.
 fn question(what: &str, file: CaseFile) -> Option<Box<dyn Question>> {
-    let (name, rest) = what.split_once(' ').unwrap_or((what, ""));
-    match name {
-        "sheet" | "short-sheet" => Some(Box::new(SheetAsked::of(file, name == "short-sheet", rest))),
+    let mut words = what.split(' ');
+    match (words.next()?, words.next(), words.next()) {
+        ("help", None, None) => Some(Box::new(Help::of(&file))),
+        ("two", Some(up), Some(across)) => Some(Box::new(TwoNumbers::of(file, [up, across]))),
+        (name @ ("sheet" | "short-sheet"), Some(day), None) => {
+            Some(Box::new(SheetAsked::of(file, name == "short-sheet", day)))
+        }
         _ => None,
     }
 }

@@ -17,7 +17,7 @@
 //! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
-//! | What takes longer than a picture, and is asked in a thread of its own? | `asked`; `sheet` |
+//! | What takes longer than a picture, and is asked in a thread of its own? | `asked`; the sheet: `sheet`; what would help: `help` |
 //!
 //! Everything but this file runs, and is tested, without wasm.
 
@@ -27,6 +27,7 @@ mod answered;
 mod asked;
 mod drag;
 mod examples;
+mod help;
 mod numbers;
 mod old_link;
 mod page;

@@ -9,6 +9,7 @@ mod error;
 mod quantity;
 mod sensitivity;
 mod set;
+mod single;
 mod subject;
 mod target;
 
@@ -17,6 +18,7 @@ pub use error::DesignError;
 pub use quantity::{DIGITS, Quantity, with_unit};
 pub use sensitivity::{Sensitivity, SensitivityChange, sensitivities};
 pub use set::{End, OuterState, Stretch};
+pub use single::{Found, NewValue, SingleChange, SingleChanges};
 pub use target::{Target, TargetError};
 
 use std::fmt;
@@ -161,19 +163,19 @@ impl DesignRequest {
         };
         Quantity::of(&self.vary, &subject.numbers, &subject.case, &ends)
     }
+}
 
-    /// Refuses a target that the case cannot be asked for.
-    fn answerable(&self, subject: &Subject) -> Result<(), DesignError> {
-        let Subject { file, case, .. } = subject;
-        match self.target {
-            target @ Target::Utilisation(_) if case.criteria.is_empty() && !subject.asks_of_motion() => {
-                Err(DesignError::NoCriteria { target })
-            }
-            target if target.asks_for_chance(case) && file.random().is_none() => {
-                Err(DesignError::NothingRandom { target })
-            }
-            _ => Ok(()),
+/// Refuses a target that the case cannot be asked for.
+fn answerable(target: Target, subject: &Subject) -> Result<(), DesignError> {
+    let Subject { file, case, .. } = subject;
+    match target {
+        Target::Utilisation(_) if case.criteria.is_empty() && !subject.asks_of_motion() => {
+            Err(DesignError::NoCriteria { target })
         }
+        _ if target.asks_for_chance(case) && file.random().is_none() => {
+            Err(DesignError::NothingRandom { target })
+        }
+        _ => Ok(()),
     }
 }
 
@@ -292,7 +294,7 @@ impl Design {
     pub fn of(file: &CaseFile, request: DesignRequest, portion: Portion<'_>) -> Result<Design, DesignError> {
         let subject = Subject::of(file)?;
         let varied = Varied { subject: &subject, follows: subject.follows(request.target)?, held: None };
-        request.answerable(&subject)?;
+        answerable(request.target, &subject)?;
         let quantity = request.quantity(&subject)?;
         let present = varied.present(request.target)?;
         let parts = if request.target.asks_for_chance(&subject.case) { CHANCE_PARTS } else { PARTS };

@@ -2,6 +2,7 @@
 
 mod boundary;
 mod json;
+mod single;
 mod summary;
 mod text;
 
@@ -9,7 +10,8 @@ use standfast::InputError;
 
 use crate::document::{AnswerFigure, Document};
 use crate::summary::Summary;
-pub use boundary::boundary_csv;
+pub use boundary::{boundary_csv, boundary_on_screen};
+pub use single::{ChangeList, ChangeRow, changes_heading, number_words};
 pub use standfast_answers::design::*;
 pub use text::change_words;
 

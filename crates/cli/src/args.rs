@@ -342,26 +342,27 @@ pub struct DesignArgs {
     /// The case file (TOML); - reads standard input
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
-    /// Quantity to vary: width, height, mass, friction, water_level, crest_height, or any number of the case as in wave.period
-    #[arg(long, value_name = "QUANTITY")]
-    pub vary: String,
-    /// The target, one of those below
+    /// Quantity to vary: width, height, mass, friction, water_level, crest_height, or any number of the case as in wave.period; without
+    /// one, the least change of each number that a person can change
+    #[arg(long, value_name = "QUANTITY", requires = "target")]
+    pub vary: Option<String>,
+    /// The target, one of those below; without a quantity to vary it may be left out: the criteria of the case, or rest
     #[arg(long, value_name = "TARGET")]
-    pub target: Target,
+    pub target: Option<Target>,
     /// The least value that meets the target (default)
-    #[arg(long, conflicts_with = "greatest")]
+    #[arg(long, conflicts_with = "greatest", requires = "vary")]
     pub least: bool,
     /// The greatest value that meets the target
-    #[arg(long)]
+    #[arg(long, requires = "vary")]
     pub greatest: bool,
     /// Lower end of the range, as in the case file, e.g. "8 m" or 8 [default: a fifth of the present value]
-    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    #[arg(long, value_name = "A", allow_hyphen_values = true, requires = "vary")]
     pub from: Option<String>,
     /// Upper end of the range [default: five times the present value]
-    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    #[arg(long, value_name = "B", allow_hyphen_values = true, requires = "vary")]
     pub to: Option<String>,
     /// Another quantity: the answer for each of many values of it
-    #[arg(long, value_name = "QUANTITY")]
+    #[arg(long, value_name = "QUANTITY", requires = "vary")]
     pub and: Option<String>,
     /// Lower end of the other quantity [default: half the present value]
     #[arg(long, value_name = "A", allow_hyphen_values = true, requires = "and")]

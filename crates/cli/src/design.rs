@@ -1,4 +1,4 @@
-//! `standfast design`: a quantity that meets a target, or the boundary of two in files.
+//! `standfast design`: a quantity that meets a target, the boundary of two in files, or the least change of each.
 
 use std::fmt;
 use std::fmt::Write;
@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use standfast_cases::Document;
 use standfast_cases::design::{
-    BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, boundary_csv,
+    BoundaryRequest, ChangeList, Design, DesignBoundary, DesignRequest, Extreme, Spelling, boundary_csv,
 };
 
 use crate::args::DesignArgs;
@@ -70,9 +70,13 @@ pub fn design(args: &DesignArgs) -> Result<String> {
         // Before a boundary is looked for, or the first of several files is written.
         read.refuse(output.path())?;
     }
+    let (Some(vary), Some(target)) = (args.vary.clone(), args.target) else {
+        let list = watched(|portion| ChangeList::of(&file, args.target, portion))?;
+        return Ok(Shown::of(args.brief, args.format).text(&list, &(), &[]));
+    };
     let request = DesignRequest {
-        vary: args.vary.clone(),
-        target: args.target,
+        vary,
+        target,
         extreme: if args.greatest { Extreme::Greatest } else { Extreme::Least },
         from: args.from.clone(),
         to: args.to.clone(),

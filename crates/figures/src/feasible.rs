@@ -121,9 +121,22 @@ impl Step {
 /// assert!(figure.is_some_and(|figure| figure.svg().contains("Along the boundary: sliding.")));
 /// ```
 pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
+    let (canvas, runs) = drawn(set, (COLUMN, HEIGHT))?;
+    Some(framed(canvas, set, &runs, true))
+}
+
+/// Draws the set so wide for a screen, which has title and caption beside it, in colours that a page can change.
+pub fn feasible_set_on_screen(set: &FeasibleSet<'_>, width: f64) -> Option<Figure> {
+    let (canvas, runs) = drawn(set, (width, (0.55 * width).clamp(200.0, 340.0)))?;
+    let figure = framed(canvas, set, &runs, false);
+    Some(Figure { svg: figure.svg_on_screen(), ..figure })
+}
+
+/// The plot, so wide with its margins and so high, with the parts of the boundary that are told.
+fn drawn(set: &FeasibleSet<'_>, (width, height): (f64, f64)) -> Option<(Canvas, Vec<Run>)> {
     let window = window(set)?;
     let (across, up) = window.axes();
-    let axes = Axes::beside_numbers([across, up], (LEFT, COLUMN - 26.0), TOP, HEIGHT);
+    let axes = Axes::beside_numbers([across, up], (LEFT, width - 26.0), TOP, height);
     let mut canvas = Canvas::new(axes);
 
     let pieces = clip_strips(&set.strips(), &window);
@@ -143,17 +156,18 @@ pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
     let runs: Vec<_> = runs.into_iter().chain(upright).collect();
     runs.iter().for_each(|run| name(&mut canvas, run));
     name_set(&mut canvas, &pieces);
-    Some(framed(canvas, set, &runs))
+    Some((canvas, runs))
 }
 
-/// Writes the names of the axes, the title and the caption around the plot.
-fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run]) -> Figure {
+/// Writes the names of the axes, and where they are wanted title and caption, around the plot.
+fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], with_words: bool) -> Figure {
     let axes = canvas.board.axes;
     axes.framed(&mut canvas.scene, &axes.ticks());
     axes.name_above(&mut canvas.scene, &axis_name(&set.up), LEFT, 0.0);
     let name = axis_name(&set.across);
     let below = axes.name_below(&mut canvas.scene, &name);
-    let edges = (LEFT, (COLUMN - LEFT).max(LEFT + name.width));
+    let right = axes.area.x1 + 26.0;
+    let edges = (LEFT, (right - LEFT).max(LEFT + name.width));
     let mut binds: Vec<_> = runs.iter().map(|run| run.by).collect();
     binds.sort_unstable();
     binds.dedup();
@@ -165,6 +179,11 @@ fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run]) -> Figure {
         axis_name(&set.up).plain,
         axis_name(&set.across).plain
     );
+    if !with_words {
+        let size = (right.max(2.0 * LEFT + name.width).ceil(), (below + 10.0).ceil());
+        let (svg, labels) = canvas.scene.finish(size.0, size.1, set.title, &description);
+        return Figure { svg, title: set.title.to_owned(), caption, labels, size };
+    }
     let words = Words { gap: 5.0, ..Words::verbatim(set.title, &caption) };
     words.figure(canvas.scene, edges, below + 14.0, 16.0, &description)
 }

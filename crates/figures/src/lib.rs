@@ -83,7 +83,9 @@ pub use chances::{
     Chance, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, ChanceRow, ChanceRows, CloudPanel,
     Importance, LineLook, Tornado, chance_cloud, chance_lines, chance_rows, chance_tornado,
 };
-pub use feasible::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
+pub use feasible::{
+    FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set, feasible_set_on_screen,
+};
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
 pub use motion::{

@@ -1,6 +1,8 @@
 //! Pictures of two quantities: what is asked of every figure, for sets of one stretch, of several, with gaps and steps.
 
-use standfast_figures::{FeasibleSet, Figure, Rect, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
+use standfast_figures::{
+    FeasibleSet, Figure, Rect, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set, feasible_set_on_screen,
+};
 
 type Ends = ((f64, Option<&'static str>), (f64, Option<&'static str>));
 
@@ -119,4 +121,24 @@ fn without_a_boundary_there_is_no_picture() {
         None
     );
     assert_eq!(draw(&[], (0.1, 2.0)), None);
+}
+
+/// On a screen it is as wide as is asked, a telephone's width too, and its words stand beside it.
+#[test]
+fn on_a_screen_it_is_laid_out_at_its_width() {
+    let stretch = |mu: f64| [((6.0 / mu, Some("sliding")), (40.0, None))];
+    let columns = [0.3, 0.45, 0.6, 0.9, 1.2].map(|mu| column(mu, &stretch(mu), None));
+    let across = SetAxis { words: "friction", symbol: "μ", unit: "", present: 0.6 };
+    let up = SetAxis { words: "width", symbol: "w", unit: "m", present: 9.0 };
+    let set = FeasibleSet { title: "A block", caption: "Shaded: it rests.", across, up, columns: &columns };
+    for width in [300.0, 340.0, 560.0] {
+        let figure = feasible_set_on_screen(&set, width).expect("a boundary");
+        assert!((figure.size().0 - width).abs() < 1.0, "{:?}", figure.size());
+        assert_eq!(figure.caption(), "Shaded: it rests. Along the boundary: sliding.");
+        assert!(figure.svg().contains("var(--feasible,") && !figure.svg().contains("<style>"));
+        let (wide, high) = figure.size();
+        let page = Rect { x0: 0.0, y0: 0.0, x1: wide, y1: high };
+        assert!(figure.labels().iter().all(|label| page.contains(&label.rect) && label.text != "A block"));
+        assert!(texts(&figure).contains(&"target met") && texts(&figure).contains(&"present"));
+    }
 }

@@ -6,7 +6,7 @@
 use super::quantity::{Ends, Quantity};
 use super::set::{Search, Stretch};
 use super::subject::Subject;
-use super::{DesignError, DesignRequest, Spelling, Target, Varied, in_time_note};
+use super::{DesignError, DesignRequest, Spelling, Target, Varied, answerable, in_time_note};
 use crate::assess::Assessment;
 use crate::couple::Variable;
 use crate::rounded::{Decimal, Towards};
@@ -86,7 +86,7 @@ impl DesignBoundary {
         let BoundaryRequest { design, and, from, to } = request;
         let subject = Subject::of(file)?;
         let follows = subject.follows(design.target)?;
-        design.answerable(&subject)?;
+        answerable(design.target, &subject)?;
         let up = design.quantity(&subject)?;
         let spelling = design.spelling;
         let options = [spelling.and_from, spelling.and_to];

@@ -98,16 +98,46 @@ impl OuterState {
 }
 
 /// A value with what it comes to, or why it does not.
-struct Trial {
+pub(super) struct Trial {
     value: f64,
     answer: Result<Assessment, CaseError>,
-    met: bool,
+    pub(super) met: bool,
+}
+
+/// Values that were tried and do not meet the target.
+#[derive(Default)]
+pub(super) struct Tried {
+    /// The one that comes nearest, the first of several, with its score.
+    best: Option<(f64, Trial)>,
+    /// The score of the one that is farthest from it.
+    worst: Option<f64>,
+    /// The first that makes no case, and why.
+    refused: Option<(f64, String)>,
+    count: usize,
+}
+
+impl Tried {
+    pub(super) fn add(&mut self, trial: Trial, target: Target) {
+        self.count += 1;
+        match &trial.answer {
+            Ok(answer) => {
+                let score = target.score(answer);
+                self.worst = Some(self.worst.map_or(score, |worst| worst.min(score)));
+                if self.best.as_ref().is_none_or(|(best, _)| score > *best) {
+                    self.best = Some((score, trial));
+                }
+            }
+            Err(refused) => {
+                self.refused.get_or_insert_with(|| (trial.value, refused.to_string()));
+            }
+        }
+    }
 }
 
 /// An end before it is rounded: the outermost value that meets the target, and one beyond that does not.
-struct ExactEnd {
-    meets: f64,
-    fails: Option<f64>,
+pub(super) struct ExactEnd {
+    pub(super) meets: f64,
+    pub(super) fails: Option<f64>,
 }
 
 impl Search<'_> {
@@ -151,7 +181,7 @@ impl Search<'_> {
     }
 
     /// The values tried first, rising; among them the present one, where it is in the range.
-    fn samples(&self) -> Vec<f64> {
+    pub(super) fn samples(&self) -> Vec<f64> {
         let Quantity { range: [from, to], present, .. } = *self.quantity;
         let share = |i: u32| f64::from(i) / f64::from(self.parts);
         let mut samples: Vec<f64> = (0..=self.parts).map(|i| from + (to - from) * share(i)).collect();
@@ -163,14 +193,14 @@ impl Search<'_> {
         samples
     }
 
-    fn attempt(&self, value: f64) -> Trial {
+    pub(super) fn attempt(&self, value: f64) -> Trial {
         let answer = self.varied.answer_for(self.target, &self.quantity.variable, value);
         let met = answer.as_ref().is_ok_and(|answer| self.target.is_met(answer));
         Trial { value, answer, met }
     }
 
     /// Brings a value that fails, if there is one, and one that meets the target together.
-    fn boundary(
+    pub(super) fn boundary(
         &self,
         fails: Option<f64>,
         mut meets: f64,
@@ -199,7 +229,7 @@ impl Search<'_> {
 
     /// An end rounded `inwards`, not beyond the other end of its stretch, in as few digits from four on as it takes to meet the
     /// target: what is printed is read again and assessed.
-    fn end(&self, found: &ExactEnd, inwards: Towards, other: f64) -> End {
+    pub(super) fn end(&self, found: &ExactEnd, inwards: Towards, other: f64) -> End {
         let Quantity { variable, .. } = self.quantity;
         let is_inside = |value: f64| match inwards {
             Towards::More => value <= other,
@@ -270,24 +300,14 @@ impl Search<'_> {
 
     /// Reason why no value meets the target.
     pub(super) fn unmet(&self, spelling: &'static Spelling) -> DesignError {
-        let (mut best, mut worst, mut error): (Option<(f64, Trial)>, _, _) = (None, f64::INFINITY, None);
-        let samples = self.samples();
-        let count = samples.len();
-        for value in samples {
-            let trial = self.attempt(value);
-            match &trial.answer {
-                Ok(answer) => {
-                    let score = self.target.score(answer);
-                    worst = worst.min(score);
-                    if best.as_ref().is_none_or(|(best, _)| score > *best) {
-                        best = Some((score, trial));
-                    }
-                }
-                Err(refused) => {
-                    error.get_or_insert_with(|| (value, refused.to_string()));
-                }
-            }
-        }
+        let mut tried = Tried::default();
+        self.samples().into_iter().for_each(|value| tried.add(self.attempt(value), self.target));
+        self.why_unmet(tried, spelling)
+    }
+
+    /// Reason why no value meets the target, from those that were tried.
+    pub(super) fn why_unmet(&self, tried: Tried, spelling: &'static Spelling) -> DesignError {
+        let Tried { best, worst, refused: error, count } = tried;
         let (name, target) = (self.quantity.variable.name().to_owned(), self.target);
         let range = self.quantity.range_words();
         let Some((score, Trial { value, answer: Ok(answer), .. })) = best else {
@@ -296,6 +316,7 @@ impl Search<'_> {
         };
         let binding = target.binding(&answer).words();
         // The same but for rounding.
+        let worst = worst.unwrap_or(score);
         if score - worst <= 1e-9 * score.abs() || score == worst {
             return DesignError::NoInfluence { name, target, binding };
         }

@@ -26,8 +26,8 @@ pub(super) struct Subject {
 
 /// A case in time beside its first instant.
 pub(super) struct MotionSubject {
-    file: CaseFile,
-    case: Case,
+    pub(super) file: CaseFile,
+    pub(super) case: Case,
     /// Note on the answer for the first instant: a sentence without its stop.
     pub(super) note: String,
     criteria: Vec<MotionCriterion>,
@@ -108,6 +108,16 @@ impl Subject {
         follows: bool,
     ) -> Result<Assessment, CaseError> {
         let (moving, still) = self.varied(changes).map_err(|fault| self.error(fault))?;
+        self.answer_of(moving, still, follows)
+    }
+
+    /// The answer of the file with other inputs: of the case in time, where it is so, and of the one at rest.
+    fn answer_of(
+        &self,
+        moving: Option<Inputs>,
+        still: Inputs,
+        follows: bool,
+    ) -> Result<Assessment, CaseError> {
         let case = Case::of(&still).map_err(|fault| self.file.error(fault))?;
         let mut answer = Assessment::owning(case).map_err(|error| self.file.refused(error))?;
         if let (true, Some(moving), Some(time)) = (follows, moving, &self.time) {
@@ -118,6 +128,32 @@ impl Subject {
                 Some(MotionAssessment { note: time.note.clone(), criteria: time.criteria.clone(), motions });
         }
         Ok(answer)
+    }
+
+    /// The answer of the file as it is written with other numbers, with the probability if that is asked for.
+    ///
+    /// # Errors
+    /// As [`answer`](Subject::answer).
+    pub(super) fn answer_as_written(
+        &self,
+        inputs: Inputs,
+        follows: bool,
+        chance: bool,
+    ) -> Result<Assessment, CaseError> {
+        let (moving, still) = match &self.time {
+            None => (None, inputs),
+            Some(_) => {
+                let (still, _) = at_first_instant(&inputs).map_err(|fault| self.error(fault))?;
+                (Some(inputs), still)
+            }
+        };
+        let answer = self.answer_of(moving, still.clone(), follows)?;
+        if chance { answer.with_chance(&self.file.varied(still), Portion::UNSEEN) } else { Ok(answer) }
+    }
+
+    /// The file as it is written, and its case.
+    pub(super) fn written(&self) -> (&CaseFile, &Case) {
+        self.time.as_ref().map_or((&self.file, &self.case), |time| (&time.file, &time.case))
     }
 
     fn error(&self, fault: Fault) -> CaseError {

@@ -7,6 +7,7 @@ use standfast::InputError;
 
 use super::DesignBoundary;
 use crate::document::{AnswerFigure, Document};
+pub use picture::boundary_on_screen;
 pub use render::csv as boundary_csv;
 
 /// A text of a few columns, and all of them in JSON; the figure is left out where the target is met, or not, throughout what was searched.

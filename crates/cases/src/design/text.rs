@@ -157,7 +157,7 @@ fn apart(Stretch { least, greatest }: &Stretch) -> String {
 }
 
 /// Words as a sentence of their own.
-fn sentence(words: String) -> String {
+pub(super) fn sentence(words: String) -> String {
     let mut characters = words.chars();
     let first = characters.next().map(|first| first.to_uppercase().collect::<String>());
     format!("{}{}.", first.unwrap_or_default(), characters.as_str())

@@ -1,6 +1,8 @@
 //! A boundary as a picture.
 
-use standfast_figures::{FeasibleSet, Figure, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
+use standfast_figures::{
+    FeasibleSet, Figure, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set, feasible_set_on_screen,
+};
 
 use super::DesignBoundary;
 use super::render::at_present;
@@ -8,6 +10,18 @@ use crate::design::{End, Quantity};
 use crate::units::Dimension;
 
 pub(super) fn draw(boundary: &DesignBoundary) -> Option<Figure> {
+    with_set(boundary, feasible_set)
+}
+
+/// The picture so wide for a screen; none where the target is met, or not, throughout.
+pub fn boundary_on_screen(boundary: &DesignBoundary, width: f64) -> Option<Figure> {
+    with_set(boundary, |set| feasible_set_on_screen(set, width))
+}
+
+fn with_set(
+    boundary: &DesignBoundary,
+    draw: impl FnOnce(&FeasibleSet<'_>) -> Option<Figure>,
+) -> Option<Figure> {
     let DesignBoundary { request, up, across, present, .. } = boundary;
     let (upwards, rightwards) = (Axis::of(up), Axis::of(across));
     let end = |end: &End| SetEnd { value: end.value / upwards.scale, by: end.beyond.by() };
@@ -28,7 +42,7 @@ pub(super) fn draw(boundary: &DesignBoundary) -> Option<Figure> {
         up.variable.name(),
         up.range_words(),
     );
-    feasible_set(&FeasibleSet {
+    draw(&FeasibleSet {
         title: present.case.title.as_deref().unwrap_or("Values that meet a target"),
         caption: &caption,
         across: rightwards.drawn(),
