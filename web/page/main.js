@@ -15,6 +15,7 @@ import { connectForm } from "form";
 import { connectPane } from "pane";
 import { connectTabs } from "tabs";
 import { connectWhy } from "why";
+import { connectLikely } from "likely";
 import { connectTerms } from "terms";
 import { connectMenus } from "menus";
 import { connectFiles } from "files";
@@ -60,7 +61,7 @@ async function connect(compiled) {
   connectAsking(app);
   for (const connectPart of [
     connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectForm, connectPane,
-    connectWhy, connectTerms, connectMenus, connectFiles, connectUndo,
+    connectWhy, connectLikely, connectTerms, connectMenus, connectFiles, connectUndo,
   ]) {
     parts.push(connectPart(app));
   }

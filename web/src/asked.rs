@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use standfast_cases::CaseFile;
 
+use crate::likely::Likely;
 use crate::page::{Page, Version, read};
 
 /// A question whose answer is told part by part, the first soon.
@@ -36,6 +37,9 @@ pub fn ask(what: &str, handed_on: &str) -> Option<Box<dyn Question>> {
 }
 
 /// The questions there are.
-fn question(_what: &str, _file: CaseFile) -> Option<Box<dyn Question>> {
-    None
+fn question(what: &str, file: CaseFile) -> Option<Box<dyn Question>> {
+    match what {
+        "likely" => Some(Box::new(Likely::of(file))),
+        _ => None,
+    }
 }

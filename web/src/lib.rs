@@ -17,7 +17,7 @@
 //! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
-//! | What takes longer than a picture, and is asked in a thread of its own? | `asked` |
+//! | What takes longer than a picture, and is asked in a thread of its own? | `asked`; how likely each outcome is: `likely` |
 //!
 //! Everything but this file runs, and is tested, without wasm.
 
@@ -27,6 +27,7 @@ mod answered;
 mod asked;
 mod drag;
 mod examples;
+mod likely;
 mod numbers;
 mod old_link;
 mod page;
@@ -120,6 +121,26 @@ impl Explorer {
     /// Takes a number some per cent greater or less.
     pub fn step(&mut self, key: &str, percent: f64) -> Option<String> {
         self.page.step(key, percent).err()
+    }
+
+    /// The numbers that are random or may be, as JSON.
+    pub fn spreads(&self) -> String {
+        self.page.spreads()
+    }
+
+    /// Gives a random number another law. Returns what is wrong with that, if anything is.
+    pub fn set_law(&mut self, name: &str, law: &str) -> Option<String> {
+        self.page.set_law(name, law).err()
+    }
+
+    /// Gives all numbers that are certain the laws to begin from.
+    pub fn take_proposed(&mut self) -> Option<String> {
+        self.page.take_proposed().err()
+    }
+
+    /// Draws, force and friction by turns, over the plane last drawn, as SVG.
+    pub fn draws_over(&self, draws: &[f64]) -> String {
+        self.page.draws_over(draws)
     }
 
     /// The answer as the program's JSON: `assess`, or `simulate` of a case in time.
