@@ -68,7 +68,7 @@ export function connectLikely(app) {
     put(byId("chance-text"), text);
     part("chances-part", groups.length > 0);
     part("slides-part", slides.length > 0);
-    part("known-part", known.length > 0);
+    part("known-part", matters.length > 0);
     part("how-part", how.length > 0);
   });
   const figures = whenChanged((list) => {

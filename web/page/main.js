@@ -11,6 +11,7 @@ import { connectStage } from "stage";
 import { connectPlate } from "plate";
 import { connectTransport } from "transport";
 import { connectStrengths } from "strengths";
+import { connectHistories } from "histories";
 import { connectForm } from "form";
 import { connectPane } from "pane";
 import { connectTabs } from "tabs";
@@ -60,7 +61,7 @@ async function connect(compiled) {
   };
   connectAsking(app);
   for (const connectPart of [
-    connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectForm, connectPane,
+    connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectHistories, connectForm, connectPane,
     connectWhy, connectLikely, connectTerms, connectMenus, connectFiles, connectUndo,
   ]) {
     parts.push(connectPart(app));

@@ -14,6 +14,7 @@
 //! | Which case is it, and which were before? | `page` |
 //! | What is its answer? | `answered`; as the page shows it: `said`, `text` |
 //! | Which numbers can be typed or dragged? | `numbers`, `drag` |
+//! | How do loads go with time? | `histories` |
 //! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
@@ -27,6 +28,7 @@ mod answered;
 mod asked;
 mod drag;
 mod examples;
+mod histories;
 mod likely;
 mod numbers;
 mod old_link;
@@ -141,6 +143,26 @@ impl Explorer {
     /// Draws, force and friction by turns, over the plane last drawn, as SVG.
     pub fn draws_over(&self, draws: &[f64]) -> String {
         self.page.draws_over(draws)
+    }
+
+    /// What goes with time, or may, as JSON.
+    pub fn courses(&self) -> String {
+        self.page.courses()
+    }
+
+    /// Gives what goes with time another shape. Returns what is wrong with that, if anything is.
+    pub fn set_history(&mut self, key: &str, shape: &str) -> Option<String> {
+        self.page.set_history(key, shape).err()
+    }
+
+    /// True if the body may be shaken with a file that was dropped.
+    pub fn can_shake_with(&self, name: &str) -> bool {
+        self.page.can_shake_with(name)
+    }
+
+    /// Shakes the body with a file that was dropped. Returns what is wrong with that, if anything is.
+    pub fn shake_with(&mut self, name: &str) -> Option<String> {
+        self.page.shake_with(name).err()
     }
 
     /// The answer as the program's JSON: `assess`, or `simulate` of a case in time.

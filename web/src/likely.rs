@@ -264,14 +264,13 @@ impl Page {
         let Some(spread) = spread.filter(|_| CHOSEN.contains(&law)) else {
             return Err(format!("The case has no number {name}."));
         };
-        let text = match law {
-            CERTAIN => file.without_law(name),
-            law => file.with_other_law(name, law).or_else(|| {
-                let proposed = spread.proposed.as_ref();
-                let written = proposed
-                    .map_or_else(|| format!("{{ {law} = {{ cov = 0.1 }} }}"), |own| own.written_as(law));
-                file.with_laws(&[(name, &written)])
-            }),
+        let proposed = spread.proposed.as_ref();
+        let text = match (law, proposed) {
+            (CERTAIN, _) => file.without_law(name),
+            (law, Some(proposed)) if spread.law.is_none() => {
+                file.with_laws(&[(name, &proposed.written_as(law))])
+            }
+            (law, _) => file.with_other_law(name, law),
         };
         self.take_random(text)
     }
@@ -304,7 +303,8 @@ impl Page {
 
     /// Takes a text in which a law is another, if the case has an answer and its random numbers make sense.
     fn take_random(&mut self, text: Option<String>) -> Result<(), String> {
-        let text = text.ok_or("It is not written in braces on a line of its own: change it in the text.")?;
+        let text = text
+            .ok_or("That law is not written so that another could take its place: change it in the text.")?;
         let name = self.settled().name().to_owned();
         let file =
             read(&Version { name, text: text.clone() }, self.files()).map_err(|error| error.to_string())?;

@@ -62,7 +62,7 @@ test("the probability is on top, and its JSON is the program's", async () => {
     expected.case = found.case = "";
     same(found, expected, name);
     assert.equal(await answer(page), expected.summary.answer);
-    assert.match(await page.textContent("#near"), /^With the numbers as they stand: The body stays at rest\./);
+    assert.match(await page.textContent("#near"), /^With the numbers as they stand: The body stays at rest \(RE\)\./);
     assert.match(await page.textContent("#symbol"), name === "goda-2000-random" ? /^2\.5 %$/ : /^7\.8 %$/);
     assert.match(await page.textContent("#chances"), /stays at rest/);
     assert.match(await page.textContent("#known"), /friction/);

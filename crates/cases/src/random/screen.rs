@@ -73,7 +73,10 @@ pub fn chances_on_screen(answer: &Probability) -> Option<ChancesOnScreen> {
     let moves = answer.joined.as_ref().map_or(worst.not_rest, |joint| joint.not_rest);
     let shown = groups(answer, worst);
     let strip = |(mode, _, chance): &ChanceBar| Some((chance.value, tint_on_screen((*mode)?)));
-    let strip = shown.first().into_iter().flat_map(|(_, bars)| bars.iter().filter_map(strip)).collect();
+    let is_rest = |bar: &&ChanceBar| bar.0 == Some(Mode::Rest);
+    let bars = shown.first().map_or(&[][..], |(_, bars)| bars);
+    let ordered = bars.iter().filter(is_rest).chain(bars.iter().filter(|bar| !is_rest(bar)));
+    let strip = ordered.filter_map(strip).collect();
     let rows = |(heading, bars): (String, Vec<ChanceBar>)| (heading, bars.into_iter().map(row).collect());
     let (known, matters) = known(answer, worst);
     let mut found = vec![format!("Probabilities {}: {}.", period(answer), how(answer, worst))];
@@ -147,7 +150,7 @@ fn known(answer: &Probability, worst: &Chances) -> (Vec<[String; 2]>, Vec<String
     let order = several.map_or_else(Vec::new, by_importance);
     let row = |place: usize| Some([answer.random[place].words.clone(), below_or(*worst.known.get(place)?)]);
     let known: Vec<[String; 2]> = order.into_iter().filter_map(row).collect();
-    let mut sentences = Vec::new();
+    let mut sentences: Vec<String> = summary(answer).near.into_iter().collect();
     if !known.is_empty() {
         sentences.push(format!(
             "Probability that it does not rest if the number were known to have its median, in place of {}.",

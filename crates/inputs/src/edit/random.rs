@@ -79,14 +79,7 @@ impl CaseText {
         if !self.has_own_header() {
             return None;
         }
-        let from = line_of(text, &random.span).start;
-        let body = line_of(text, &random.span).end;
-        let to = next_header(text, body);
-        let comments: String =
-            text[body..to].split_inclusive('\n').filter(|line| line.trim_start().starts_with('#')).collect();
-        // The empty line above goes with the table.
-        let from = if text[..from].ends_with("\n\n") && to == text.len() { from - 1 } else { from };
-        Some(edited(text, vec![(from..to, comments)]))
+        Some(without(text, &random.span))
     }
 
     fn random_entry(&self, name: &str) -> Option<&RandomEntry> {
@@ -95,8 +88,7 @@ impl CaseText {
 
     /// Span of the braces of an entry.
     fn braces(&self, entry: &RandomEntry) -> Option<Span<usize>> {
-        let written = self.text().get(entry.span.clone())?;
-        (written.starts_with('{') && written.ends_with('}')).then(|| entry.span.clone())
+        braces(self.text(), &entry.span)
     }
 
     /// True if `[random]` has a header of its own.
@@ -133,15 +125,31 @@ fn key(name: &str) -> String {
     if name.chars().all(is_bare) { name.to_owned() } else { format!("\"{}\"", name.replace('"', "\\\"")) }
 }
 
+/// A text without a table, by the span of its header; its comments stay.
+pub(super) fn without(text: &str, header: &Span<usize>) -> String {
+    let Span { start, end: body } = line_of(text, header);
+    let end = next_header(text, body);
+    let comments = text[body..end].split_inclusive('\n').filter(|line| line.trim_start().starts_with('#'));
+    // At the end of the text the empty line above goes with the table.
+    let start = if text[..start].ends_with("\n\n") && end == text.len() { start - 1 } else { start };
+    edited(text, vec![(start..end, comments.collect())])
+}
+
+/// A span, if there are braces at its ends.
+pub(super) fn braces(text: &str, span: &Span<usize>) -> Option<Span<usize>> {
+    let written = text.get(span.clone())?;
+    (written.starts_with('{') && written.ends_with('}')).then(|| span.clone())
+}
+
 /// The whole lines of a span, with the end of the last.
-fn line_of(text: &str, span: &Span<usize>) -> Span<usize> {
+pub(super) fn line_of(text: &str, span: &Span<usize>) -> Span<usize> {
     let start = text[..span.start].rfind('\n').map_or(0, |at| at + 1);
     let end = text[span.end..].find('\n').map_or(text.len(), |at| span.end + at + 1);
     start..end
 }
 
 /// Beginning of the next line with a header.
-fn next_header(text: &str, from: usize) -> usize {
+pub(super) fn next_header(text: &str, from: usize) -> usize {
     let mut at = from;
     for line in text[from..].split_inclusive('\n') {
         if line.starts_with('[') {
@@ -163,7 +171,7 @@ fn word(text: &str, key: &str) -> Option<usize> {
 }
 
 /// A text with other words at some spans.
-fn edited(text: &str, mut edits: Vec<(Span<usize>, String)>) -> String {
+pub(super) fn edited(text: &str, mut edits: Vec<(Span<usize>, String)>) -> String {
     edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
     let mut text = text.to_owned();
     for (span, words) in edits {
