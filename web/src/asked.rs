@@ -7,6 +7,7 @@ use standfast_cases::CaseFile;
 
 use crate::likely::Likely;
 use crate::page::{Page, Version, read};
+use crate::sheet::SheetAsked;
 
 /// A question whose answer is told part by part, the first soon.
 pub trait Question: std::fmt::Debug {
@@ -36,9 +37,11 @@ pub fn ask(what: &str, handed_on: &str) -> Option<Box<dyn Question>> {
     question(what, file)
 }
 
-/// The questions there are.
+/// The question of a name, with what belongs to it behind.
 fn question(what: &str, file: CaseFile) -> Option<Box<dyn Question>> {
-    match what {
+    let (name, rest) = what.split_once(' ').unwrap_or((what, ""));
+    match name {
+        "sheet" | "short-sheet" => Some(Box::new(SheetAsked::of(file, name == "short-sheet", rest))),
         "likely" => Some(Box::new(Likely::of(file))),
         _ => None,
     }

@@ -18,7 +18,7 @@
 //! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
-//! | What takes longer than a picture, and is asked in a thread of its own? | `asked`; how likely each outcome is: `likely` |
+//! | What takes longer than a picture, and is asked in a thread of its own? | `asked`; `sheet`; how likely each outcome is: `likely` |
 //!
 //! Everything but this file runs, and is tested, without wasm.
 
@@ -35,6 +35,7 @@ mod old_link;
 mod page;
 mod plane;
 mod said;
+mod sheet;
 mod text;
 mod time;
 
