@@ -186,7 +186,7 @@ mod tests {
     fn a_dropped_record_shakes_the_body_in_place_of_its_earthquake() {
         let mut page = page("object");
         assert!(!page.can_shake_with("shake.csv"));
-        page.add_file("shake.csv", "t,a\n0,0\n1,4\n2,0\n");
+        page.add_file("shake.csv", "t,a_m_s2\n0,0\n1,4\n2,0\n");
         assert!(page.can_shake_with("shake.csv"));
         page.shake_with("shake.csv").unwrap();
         assert!(page.answered().is_in_time() && !page.text().contains("[earthquake]"));

@@ -13,7 +13,7 @@ before(async () => (browser = await launch()));
 after(() => browser.close());
 
 const still = { reducedMotion: "reduce" };
-const CSV = `t (s),a (g)\n${Array.from({ length: 101 }, (_, i) => `${(0.02 * i).toFixed(2)},${(0.5 * Math.sin(6 * 0.02 * i)).toFixed(5)}`).join("\n")}\n`;
+const CSV = `t,a_g\n${Array.from({ length: 101 }, (_, i) => `${(0.02 * i).toFixed(2)},${(0.5 * Math.sin(6 * 0.02 * i)).toFixed(5)}`).join("\n")}\n`;
 const AT2 = `PEER STRONG MOTION DATABASE RECORD\nA test\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 100, DT= .02 SEC\n${Array.from({ length: 20 }, (_, i) => Array.from({ length: 5 }, (_, j) => (0.5 * Math.sin(0.12 * (5 * i + j))).toExponential(5)).join("  ")).join("\n")}\n`;
 const SMC = readFileSync(path.join(import.meta.dirname, "../../examples/records/np01002p_4225a_a.smc"), "latin1");
 
