@@ -6,6 +6,21 @@ import { byId, say, stem } from "dom";
 const MOST = { case: 1_000_000, record: 40_000_000 };
 
 export function connectFiles(app) {
+  // A record that the case does not name may shake its body.
+  let offered = "";
+  const offer = (name, words = "") => {
+    offered = name;
+    byId("offer").hidden = !name;
+    byId("offer-words").textContent = `${name} is a record, or may be one.`;
+    byId("offer-fault").replaceChildren(words);
+  };
+  byId("shake").addEventListener("click", () => {
+    const words = app.explorer.shake_with(offered);
+    offer(words ? offered : "", words ?? "");
+    if (!words) app.plate = "";
+    app.changed();
+  });
+  byId("no-shake").addEventListener("click", () => offer(""));
   const take = async (files) => {
     const all = [...files];
     const isCase = (file) => /\.toml$/i.test(file.name);
@@ -18,10 +33,12 @@ export function connectFiles(app) {
       const text = await file.text();
       if (isCase(file)) {
         app.plate = "";
+        offer("");
         app.explorer.open(file.name, text);
       } else {
         app.explorer.add_file(file.name, text);
         say(`${file.name} is here for the cases that name it.`);
+        offer(app.explorer.can_shake_with(file.name) ? file.name : "");
       }
     }
     app.changed();

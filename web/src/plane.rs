@@ -39,6 +39,11 @@ impl Drawn {
     pub fn is_load(&self) -> bool {
         self.which == LOAD
     }
+
+    /// True if the plane is the report's.
+    pub fn is_k_mu(&self) -> bool {
+        self.which == K_MU
+    }
 }
 
 /// Share of the load and friction.

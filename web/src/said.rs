@@ -49,6 +49,8 @@ struct Said<'a> {
     stages: Vec<[String; 2]>,
     point: Option<[f64; 4]>,
     in_time: bool,
+    /// Of a case with random numbers, which is answered with its own beside the probability: what stands before that.
+    standing: Option<&'static str>,
     plates: Vec<&'static str>,
     tables: Vec<NumberTable>,
     fault: Option<FaultSaid>,
@@ -122,6 +124,7 @@ impl<'a> Said<'a> {
                 [point.gamma(), point.k_prime(), point.k(), point.mu()]
             }),
             in_time: answered.is_in_time(),
+            standing: page.file().random().map(|_| "With the numbers as they stand:"),
             plates: page.plates(),
             tables: tables(page.file()),
             fault: page.fault().map(|error| FaultSaid::of(error, page.text())),
