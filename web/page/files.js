@@ -6,6 +6,21 @@ import { byId, say, stem } from "dom";
 const MOST = { case: 1_000_000, record: 40_000_000 };
 
 export function connectFiles(app) {
+  // A record that the case does not name may shake its body.
+  let offered = "";
+  const offer = (name, words = "") => {
+    offered = name;
+    byId("offer").hidden = !name;
+    byId("offer-words").textContent = `${name} is a record, or may be one.`;
+    byId("offer-fault").replaceChildren(words);
+  };
+  byId("shake").addEventListener("click", () => {
+    const words = app.explorer.shake_with(offered);
+    offer(words ? offered : "", words ?? "");
+    if (!words) app.plate = "";
+    app.changed();
+  });
+  byId("no-shake").addEventListener("click", () => offer(""));
   const take = async (files) => {
     const all = [...files];
     const isCase = (file) => /\.toml$/i.test(file.name);
@@ -18,10 +33,12 @@ export function connectFiles(app) {
       const text = await file.text();
       if (isCase(file)) {
         app.plate = "";
+        offer("");
         app.explorer.open(file.name, text);
       } else {
         app.explorer.add_file(file.name, text);
         say(`${file.name} is here for the cases that name it.`);
+        offer(app.explorer.can_shake_with(file.name) ? file.name : "");
       }
     }
     app.changed();
@@ -69,6 +86,23 @@ export function connectFiles(app) {
     app.settleText();
     save(app.explorer.text(), named(".toml"), "application/toml");
   });
+  const today = () => {
+    const now = new Date();
+    return [now.getFullYear(), now.getMonth() + 1, now.getDate()].map((part) => String(part).padStart(2, "0")).join("-");
+  };
+  for (const [id, what] of [["save-sheet", "sheet"], ["save-short", "short-sheet"]]) {
+    on(id, async () => {
+      const name = named(`-${what}.html`);
+      say(`${name} is being made.`);
+      try {
+        const { html, fault } = await app.askOnce(`${what} ${today()}`);
+        if (html) save(html, name, "text/html;charset=utf-8");
+        else say(`There is no sheet: ${fault}`);
+      } catch (error) {
+        say(`There is no sheet: ${error.message}`);
+      }
+    });
+  }
   on("save-text", () => save(app.explorer.report(), named(".txt"), "text/plain;charset=utf-8"));
   on("save-json", () => save(app.explorer.json(), named(".json"), "application/json"));
   on("save-body", () => save(app.explorer.section_on_paper(), named("-section.svg"), "image/svg+xml"));
@@ -87,6 +121,8 @@ export function connectFiles(app) {
   });
   return (said) => {
     for (const id of ["save-plate", "save-png"]) byId(id).disabled = said.plates.length === 0;
+    // A sheet is of the text that stands.
+    for (const id of ["save-sheet", "save-short"]) byId(id).disabled = said.fault !== null;
     byId("save-csv").disabled = said.point === null;
     byId("save-body").disabled = said.plates.length === 1 && said.plates[0] === "time";
   };

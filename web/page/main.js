@@ -11,11 +11,13 @@ import { connectStage } from "stage";
 import { connectPlate } from "plate";
 import { connectTransport } from "transport";
 import { connectStrengths } from "strengths";
+import { connectHistories } from "histories";
 import { connectForm } from "form";
 import { connectPane } from "pane";
 import { connectTabs } from "tabs";
 import { connectWhy } from "why";
 import { connectHelp } from "help";
+import { connectLikely } from "likely";
 import { connectTerms } from "terms";
 import { connectMenus } from "menus";
 import { connectFiles } from "files";
@@ -60,8 +62,8 @@ async function connect(compiled) {
   };
   connectAsking(app);
   for (const connectPart of [
-    connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectForm, connectPane,
-    connectWhy, connectHelp, connectTerms, connectMenus, connectFiles, connectUndo,
+    connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectHistories, connectForm, connectPane,
+    connectWhy, connectHelp, connectLikely, connectTerms, connectMenus, connectFiles, connectUndo,
   ]) {
     parts.push(connectPart(app));
   }

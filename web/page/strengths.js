@@ -8,13 +8,16 @@ const TURN = 25;
 export function connectStrengths(app) {
   const place = byId("strengths");
   let timer = 0;
+  // The answer of which all is tried.
+  let tried = 0;
   let known = false;
   const show = whenChanged((svg) => (place.innerHTML = svg));
   const step = () => {
     timer = 0;
     if (app.held || !app.motion) return;
     if (app.explorer.try_strength()) timer = setTimeout(step, TURN);
-    else if (app.explorer.strengths(300) && !known) app.changed();
+    else tried = app.explorer.answers();
+    if (!known && app.explorer.strengths(300)) app.changed();
   };
   return () => {
     const svg = app.motion && app.shownPlate === "time" ? app.explorer.strengths(Math.floor(byId("map").clientWidth)) : "";
@@ -22,6 +25,6 @@ export function connectStrengths(app) {
     place.hidden = !svg;
     show(svg);
     clearTimeout(timer);
-    if (app.motion && !app.held && !known) timer = setTimeout(step, TURN);
+    if (app.motion && !app.held && tried !== app.explorer.answers()) timer = setTimeout(step, TURN);
   };
 }

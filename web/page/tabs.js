@@ -2,7 +2,7 @@
 
 import { byId } from "dom";
 
-const NAMES = ["why", "help", "inputs", "whole", "terms"];
+const NAMES = ["why", "help", "likely", "inputs", "whole", "terms"];
 
 export function connectTabs(app) {
   app.tab = "why";

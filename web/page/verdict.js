@@ -1,6 +1,14 @@
 // The answer on top: what the body does, whether that is enough, how near another answer is.
 
 import { byId, element, put, whenChanged } from "dom";
+import { likelihood } from "likely";
+
+/** Shares beside each other, in their colours. */
+function stacked(strip) {
+  let at = 0;
+  const stops = strip.flatMap(([share, tint]) => [`${tint} ${100 * at}%`, `${tint} ${100 * (at += share)}%`]);
+  return `linear-gradient(to right, ${stops.join(", ")})`;
+}
 
 export function connectVerdict(app) {
   const section = byId("verdict");
@@ -23,20 +31,27 @@ export function connectVerdict(app) {
   });
   return (said) => {
     const { summary } = said;
+    // Of random numbers the probability is on top as soon as it is known; a motion is the answer to a case in time.
+    const chances = said.in_time || app.held ? undefined : likelihood(app, said)?.chances;
     symbol.style.setProperty("--tint", said.tint);
+    symbol.style.background = chances ? stacked(chances.strip) : "";
     symbol.dataset.mode = said.mode;
     symbol.classList.toggle("several", !said.unique);
     // Made of the library's own symbols only, never of a person's text.
-    if (symbol.innerHTML !== said.symbol) symbol.innerHTML = said.symbol;
-    section.classList.toggle("not-met", summary?.met === false);
-    put(byId("answer"), summary?.answer ?? "");
-    put(byId("criteria"), said.criteria ?? "");
-    put(byId("near"), summary?.near ?? "");
+    const shown = chances?.percent ?? said.symbol;
+    if (symbol.innerHTML !== shown) symbol.innerHTML = shown;
+    section.classList.toggle("not-met", summary?.met === false || chances?.summary.met === false);
+    const answer = chances?.summary.answer ?? summary?.answer ?? "";
+    const criteria = [chances?.criteria, said.criteria].filter(Boolean).join(" ");
+    const near = [chances && [said.standing, summary?.answer], summary?.near].flat().filter(Boolean).join(" ");
+    put(byId("answer"), answer);
+    put(byId("criteria"), criteria);
+    put(byId("near"), near);
     put(byId("still"), said.fault ? `The text has a fault. This is still the answer to ${said.title ? `“${said.title}”` : "the text before"}.` : "");
     put(byId("warnings"), said.warnings.length === 0 ? "" : `Warnings: ${said.warnings.map(([name]) => name).join(", ")}`);
     rulers(said.rulers.slice(0, 3));
     // Read aloud when the hand rests.
     clearTimeout(timer);
-    timer = setTimeout(() => put(live, [summary?.answer, said.criteria, summary?.near].filter(Boolean).join(" ")), 600);
+    timer = setTimeout(() => put(live, [answer, criteria, near].filter(Boolean).join(" ")), 600);
   };
 }

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use standfast_cases::CaseFile;
 
 use crate::help::{Help, TwoNumbers};
+use crate::likely::Likely;
 use crate::page::{Page, Version, read};
+use crate::sheet::SheetAsked;
 
 /// A question whose answer is told part by part, the first soon.
 pub trait Question: std::fmt::Debug {
@@ -41,7 +43,11 @@ fn question(what: &str, file: CaseFile) -> Option<Box<dyn Question>> {
     let mut words = what.split(' ');
     match (words.next()?, words.next(), words.next()) {
         ("help", None, None) => Some(Box::new(Help::of(&file))),
+        ("likely", None, None) => Some(Box::new(Likely::of(file))),
         ("two", Some(up), Some(across)) => Some(Box::new(TwoNumbers::of(file, [up, across]))),
+        (name @ ("sheet" | "short-sheet"), Some(day), None) => {
+            Some(Box::new(SheetAsked::of(file, name == "short-sheet", day)))
+        }
         _ => None,
     }
 }

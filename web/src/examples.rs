@@ -93,11 +93,11 @@ pub const SHELVES: [Shelf; 4] = [
         name: "Chance",
         cases: cases! {
             "goda-2000-random" "../../examples/goda-2000-random.toml" "Goda’s caisson with random numbers"
-                "Factors above 1, and one such event in forty moves it. The program finds that: `standfast probability`.";
+                "Factors above 1, and one such event in forty moves it.";
             "statue-random" "../../examples/statue-random.toml" "Statue with random friction"
-                "It rests with 15 % to spare, and does not with a probability of 8 %: `standfast probability`.";
+                "It rests with 15 % to spare, and does not with a probability of 8 %.";
             "goda-2000-storm" "../../examples/goda-2000-storm.toml" "Goda’s caisson in fifty years of storms"
-                "It slides 6 cm on average in its life: `standfast probability`.";
+                "It slides 6 cm on average in its life.";
         },
     },
 ];

@@ -14,10 +14,11 @@
 //! | Which case is it, and which were before? | `page` |
 //! | What is its answer? | `answered`; as the page shows it: `said`, `text` |
 //! | Which numbers can be typed or dragged? | `numbers`, `drag` |
+//! | How do loads go with time? | `histories` |
 //! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
-//! | What takes longer than a picture, and is asked in a thread of its own? | `asked`; what would help: `help` |
+//! | What takes longer than a picture, and is asked in a thread of its own? | `asked`; the sheet: `sheet`; what would help: `help`; how likely it is: `likely` |
 //!
 //! Everything but this file runs, and is tested, without wasm.
 
@@ -28,11 +29,14 @@ mod asked;
 mod drag;
 mod examples;
 mod help;
+mod histories;
+mod likely;
 mod numbers;
 mod old_link;
 mod page;
 mod plane;
 mod said;
+mod sheet;
 mod text;
 mod time;
 
@@ -121,6 +125,46 @@ impl Explorer {
     /// Takes a number some per cent greater or less.
     pub fn step(&mut self, key: &str, percent: f64) -> Option<String> {
         self.page.step(key, percent).err()
+    }
+
+    /// The numbers that are random or may be, as JSON.
+    pub fn spreads(&self) -> String {
+        self.page.spreads()
+    }
+
+    /// Gives a random number another law. Returns what is wrong with that, if anything is.
+    pub fn set_law(&mut self, name: &str, law: &str) -> Option<String> {
+        self.page.set_law(name, law).err()
+    }
+
+    /// Gives all numbers that are certain the laws to begin from.
+    pub fn take_proposed(&mut self) -> Option<String> {
+        self.page.take_proposed().err()
+    }
+
+    /// Draws, force and friction by turns, over the plane last drawn, as SVG.
+    pub fn draws_over(&self, draws: &[f64]) -> String {
+        self.page.draws_over(draws)
+    }
+
+    /// What goes with time, or may, as JSON.
+    pub fn courses(&self) -> String {
+        self.page.courses()
+    }
+
+    /// Gives what goes with time another shape. Returns what is wrong with that, if anything is.
+    pub fn set_history(&mut self, key: &str, shape: &str) -> Option<String> {
+        self.page.set_history(key, shape).err()
+    }
+
+    /// True if the body may be shaken with a file that was dropped.
+    pub fn can_shake_with(&self, name: &str) -> bool {
+        self.page.can_shake_with(name)
+    }
+
+    /// Shakes the body with a file that was dropped. Returns what is wrong with that, if anything is.
+    pub fn shake_with(&mut self, name: &str) -> Option<String> {
+        self.page.shake_with(name).err()
     }
 
     /// The answer as the program's JSON: `assess`, or `simulate` of a case in time.

@@ -89,6 +89,9 @@ impl Page {
     /// # Errors
     /// A sentence on what is wrong with it.
     pub fn set(&mut self, key: &str, text: &str) -> Result<(), String> {
+        if let Some(name) = Page::random_name(key) {
+            return self.set_deviation(name, text);
+        }
         let file = self.settled();
         let id = find(file, key).ok_or_else(|| format!("The case has no number {key}."))?;
         let read = typed(text, file.units_of(id))?;
@@ -105,6 +108,9 @@ impl Page {
     /// # Errors
     /// As [`set`](Page::set).
     pub fn step(&mut self, key: &str, percent: f64) -> Result<(), String> {
+        if let Some(name) = Page::random_name(key) {
+            return self.step_deviation(name, percent);
+        }
         let file = self.settled();
         let written = find(file, key).and_then(|id| file.written_number(id));
         let Some(number) = written.and_then(|written| written.digits.parse::<f64>().ok()) else {

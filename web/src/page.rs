@@ -119,9 +119,9 @@ impl Page {
         self.held.as_ref().map_or(&self.answered, |held| &held.answered)
     }
 
-    /// The worst motion of the last text that has an answer.
-    pub(crate) fn settled_motion(&mut self) -> Option<&mut FollowedMotion> {
-        self.answered.motions.first_mut()
+    /// A motion of the last text that has an answer, by its place from the worst on.
+    pub(crate) fn settled_motion(&mut self, place: usize) -> Option<&mut FollowedMotion> {
+        self.answered.motions.get_mut(place)
     }
 
     /// How many answers there were, this one too.
@@ -205,7 +205,7 @@ impl Page {
     /// Reads the text that stands; true if it has an answer.
     fn settle(&mut self) -> bool {
         self.held = None;
-        self.drawn.tried.clear();
+        self.drawn.trying = (0, Vec::new());
         match answer(&self.now, &self.files) {
             Ok((file, answered)) => {
                 (self.file, self.answered, self.fault) = (file, answered, None);

@@ -22,8 +22,8 @@ pub struct Drawn {
     /// Histories of the motion, if they are the right plate, and the motion of the left one.
     pub histories: Option<Picture>,
     pub motion: Option<MotionOnScreen>,
-    /// What was tried of its strength so far.
-    pub tried: Vec<Tried>,
+    /// The motion whose strength is looked for, and what was tried of it so far.
+    pub trying: (usize, Vec<Tried>),
     /// Name of that plate.
     which: String,
     /// Forces of the section.
@@ -38,6 +38,11 @@ impl Drawn {
     /// True if the plane is that of the load as it grows.
     pub fn is_load(&self) -> bool {
         self.which == LOAD
+    }
+
+    /// True if the plane is the report's.
+    pub fn is_k_mu(&self) -> bool {
+        self.which == K_MU
     }
 }
 

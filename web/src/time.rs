@@ -78,26 +78,34 @@ impl Page {
         shown.and_then(|shown| serde_json::to_string(&shown).ok()).unwrap_or_default()
     }
 
-    /// Tries the motion under one more factor on its loads; true while there is more to try. At the end the answer has its strength.
+    /// Tries a motion under one more factor on its loads, the worst first; true while there is more to try. Then the answer has its strengths.
     pub fn try_strength(&mut self) -> bool {
         if self.held.is_some() {
             return false;
         }
-        let mut tried = std::mem::take(&mut self.drawn.tried);
-        let Some(worst) = self.settled_motion() else { return false };
-        if worst.strength.is_some() || !Strength::is_asked_of(&worst.case, &worst.outcome) {
+        let (place, mut tried) = std::mem::take(&mut self.drawn.trying);
+        let Some(motion) = self.settled_motion(place) else {
+            self.drawn.trying = (place, tried);
             return false;
-        }
-        let next = Factors::Rungs.values().get(tried.len()).copied();
-        if let Some(factor) = next {
-            // A motion that is refused under a factor has no strength.
-            let Ok(one) = Tried::under(&worst.case.problem, factor) else { return false };
-            tried.push(one);
-            self.drawn.tried = tried;
-            return true;
-        }
-        worst.strength = Strength::of_tried(&worst.case, &worst.outcome, tried).ok();
-        false
+        };
+        let is_asked = motion.strength.is_none() && Strength::is_asked_of(&motion.case, &motion.outcome);
+        let next = Factors::Rungs.values().get(tried.len()).copied().filter(|_| is_asked);
+        // A motion that is refused under a factor has no strength.
+        let one = next.map(|factor| Tried::under(&motion.case.problem, factor));
+        self.drawn.trying = match one {
+            Some(Ok(one)) => {
+                tried.push(one);
+                (place, tried)
+            }
+            Some(Err(_)) => (place + 1, Vec::new()),
+            None => {
+                if is_asked {
+                    motion.strength = Strength::of_tried(&motion.case, &motion.outcome, tried).ok();
+                }
+                (place + 1, Vec::new())
+            }
+        };
+        true
     }
 
     /// The strip of strengths, so wide; empty while they are not known.
@@ -122,7 +130,7 @@ impl Page {
 #[cfg(test)]
 mod tests {
     use standfast_cases::Document;
-    use standfast_cases::motion::{Follow, FollowedMotion, StrengthAsked};
+    use standfast_cases::motion::{Follow, FollowedMotion, MotionView, StrengthAsked};
 
     use super::*;
     use crate::examples;
@@ -198,7 +206,7 @@ mod tests {
         let mut page = page("block-base-pulse");
         assert_eq!(page.strengths(500.0), "");
         let steps = std::iter::from_fn(|| page.try_strength().then_some(())).count();
-        assert_eq!(steps, Factors::Rungs.values().len());
+        assert_eq!(steps, Factors::Rungs.values().len() + 1);
         let follow =
             Follow { divergence: true, strength: StrengthAsked::Always(Factors::Rungs), series: true };
         let at_once = FollowedMotion::of_file(page.file(), &follow).unwrap();
@@ -211,6 +219,21 @@ mod tests {
         assert!(page.edit(&text));
         assert_eq!(page.strengths(500.0), "");
         assert!(page.try_strength());
+    }
+
+    /// Of several situations each has its strength in the end: the JSON is the program's.
+    #[test]
+    fn every_situation_has_its_strength() {
+        let mut page = Page::default();
+        let text = examples::find("caisson-breaking-wave").unwrap().text;
+        let text = format!("{text}\n[[combination]]\nname = \"twice\"\nfactors = {{ wave = 2 }}\n");
+        assert!(page.open("two.toml", &text));
+        assert_eq!(page.answered().motions.len(), 2);
+        while page.try_strength() {}
+        let follow =
+            Follow { divergence: true, strength: StrengthAsked::Always(Factors::Rungs), series: true };
+        let at_once = FollowedMotion::of_file(page.file(), &follow).unwrap();
+        assert_eq!(page.answered().json(), at_once[..].json(&MotionView::default(), &[]));
     }
 
     /// From the earth the ground moves, from the floor it does not.

@@ -27,6 +27,7 @@ mod point;
 mod problem;
 mod quantity;
 mod resolve;
+mod spread;
 mod storm;
 mod subject;
 mod template;
@@ -48,7 +49,8 @@ pub use storm::{
     Exceedance, FollowedWaves, Pulse, Quantile, RotatingWaves, Sliding, SlidingError, Storm, StormField,
 };
 
-pub use template::template;
+pub use spread::{Spread, spreads};
+pub use template::{ProposedLaw, template};
 
 pub use problem::ChanceProblem;
 pub use quantity::{Bias, Coordinate, Quantity};

@@ -1,7 +1,8 @@
-//! Probabilities, written: as text, as JSON and as figures.
+//! Probabilities, written: as text, as JSON, as figures and for a screen.
 
 mod document;
 mod figures;
+pub mod screen;
 mod summary;
 mod text;
 

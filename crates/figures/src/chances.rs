@@ -5,12 +5,14 @@
 
 mod cloud;
 mod lines;
+mod over;
 mod rows;
 mod tornado;
 
 pub use cloud::{ChanceCloud, CloudPanel, chance_cloud};
 pub use lines::{ChanceLine, ChanceLines, ChanceMark, LineLook, chance_lines};
 pub(crate) use lines::{MARKS, marks};
+pub use over::draws_over;
 pub use rows::{ChanceGroup, ChanceRow, ChanceRows, chance_rows};
 pub use tornado::{Importance, Tornado, chance_tornado};
 

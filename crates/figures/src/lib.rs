@@ -81,7 +81,7 @@ pub use axes::{Axis, AxisNumbers, axis_numbers};
 pub use cases::cases_on_screen;
 pub use chances::{
     Chance, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, ChanceRow, ChanceRows, CloudPanel,
-    Importance, LineLook, Tornado, chance_cloud, chance_lines, chance_rows, chance_tornado,
+    Importance, LineLook, Tornado, chance_cloud, chance_lines, chance_rows, chance_tornado, draws_over,
 };
 pub use feasible::{
     FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set, feasible_set_on_screen,

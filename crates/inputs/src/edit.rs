@@ -1,4 +1,8 @@
-//! Other numbers in the text of a case: only the digits and the unit change; comments, order and spaces stay as they are.
+//! Other numbers in the text of a case: only the digits and the unit change; comments, order and spaces stay as they are. Of
+//! `[random]` whole laws are put and taken away, and histories are put.
+
+mod history;
+mod random;
 
 use std::ops::Range as Span;
 

@@ -212,6 +212,11 @@ impl CaseText {
         self.headers.iter().map(|((table, _), span)| (*table, span.clone()))
     }
 
+    /// The place of the header of the `index`-th table of a kind, or of a table in braces.
+    pub(crate) fn header(&self, table: Table, index: usize) -> Option<Span<usize>> {
+        self.headers.get(&(table, index)).cloned()
+    }
+
     /// Its entries in their order.
     pub fn entries(&self) -> &[Entry] {
         &self.entries

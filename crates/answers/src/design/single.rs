@@ -47,9 +47,9 @@ pub struct SingleChange {
 /// What the change of a number does.
 pub enum Found {
     /// From this value on the target is met.
-    Helps(NewValue),
+    Helps(Box<NewValue>),
     /// The target is met as it is, down to the one and up to the other.
-    Reserve([End; 2]),
+    Reserve(Box<[End; 2]>),
     /// No value of its range meets the target.
     Unmet(DesignError),
 }
@@ -112,9 +112,9 @@ impl SingleChanges {
         let outwards = Outwards::of(&search, portion);
         // A value on its bound may be met as it stands, and not as it is computed anew.
         let found = match self.is_met && outwards.meets(outwards.at)? {
-            true => Found::Reserve(outwards.reserve()?),
+            true => Found::Reserve(Box::new(outwards.reserve()?)),
             false => match outwards.nearest()? {
-                Ok((end, is_least)) => Found::Helps(self.written(variable, end, is_least)),
+                Ok((end, is_least)) => Found::Helps(Box::new(self.written(variable, end, is_least))),
                 Err(tried) => Found::Unmet(search.why_unmet(tried, &Spelling::PROGRAM)),
             },
         };

@@ -81,7 +81,8 @@ impl RandomInput {
     /// Its meaning in a few words, for people; of a table that a case may have several times, with the place of that.
     pub fn words(&self) -> String {
         match &self.quantity {
-            Quantity::Key(variable) => variable.id().words(),
+            // The mass's where it varies by the density.
+            Quantity::Key(variable) => Id { key: variable.key(), ..variable.id() }.words(),
             Quantity::Bias(bias) => bias.words().to_owned(),
             Quantity::Point(coordinate) => Id::from(coordinate.key()).words(),
             Quantity::Storm(field) => Id::from(field.key()).words(),

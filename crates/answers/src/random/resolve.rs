@@ -82,7 +82,7 @@ impl Resolve<'_> {
     }
 
     /// Quantity that a name stands for.
-    fn quantity(&self, named: &RandomEntry) -> ReadResult<Quantity> {
+    pub(super) fn quantity(&self, named: &RandomEntry) -> ReadResult<Quantity> {
         let (file, case, moving) = match self.0 {
             Names::Case(file, case, moving) => (file, case, moving),
             Names::Storm(_) => return of_storm(named),
@@ -367,7 +367,7 @@ fn empty_range(
 }
 
 /// True if two names are one number.
-fn same(one: &Quantity, other: &Quantity) -> bool {
+pub(super) fn same(one: &Quantity, other: &Quantity) -> bool {
     match (one, other) {
         (Quantity::Key(one), Quantity::Key(other)) => one.id() == other.id(),
         (one, other) => one == other,

@@ -15,11 +15,32 @@ use standfast_model::CaseFile;
 /// Note that every line has.
 const NOT_READ: &str = "recalled; not read in the original";
 
-/// A line of the table and what is said of it above.
-struct Line {
-    name: String,
-    law: String,
-    says: String,
+/// A law to begin from, for a number of a case that has none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProposedLaw {
+    /// The number's name in `[random]`.
+    pub name: String,
+    /// The name of the law.
+    pub law: &'static str,
+    /// Its mean; `None` of the case's own value.
+    pub mean: Option<f64>,
+    /// Its standard deviation as a share of the mean.
+    pub cov: f64,
+    /// Where it comes from, in a sentence or two.
+    pub says: String,
+}
+
+impl ProposedLaw {
+    /// The law as a case file has it.
+    pub fn written(&self) -> String {
+        self.written_as(self.law)
+    }
+
+    /// Another law of the same mean and deviation, as a case file has it.
+    pub fn written_as(&self, law: &str) -> String {
+        let mean = self.mean.map_or(String::new(), |mean| format!("mean = {mean}, "));
+        format!("{{ {law} = {{ {mean}cov = {} }} }}", self.cov)
+    }
 }
 
 /// A `[random]` table for the case of a file, which may be appended to it; a comment in the place of numbers that have no law of
@@ -43,8 +64,8 @@ pub fn template(file: &CaseFile) -> Result<String, CaseError> {
         text += "\n# Records in place of the one of the case, each as likely as the next; over their strength: --over \"pga=0.1 g..1 g:10\".\n\
                  # records = [\"near.csv\", \"far.csv\"]\n";
     }
-    for Line { name, law, says } in lines(&case, file.inputs()) {
-        let _ = write!(text, "\n# {says}\n{name} = {law}\n");
+    for line in proposed(&case, file.inputs()) {
+        let _ = write!(text, "\n# {}\n{} = {}\n", line.says, line.name, line.written());
     }
     if case.wave.is_some() {
         text += "\n# Forces and uplift of one wave err to the same side; by how much is not known here.\n\
@@ -53,14 +74,21 @@ pub fn template(file: &CaseFile) -> Result<String, CaseError> {
     Ok(text)
 }
 
-fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
-    let line =
-        |name: &str, law: &str, says: String| Line { name: name.to_owned(), law: law.to_owned(), says };
+/// Laws of practice for the numbers that a case has.
+pub(super) fn proposed(case: &Case, inputs: &Inputs) -> Vec<ProposedLaw> {
+    let line = |name: &str, law: &'static str, (mean, cov): (Option<f64>, f64), says: String| ProposedLaw {
+        name: name.to_owned(),
+        law,
+        mean,
+        cov,
+        says,
+    };
     let mut lines = Vec::new();
     if case.wave.is_some() {
         lines.push(line(
             "friction",
-            "{ lognormal = { mean = 0.636, cov = 0.15 } }",
+            "lognormal",
+            (Some(0.636), 0.15),
             format!("Concrete on rubble: Takayama and Ikeda (1992), tests of sliding caissons; {NOT_READ}"),
         ));
     } else {
@@ -81,7 +109,7 @@ fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
                 (0.2, says)
             }
         };
-        lines.push(line("friction", &format!("{{ lognormal = {{ cov = {cov} }} }}"), says));
+        lines.push(line("friction", "lognormal", (None, cov), says));
     }
     // How heavy a body is changes nothing of what its own inertia does to it.
     let shaken = inputs.has(Table::BaseHorizontal) || case.earthquake.is_some() && case.forces.is_empty();
@@ -89,7 +117,8 @@ fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
     if inputs.get(Key::CentroidHeight).is_some() {
         lines.push(line(
             "body.centroid_height",
-            "{ normal = { cov = 0.05 } }",
+            "normal",
+            (None, 0.05),
             "How well the height of the centre of mass is known: an assumption and no law of practice"
                 .to_owned(),
         ));
@@ -99,7 +128,7 @@ fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
     } else if case.weight == Weight::Total {
         lines.push(line(
             "mass",
-            "{ normal = { cov = 0.03 } }",
+            "normal", (None, 0.03),
             format!(
                 "Concrete: JCSS Probabilistic Model Code, part 2.1, gives 0.04 of its density, less for a whole body; {NOT_READ}"
             ),
@@ -107,20 +136,20 @@ fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
     } else {
         lines.push(line(
             "body.buoyant_weight",
-            "{ normal = { cov = 0.03 } }",
+            "normal", (None, 0.03),
             format!(
                 "Concrete: JCSS Probabilistic Model Code, part 2.1, gives 0.04 of its density, less for a whole body; {NOT_READ}"
             ),
         ));
     }
     if case.wave.is_some() {
-        for (name, law, of) in [
-            ("bias.P", "{ lognormal = { mean = 0.91, cov = 0.19 } }", "horizontal force"),
-            ("bias.U", "{ lognormal = { mean = 0.77, cov = 0.25 } }", "uplift"),
-        ] {
+        for (name, moments, of) in
+            [("bias.P", (Some(0.91), 0.19), "horizontal force"), ("bias.U", (Some(0.77), 0.25), "uplift")]
+        {
             lines.push(line(
                 name,
-                law,
+                "lognormal",
+                moments,
                 format!(
                     "Measured over Goda's {of}: van der Meer, d'Angremond and Juhl (ICCE 1994) for vertical walls; {NOT_READ}"
                 ),
@@ -131,7 +160,7 @@ fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
         let height = height.map_or("H13", Key::name);
         lines.push(line(
             &format!("wave.{height}"),
-            "{ gumbel = { cov = 0.2 } }",
+            "gumbel", (None, 0.2),
             "The sea: an assumption and no law of practice. Fit the yearly largest waves of the site, with every = \"year\", or give \
              two return values: { gumbel = { \"10 years\" = \"5.4 m\", \"100 years\" = \"6.9 m\" } }"
                 .to_owned(),
@@ -140,7 +169,8 @@ fn lines(case: &Case, inputs: &Inputs) -> Vec<Line> {
     if case.forces.iter().any(|force| !force.permanent) {
         lines.push(line(
             "bias.force",
-            "{ lognormal = { mean = 1, cov = 0.2 } }",
+            "lognormal",
+            (Some(1.0), 0.2),
             format!("Load effects: JCSS Probabilistic Model Code, part 3.9, is of this order; {NOT_READ}"),
         ));
     }

@@ -96,9 +96,9 @@ impl ChangeRow {
         let share = change.share();
         let (does, end, is_least, why) = match found {
             Found::Helps(new) => ("helps", Some(&new.end), new.is_least, new.end.beyond.brief()),
-            Found::Reserve([least, greatest]) => match change.limit() {
-                Some(limit) => ("reserve", Some(limit), std::ptr::eq(limit, least), limit.beyond.brief()),
-                None => ("free", None, false, Some(format!("met from {} to {}", least.text, greatest.text))),
+            Found::Reserve(ends) => match change.limit() {
+                Some(limit) => ("reserve", Some(limit), std::ptr::eq(limit, &ends[0]), limit.beyond.brief()),
+                None => ("free", None, false, Some(format!("met from {} to {}", ends[0].text, ends[1].text))),
             },
             Found::Unmet(error) => ("none", None, false, Some(why_none(error))),
         };

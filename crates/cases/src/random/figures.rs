@@ -16,7 +16,7 @@ use crate::layout::{apart, digits};
 
 mod areas;
 mod cloud;
-use cloud::Cloud;
+pub(super) use cloud::Cloud;
 
 /// The share of the whole that is seen on an axis of equal steps.
 const LEAST_SEEN: f64 = 0.005;
@@ -28,8 +28,7 @@ const SMOOTH: usize = 96;
 /// The figures of an answer, of the least safe set of loads: those for which there are numbers.
 pub(super) fn all(answer: &Probability) -> Vec<AnswerFigure> {
     let worst = answer.situations.first();
-    // The title in the file, or else the file's name.
-    let title = answer.title.clone().unwrap_or_else(|| answer.case.clone());
+    let title = title(answer);
     let cloud = worst.zip(answer.problem.as_deref()).and_then(|(worst, problem)| {
         Cloud::of(problem, answer.request.effort.seed)?.figure(problem, worst, &title)
     });
@@ -53,7 +52,14 @@ pub(super) fn all(answer: &Probability) -> Vec<AnswerFigure> {
     .collect()
 }
 
-fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
+/// The title in the file, or else the file's name.
+pub(super) fn title(answer: &Probability) -> String {
+    answer.title.clone().unwrap_or_else(|| answer.case.clone())
+}
+
+/// The modes with their probabilities, those that are likely enough, and that the body does not rest: of an event, and of a life. Each group
+/// has its heading, and each row its mode, its words and its probability.
+pub(super) fn groups(answer: &Probability, worst: &Chances) -> Vec<(String, Vec<ChanceBar>)> {
     let floor = floor(answer);
     let chosen = |modes: &[(Happening, Estimate)]| -> Vec<(Happening, Estimate)> {
         let mut shown: Vec<_> = modes.iter().copied().filter(|(_, e)| e.value >= floor).collect();
@@ -61,18 +67,17 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
         shown
     };
     let event = chosen(&worst.modes);
-    let in_words =
-        |modes: &[(Happening, Estimate)], not_rest: Estimate| -> Vec<(Option<Mode>, String, Chance)> {
-            let bar = |(happening, e): &(Happening, Estimate)| match happening.mode() {
-                Some(mode) => (Some(mode), mode.words().to_owned(), chance(*e)),
-                None => (None, happening.name(), chance(*e)),
-            };
-            // One mode alone is all that does not rest.
-            let moved: Vec<_> = modes.iter().filter(|(mode, _)| mode.mode() != Some(Mode::Rest)).collect();
-            let is_all = matches!(moved[..], [(_, e)] if digits(e.value) == digits(not_rest.value));
-            let whole = (None, "does not rest".to_owned(), chance(not_rest));
-            modes.iter().map(bar).chain((!is_all).then_some(whole)).collect()
+    let in_words = |modes: &[(Happening, Estimate)], not_rest: Estimate| -> Vec<ChanceBar> {
+        let bar = |(happening, e): &(Happening, Estimate)| match happening.mode() {
+            Some(mode) => (Some(mode), mode.words().to_owned(), chance(*e)),
+            None => (None, happening.name(), chance(*e)),
         };
+        // One mode alone is all that does not rest.
+        let moved: Vec<_> = modes.iter().filter(|(mode, _)| mode.mode() != Some(Mode::Rest)).collect();
+        let is_all = matches!(moved[..], [(_, e)] if digits(e.value) == digits(not_rest.value));
+        let whole = (None, "does not rest".to_owned(), chance(not_rest));
+        modes.iter().map(bar).chain((!is_all).then_some(whole)).collect()
+    };
     let mut groups = vec![(
         match &worst.situation {
             Some(situation) => format!("Under {situation}"),
@@ -86,6 +91,15 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
         let heading = format!("At least once in {} years", digits(life.years));
         groups.push((heading, in_words(&chosen(&moved), life.not_rest)));
     }
+    groups
+}
+
+/// A mode, where it is one, with its words and its probability.
+pub(super) type ChanceBar = (Option<Mode>, String, Chance);
+
+fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
+    let floor = floor(answer);
+    let groups = groups(answer, worst);
     let bars: Vec<Vec<ChanceRow<'_>>> = groups
         .iter()
         .map(|(_, bars)| {
@@ -361,7 +375,7 @@ fn escaped(name: &str) -> String {
 }
 
 /// Figure of the chance that a life slides farther.
-fn exceedance(sliding: &Sliding, title: &str) -> Option<Figure> {
+pub(super) fn exceedance(sliding: &Sliding, title: &str) -> Option<Figure> {
     // Beyond, lives are too few to tell anything.
     let likely: Vec<_> = sliding.course.iter().filter(|e| e.probability.low > 0.0).collect();
     let (first, last) = (likely.first()?, likely.last()?);

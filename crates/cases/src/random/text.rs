@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use standfast_probability::form::FormPoint;
 use standfast_probability::sample::{Effort, Estimate};
 
 use super::summary::{FEW, period, summary};
@@ -72,19 +73,9 @@ fn note(answer: &Probability) -> String {
     answer.note.as_ref().map_or(String::new(), |note| paragraph(&format!("Note: {note}."), 0))
 }
 
-/// Sentences on the slides of the body in storms.
-fn slides(answer: &Probability, sliding: &Sliding) -> String {
-    let Sliding { years, storm, mean, quantiles, exceedance, rotating, .. } = sliding;
-    let of_years = if *years == 1.0 { "1 year".to_owned() } else { format!("{} years", digits(*years)) };
-    let mut text = paragraph(
-        &format!(
-            "Sliding in {of_years} (a storm of {} waves each; mean integrated, {} lives drawn, seed {})",
-            storm.waves,
-            grouped(sliding.lives),
-            answer.request.effort.seed
-        ),
-        0,
-    );
+/// How far the body slides in a life: words, value, interval.
+pub(super) fn slide_rows(sliding: &Sliding) -> Vec<Vec<String>> {
+    let Sliding { mean, quantiles, exceedance, .. } = sliding;
     let metres = |slide: f64| format!("{} m", digits(slide));
     let within = |e: Estimate, words: &dyn Fn(f64) -> String| within(e, words).unwrap_or_default();
     let mut rows = vec![row!["mean", metres(mean.value), within(*mean, &metres)]];
@@ -97,7 +88,25 @@ fn slides(answer: &Probability, sliding: &Sliding) -> String {
         let words = format!("not exceeded in {} % of all lives", digits(100.0 * share));
         rows.push(row![words, metres(slide.value), within(*slide, &metres)]);
     }
-    text += &columns(&rows, 2, &[1]);
+    rows
+}
+
+/// Sentences on the slides of the body in storms.
+fn slides(answer: &Probability, sliding: &Sliding) -> String {
+    let Sliding { years, storm, mean, rotating, .. } = sliding;
+    let of_years = if *years == 1.0 { "1 year".to_owned() } else { format!("{} years", digits(*years)) };
+    let mut text = paragraph(
+        &format!(
+            "Sliding in {of_years} (a storm of {} waves each; mean integrated, {} lives drawn, seed {})",
+            storm.waves,
+            grouped(sliding.lives),
+            answer.request.effort.seed
+        ),
+        0,
+    );
+    let metres = |slide: f64| format!("{} m", digits(slide));
+    let within = |e: Estimate, words: &dyn Fn(f64) -> String| within(e, words).unwrap_or_default();
+    text += &columns(&slide_rows(sliding), 2, &[1]);
     if mean.value > 0.0 {
         let words = format!(
             "{} % of the mean comes of the worst 5 % of all lives; {} waves of a life slide the body on average.",
@@ -181,7 +190,8 @@ pub(super) fn floor(answer: &Probability) -> f64 {
     answer.request.effort.floor
 }
 
-fn chances(answer: &Probability, chances: &Chances) -> String {
+/// In one line, how the probabilities of an event were found.
+pub(super) fn how(answer: &Probability, chances: &Chances) -> String {
     let numbers = answer.random.len();
     let (line, exact) = &answer.line;
     let how = match (chances.method, exact) {
@@ -197,8 +207,12 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
     };
     let numbers =
         if numbers == 1 { "1 random number".to_owned() } else { format!("{numbers} random numbers") };
-    let mut text =
-        paragraph(&format!("Probability of each mode {} ({how}, {numbers}, {counted})", period(answer)), 0);
+    format!("{how}, {numbers}, {counted}")
+}
+
+fn chances(answer: &Probability, chances: &Chances) -> String {
+    let how = how(answer, chances);
+    let mut text = paragraph(&format!("Probability of each mode {} ({how})", period(answer)), 0);
     if let Some(situation) = &chances.situation {
         let least = match answer.situations.len() {
             1 => String::new(),
@@ -208,18 +222,7 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
         let _ = writeln!(text, "  under {situation}{least}");
     }
     text += &event_table(chances, floor(answer));
-    text += &departures(answer, chances);
-    text += &index(chances);
-    if !chances.precise {
-        text += &imprecise(answer);
-    }
-    // Less is in the JSON alone.
-    for RandomNumber { name, cut, .. } in answer.random.iter().filter(|number| number.cut >= 1e-12) {
-        text += &paragraph(
-            &format!("{} of the law of {name} is cut away: no body has such values.", digits(*cut)),
-            2,
-        );
-    }
+    text += &paragraphs(&notes(answer, chances));
     text += &matters(answer, chances);
     text += &nearest(answer, chances);
     if let Some(life) = &chances.life {
@@ -235,24 +238,42 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
             );
         }
         if !life.precise {
-            text += &imprecise(answer);
+            text += &paragraph(&imprecise(answer), 2);
         }
     }
     text
 }
 
+fn paragraphs(sentences: &[String]) -> String {
+    sentences.iter().map(|sentence| paragraph(sentence, 2)).collect()
+}
+
+/// Sentences on an event: where it would first leave rest, its reliability index, precision, what was cut.
+pub(super) fn notes(answer: &Probability, chances: &Chances) -> Vec<String> {
+    let mut notes: Vec<String> =
+        [departures(answer, chances), index(chances)].into_iter().flatten().collect();
+    if !chances.precise {
+        notes.push(imprecise(answer));
+    }
+    // Less is in the JSON alone.
+    let cut = answer.random.iter().filter(|number| number.cut >= 1e-12);
+    notes.extend(cut.map(|RandomNumber { name, cut, .. }| {
+        format!("{} of the law of {name} is cut away: no body has such values.", digits(*cut))
+    }));
+    notes
+}
+
 fn imprecise(answer: &Probability) -> String {
     let Effort { precision, floor, .. } = answer.request.effort;
-    let words = format!(
+    format!(
         "Not as precise as asked, {} % of every probability above {}; more samples make it so.",
         digits(100.0 * precision),
         digits(floor)
-    );
-    paragraph(&words, 2)
+    )
 }
 
 /// Into which mode it would first leave rest, were the loads to rise until it does.
-fn departures(answer: &Probability, chances: &Chances) -> String {
+fn departures(answer: &Probability, chances: &Chances) -> Option<String> {
     let FirstDeparture { modes, never, at_once, .. } = &chances.first_departure;
     let of_all = |p: f64| {
         let [least, most] = [1e-4, 1.0 - 1e-4];
@@ -273,22 +294,15 @@ fn departures(answer: &Probability, chances: &Chances) -> String {
             parts.push(format!("{what} {}", of_all(share.value)));
         }
     }
-    match parts.is_empty() {
-        true => String::new(),
-        false => paragraph(
-            &format!("Were the loads to rise without end, it {} of all outcomes.", parts.join("; it ")),
-            2,
-        ),
-    }
+    let words = || format!("Were the loads to rise without end, it {} of all outcomes.", parts.join("; it "));
+    (!parts.is_empty()).then(words)
 }
 
 /// The reliability index beside the probability.
-fn index(chances: &Chances) -> String {
+fn index(chances: &Chances) -> Option<String> {
     let Some(point) = &chances.design_point else {
-        if chances.not_rest.value > 0.0 {
-            return String::new();
-        }
-        return paragraph("Nowhere within twelve deviations of the medians does it move.", 2);
+        let words = || "Nowhere within twelve deviations of the medians does it move.".to_owned();
+        return (chances.not_rest.value <= 0.0).then(words);
     };
     let mut said = format!("β = {} by FORM", digits(point.beta));
     if point.at_change {
@@ -298,7 +312,14 @@ fn index(chances: &Chances) -> String {
     if let Some(beta) = chances.generalized() {
         let _ = write!(said, "; −Φ⁻¹(P) = {}", digits(beta));
     }
-    paragraph(&format!("{said}."), 2)
+    Some(format!("{said}."))
+}
+
+/// The places of the numbers, that which matters most first.
+pub(super) fn by_importance(point: &FormPoint) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..point.alpha.len()).collect();
+    order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+    order
 }
 
 /// Table of the numbers, by how much each matters.
@@ -306,10 +327,8 @@ fn matters(answer: &Probability, chances: &Chances) -> String {
     let Some(point) = chances.design_point.as_ref().filter(|_| answer.random.len() > 1) else {
         return String::new();
     };
-    let mut order: Vec<usize> = (0..answer.random.len()).collect();
-    order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
     let mut rows = vec![row!["Which number matters", "α²", "P if it were known", "at the design point"]];
-    for place in order {
+    for place in by_importance(point) {
         let known = chances.known.get(place).map_or(String::new(), |e| below_or(*e));
         rows.push(row![
             format!("  {}", answer.random[place].name),

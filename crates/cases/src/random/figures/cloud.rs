@@ -18,7 +18,7 @@ const TAIL: f64 = 0.005;
 /// Number of draws in a cloud.
 const DRAWS: u64 = 1000;
 /// Draws of the random numbers, and where they lie.
-pub(super) struct Cloud {
+pub(in crate::random) struct Cloud {
     values: Vec<Vec<f64>>,
     modes: Vec<Option<Mode>>,
     /// True if the ground fails under any of them.
@@ -36,7 +36,7 @@ const NAMES: [&str; 4] =
 
 impl Cloud {
     /// None of a problem of one random number, which has no cloud.
-    pub(super) fn of(problem: &ChanceProblem, seed: u64) -> Option<Cloud> {
+    pub(in crate::random) fn of(problem: &ChanceProblem, seed: u64) -> Option<Cloud> {
         if problem.random().len() < 2 {
             return None;
         }
@@ -51,25 +51,26 @@ impl Cloud {
         Some(draws)
     }
 
-    pub(super) fn figure(&self, problem: &ChanceProblem, worst: &Chances, title: &str) -> Option<Figure> {
+    pub(in crate::random) fn figure(
+        &self,
+        problem: &ChanceProblem,
+        worst: &Chances,
+        title: &str,
+    ) -> Option<Figure> {
         let title = format!("Draws: {title}");
         let placed: Vec<DrawInPlane> = self.places.iter().copied().flatten().collect();
-        // The report's plane is that of a rigid base.
-        if problem.gives_way() || placed.len() * 100 < self.places.len() * 99 {
+        if !self.is_in_plane(problem) {
             return self.of_numbers(problem, worst, &title);
         }
-        let of = |i: usize| placed.iter().map(|place| place.at[i]).collect::<Vec<f64>>();
-        let first = placed[0].at;
-        let same = |i: usize| of(i).iter().all(|x| (x - first[i]).abs() <= 1e-9 * first[i].abs());
-        if let (true, true, Ok(diagram)) =
-            (same(GAMMA), same(K_PRIME), Diagram::new(first[GAMMA], first[K_PRIME]))
-        {
-            let cloud: Vec<(f64, f64)> = placed.iter().map(|p| (p.at[K], p.at[MU])).collect();
+        if let Some((diagram, cloud)) = self.in_plane(problem) {
             return Some(diagram_with(
                 &diagram.into(),
                 &DiagramContent { cloud: &cloud, ..DiagramContent::default() },
             ));
         }
+        let of = |i: usize| placed.iter().map(|place| place.at[i]).collect::<Vec<f64>>();
+        let first = placed[0].at;
+        let same = |i: usize| of(i).iter().all(|x| (x - first[i]).abs() <= 1e-9 * first[i].abs());
         let varying: Vec<usize> = [K, MU, K_PRIME, GAMMA].into_iter().filter(|i| !same(*i)).collect();
         let [across, ups @ ..] = &varying[..] else { return self.of_numbers(problem, worst, &title) };
         if ups.is_empty() {
@@ -110,6 +111,22 @@ impl Cloud {
             panels: &panels,
             modes: &modes,
         }))
+    }
+
+    /// True if the draws are points of the report's plane, which is that of a rigid base.
+    fn is_in_plane(&self, problem: &ChanceProblem) -> bool {
+        !problem.gives_way() && self.places.iter().flatten().count() * 100 >= self.places.len() * 99
+    }
+
+    /// The report's plane in which force and friction of the draws lie, where they have one slenderness and one elevation of the force.
+    pub(in crate::random) fn in_plane(&self, problem: &ChanceProblem) -> Option<(Diagram, Vec<(f64, f64)>)> {
+        let placed: Vec<&DrawInPlane> = self.places.iter().flatten().collect();
+        let first = placed.first().filter(|_| self.is_in_plane(problem))?.at;
+        let same =
+            |i: usize| placed.iter().all(|place| (place.at[i] - first[i]).abs() <= 1e-9 * first[i].abs());
+        let diagram =
+            Diagram::new(first[GAMMA], first[K_PRIME]).ok().filter(|_| same(GAMMA) && same(K_PRIME))?;
+        Some((diagram, placed.iter().map(|place| (place.at[K], place.at[MU])).collect()))
     }
 
     /// The two numbers that matter most, of a body that the report's plane is not of.

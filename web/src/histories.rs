@@ -1,0 +1,205 @@
+//! How loads and the base go with time: shapes to choose, and records that were dropped, written into the text of the case.
+
+use serde::Serialize;
+use standfast_cases::CaseFile;
+use standfast_inputs::Key;
+use standfast_inputs::key::{Id, Table};
+
+use crate::page::Page;
+
+/// What may go with time, as a row shows it.
+#[derive(Debug, Serialize)]
+struct HistoryRow {
+    key: String,
+    words: String,
+    /// The shape that it has; empty of what does not go with time.
+    shape: String,
+    shapes: Vec<&'static str>,
+}
+
+/// The shapes that may be chosen, each with the keys that it is written with.
+const SHAPES: [(&str, &[Key]); 7] = [
+    ("constant", &[]),
+    ("rect", &[Key::HistoryDuration]),
+    ("triangle", &[Key::HistoryRise, Key::HistoryDuration]),
+    ("decay", &[Key::HistoryDuration]),
+    ("half-sine", &[Key::HistoryDuration]),
+    ("sine", &[Key::HistoryDuration, Key::HistoryPeriod]),
+    ("church-roof", &[Key::HistoryRise, Key::ImpactDuration, Key::HistoryDuration, Key::Tail]),
+];
+
+/// What a shaking reaches that is not said.
+const PEAK: &str = "\"0.3 g\"";
+
+/// The histories that a case has or may have.
+fn all(file: &CaseFile) -> Vec<(Table, usize)> {
+    let inputs = file.inputs();
+    let of = |parent: Table, table: Table| (0..inputs.count(parent)).map(move |index| (table, index));
+    let loads = of(Table::Load, Table::LoadHistory).chain(of(Table::BlockLoad, Table::BlockLoadHistory));
+    let all = loads.chain(of(Table::Wave, Table::WaveHistory));
+    let has_base = inputs.has(Table::Body) || inputs.has(Table::Block);
+    all.chain(has_base.then_some((Table::BaseHorizontal, 0))).collect()
+}
+
+/// An entry of a history as it is written.
+fn written(file: &CaseFile, of: (Table, usize), key: Key) -> Option<&str> {
+    let is_it = |id: Id| (id.table, id.index) == of && id.key == key;
+    file.entries().iter().find(|entry| is_it(entry.id)).map(|entry| file.written(entry))
+}
+
+impl Page {
+    /// What goes with time, or may, as JSON.
+    pub fn courses(&self) -> String {
+        let file = self.settled();
+        let row = |(table, index): (Table, usize)| {
+            let name =
+                file.inputs().text(Id::new(Key::LoadName, index)).filter(|_| table == Table::LoadHistory);
+            let shape = written(file, (table, index), Key::HistoryShape).unwrap_or_default();
+            let shape = shape.trim_matches(['"', '\'']).to_owned();
+            let mut shapes: Vec<&'static str> = SHAPES.map(|(shape, _)| shape).into();
+            shapes.extend(["points", "file"].into_iter().filter(|own| *own == shape));
+            let place = if table.parent().is_some_and(Table::repeats) {
+                format!(" {}", index + 1)
+            } else {
+                String::new()
+            };
+            let words = match (table, name) {
+                (_, Some(name)) => name.to_owned(),
+                (Table::BaseHorizontal, _) => "shaking of the base".to_owned(),
+                (Table::WaveHistory, _) => "wave".to_owned(),
+                _ => format!("load{place}"),
+            };
+            HistoryRow { key: table.path(index), words, shape, shapes }
+        };
+        let rows: Vec<HistoryRow> = all(file).into_iter().map(row).collect();
+        serde_json::to_string(&rows).unwrap_or_default()
+    }
+
+    /// Gives what goes with time a shape by its name, with the numbers that it has, or else with those of the table of keys.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn set_history(&mut self, key: &str, shape: &str) -> Result<(), String> {
+        let file = self.settled();
+        let of = all(file).into_iter().find(|(table, index)| table.path(*index) == key);
+        let chosen = SHAPES.into_iter().find(|(name, _)| *name == shape);
+        let ((table, index), (_, keys)) = of.zip(chosen).ok_or_else(|| format!("The case has no {key}."))?;
+        let is_pure = file.inputs().has(Table::Block);
+        let has = |key: Key| written(file, (table, index), key);
+        let mut parts = vec![format!("shape = \"{shape}\"")];
+        let mut put = |key: Key, value: &str| parts.push(format!("{} = {value}", key.name()));
+        if let Some(start) = has(Key::HistoryStart) {
+            put(Key::HistoryStart, start);
+        }
+        for key in keys {
+            let plain = key.info().example;
+            // A block in pure numbers has no units.
+            let plain =
+                if is_pure { plain.trim_matches('"').split(' ').next().unwrap_or(plain) } else { plain };
+            // A tail of the base would be an acceleration.
+            if *key != Key::Tail || table != Table::BaseHorizontal || has(*key).is_some() {
+                put(*key, has(*key).unwrap_or(plain));
+            }
+        }
+        let peak = (table == Table::BaseHorizontal).then_some(if is_pure { "0.3" } else { PEAK });
+        if let Some(peak) = has(Key::HistoryPeak).or(peak) {
+            put(Key::HistoryPeak, peak);
+        }
+        let written = format!("{{ {} }}", parts.join(", "));
+        self.take_history(file.with_history(table, index, &written))
+    }
+
+    /// True if the case may be shaken with a file that was dropped: a body or a block, whose text does not name it.
+    pub fn can_shake_with(&self, name: &str) -> bool {
+        let names_it = self.settled().files().any(|(own, _)| own.rsplit(['/', '\\']).next() == Some(name));
+        let may = all(self.settled()).contains(&(Table::BaseHorizontal, 0));
+        may && !names_it && !name.contains(['"', '\\']) && self.files().contains_key(name)
+    }
+
+    /// Shakes the base with a file that was dropped, in place of an earthquake that the case has.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn shake_with(&mut self, name: &str) -> Result<(), String> {
+        let file = self.settled();
+        let written = format!("{{ shape = \"file\", file = \"{name}\" }}");
+        // The same shaking would count twice.
+        let still = match file.inputs().has(Table::Earthquake) {
+            true => file
+                .without_table(Table::Earthquake)
+                .and_then(|text| standfast_cases::CaseText::parse(file.name(), &text).ok()),
+            false => None,
+        };
+        let text = match &still {
+            Some(still) => still.with_history(Table::BaseHorizontal, 0, &written),
+            None => file.with_history(Table::BaseHorizontal, 0, &written),
+        };
+        self.take_history(text)
+    }
+
+    fn take_history(&mut self, text: Option<String>) -> Result<(), String> {
+        self.take(text.ok_or("That history is not written in braces: change it in the text.")?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examples;
+
+    fn page(name: &str) -> Page {
+        let mut page = Page::default();
+        let example = examples::find(name).unwrap();
+        assert!(page.open(&example.file(), example.text));
+        page
+    }
+
+    /// Every shape of every load and of the base is one that the case has an answer with, in one step.
+    #[test]
+    fn shapes_are_written_with_numbers_to_begin_from() {
+        for name in ["caisson-in-air", "goda-2000", "block-base-pulse", "block"] {
+            let mut page = page(name);
+            let keys: Vec<serde_json::Value> = serde_json::from_str(&page.courses()).unwrap();
+            assert!(!keys.is_empty(), "{name}");
+            for key in keys.iter().map(|row| row["key"].as_str().unwrap()) {
+                for (shape, _) in SHAPES {
+                    let before = page.text().to_owned();
+                    assert_eq!(page.set_history(key, shape), Ok(()), "{name}: {key}, {shape}");
+                    assert!(page.answered().is_in_time(), "{name}: {key}, {shape}");
+                    page.undo();
+                    assert_eq!(page.text(), before);
+                }
+            }
+        }
+    }
+
+    /// Another shape keeps the numbers that it shares with the last.
+    #[test]
+    fn numbers_of_the_shape_before_are_kept() {
+        let mut page = page("caisson-breaking-wave");
+        page.set_history("wave.history", "half-sine").unwrap();
+        assert!(page.text().contains("history = { shape = \"half-sine\", duration = \"1.557 s\" }"));
+        assert!(page.set_history("wave.history", "file").is_err());
+    }
+
+    #[test]
+    fn a_dropped_record_shakes_the_body_in_place_of_its_earthquake() {
+        let mut page = page("object");
+        assert!(!page.can_shake_with("shake.csv"));
+        page.add_file("shake.csv", "t,a_m_s2\n0,0\n1,4\n2,0\n");
+        assert!(page.can_shake_with("shake.csv"));
+        page.shake_with("shake.csv").unwrap();
+        assert!(page.answered().is_in_time() && !page.text().contains("[earthquake]"));
+        assert!(
+            page.text()
+                .ends_with("\n[motion.base]\nhorizontal = { shape = \"file\", file = \"shake.csv\" }\n")
+        );
+        assert!(!page.can_shake_with("shake.csv"));
+        page.undo();
+        assert!(page.text().contains("[earthquake]"));
+        page.add_file("words.csv", "no record");
+        let before = page.text().to_owned();
+        assert!(page.shake_with("words.csv").is_err());
+        assert_eq!(page.text(), before);
+    }
+}

@@ -1,0 +1,92 @@
+// How loads and the base go with time: shapes from a menu, and records that are dropped.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { artefacts, drawn, drop, field, launch, open, program, text, type } from "./browser.mjs";
+
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser.close());
+
+const still = { reducedMotion: "reduce" };
+const CSV = `t,a_g\n${Array.from({ length: 101 }, (_, i) => `${(0.02 * i).toFixed(2)},${(0.5 * Math.sin(6 * 0.02 * i)).toFixed(5)}`).join("\n")}\n`;
+const AT2 = `PEER STRONG MOTION DATABASE RECORD\nA test\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 100, DT= .02 SEC\n${Array.from({ length: 20 }, (_, i) => Array.from({ length: 5 }, (_, j) => (0.5 * Math.sin(0.12 * (5 * i + j))).toExponential(5)).join("  ")).join("\n")}\n`;
+const SMC = readFileSync(path.join(import.meta.dirname, "../../examples/records/np01002p_4225a_a.smc"), "latin1");
+
+test("a dropped record offers to shake the body, in one step, as the program does", async () => {
+  for (const [name, content] of [["shake.csv", CSV], ["shake.AT2", AT2], ["np01002p_4225a_a.smc", SMC]]) {
+    const page = await open(browser, still);
+    await page.evaluate(() => {
+      window.standfast.explorer.open_example("object");
+      window.standfast.changed();
+    });
+    const first = await text(page);
+    await drop(page, [[name, content]]);
+    assert.equal(await page.isVisible("#offer"), true);
+    await page.click("#shake");
+    await drawn(page);
+    assert.equal(await page.textContent("#offer-fault"), "", name);
+    assert.equal(await page.isVisible("#offer"), false);
+    const shaken = await text(page);
+    assert.ok(shaken.endsWith(`\n[motion.base]\nhorizontal = { shape = "file", file = "${name}" }\n`), shaken);
+    assert.ok(!shaken.includes("[earthquake]"));
+    assert.equal(await page.isVisible("#transport"), true);
+    // The program moves it the same way.
+    const folder = mkdtempSync(path.join(tmpdir(), "standfast-"));
+    writeFileSync(path.join(folder, "case.toml"), shaken);
+    writeFileSync(path.join(folder, name), content, "latin1");
+    const { summary } = JSON.parse(execFileSync(program, ["simulate", "--format", "json", "--no-figures", "--no-strength", path.join(folder, "case.toml")], { encoding: "utf8" }));
+    assert.equal(await page.textContent("#answer"), summary.answer);
+    await page.click("#undo");
+    await drawn(page);
+    assert.equal(await text(page), first);
+    assert.deepEqual(page.heard, []);
+    await page.close();
+  }
+});
+
+test("a record that the case names is not offered, and one that is none says why", async () => {
+  const page = await open(browser, still);
+  await drop(page, [["notes.csv", "no record at all"]]);
+  await page.click("#shake");
+  await drawn(page);
+  assert.notEqual(await page.textContent("#offer-fault"), "");
+  await page.click("#no-shake");
+  assert.equal(await page.isVisible("#offer"), false);
+  await page.evaluate(() => {
+    window.standfast.explorer.open_example("server-rack-earthquake");
+    window.standfast.changed();
+  });
+  await drop(page, [["np01002p_4225c_a.smc", SMC]]);
+  assert.equal(await page.isVisible("#offer"), false);
+  await page.close();
+});
+
+test("a shape from the menu gives the load a history, whose numbers are fields", async () => {
+  const page = await open(browser, still);
+  const first = await text(page);
+  await page.click("#tab-inputs");
+  await page.getByLabel("breaking wave", { exact: true }).selectOption("half-sine");
+  await drawn(page);
+  assert.match(await text(page), /direction = "left"\nhistory = \{ shape = "half-sine", duration = "0\.4 s" \}/);
+  assert.equal(await page.isVisible("#transport"), true);
+  await type(page, "load[1].history.duration", "0,6");
+  assert.equal((await field(page, "load[1].history.duration")).text, "0.6");
+  await page.getByLabel("breaking wave", { exact: true }).selectOption("triangle");
+  await drawn(page);
+  assert.match(await text(page), /history = \{ shape = "triangle", rise = "0\.2 s", duration = "0\.6 s" \}/);
+  await page.getByLabel("shaking of the base").selectOption("sine");
+  await drawn(page);
+  assert.match(await text(page), /\[motion\.base\]\nhorizontal = \{ shape = "sine", duration = "0\.4 s", period = "1 s", peak = "0\.3 g" \}/);
+  mkdirSync(artefacts, { recursive: true });
+  await page.screenshot({ path: path.join(artefacts, "histories.png"), fullPage: true });
+  for (let i = 0; i < 4; i += 1) await page.click("#undo");
+  await drawn(page);
+  assert.equal(await text(page), first);
+  assert.deepEqual(page.heard, []);
+  await page.close();
+});
