@@ -8,7 +8,7 @@ export function connectAsking(app) {
   const begin = (what, of) => {
     answers[what]?.worker?.terminate();
     const worker = new Worker(source);
-    const answer = (answers[what] = { of, parts: [], done: false, fault: "", worker });
+    const answer = (answers[what] = { of, from: app.explorer, parts: [], done: false, fault: "", worker });
     const end = (fault) => {
       Object.assign(answer, { done: true, fault, worker: null });
       app.changed();
@@ -25,7 +25,7 @@ export function connectAsking(app) {
    * something is dragged it is the answer from before. */
   app.asked = (what) => {
     const of = app.explorer.answers();
-    if (answers[what]?.of !== of && !app.held) begin(what, of);
+    if ((answers[what]?.of !== of || answers[what].from !== app.explorer) && !app.held) begin(what, of);
     return answers[what] ?? { parts: [], done: false, fault: "" };
   };
 }

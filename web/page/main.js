@@ -21,6 +21,8 @@ import { connectFiles } from "files";
 import { connectLink } from "link";
 import { connectUndo } from "undo";
 import { connectTheme } from "theme";
+import { connectTeach } from "teach";
+import { connectEmbed } from "embed";
 import { connectAsking } from "asking";
 
 async function library() {
@@ -60,10 +62,11 @@ async function connect(compiled) {
   connectAsking(app);
   for (const connectPart of [
     connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectForm, connectPane,
-    connectWhy, connectTerms, connectMenus, connectFiles, connectUndo,
+    connectWhy, connectTerms, connectMenus, connectFiles, connectUndo, connectTeach,
   ]) {
     parts.push(connectPart(app));
   }
+  connectEmbed(app);
   parts.push(await connectLink(app));
   // On paper stands what the tabs hide.
   for (const [event, printing] of [["beforeprint", true], ["afterprint", false]]) {
