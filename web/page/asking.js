@@ -4,28 +4,34 @@ import { byId } from "dom";
 
 export function connectAsking(app) {
   const source = URL.createObjectURL(new Blob([byId("glue").textContent, byId("worker").textContent], { type: "text/javascript" }));
-  const answers = {};
-  const begin = (what, of) => {
-    answers[what]?.worker?.terminate();
+  /** Asks of the last text that has an answer, in a thread of its own, which is given back: `take` has each part, `end` what went wrong. */
+  const begin = (what, take, end) => {
     const worker = new Worker(source);
-    const answer = (answers[what] = { of, from: app.explorer, parts: [], done: false, fault: "", worker });
-    const end = (fault) => {
-      Object.assign(answer, { done: true, fault, worker: null });
-      app.changed();
-    };
-    worker.onmessage = ({ data }) => {
-      if (data === null) return end("");
-      answer.parts.push(JSON.parse(data));
-      app.changed();
-    };
+    worker.onmessage = ({ data }) => (data === null ? end("") : take(JSON.parse(data)));
     worker.onerror = ({ message }) => end(message || "its thread did not start");
     worker.postMessage({ compiled: app.compiled, what, handedOn: app.explorer.handed_on() });
+    return worker;
   };
+  /** The one part of the answer to a question. */
+  app.askOnce = (what) => new Promise((found, failed) => begin(what, found, (fault) => fault && failed(new Error(fault))));
+
+  const answers = {};
   /** The answer to a question on the case as it stands, as far as it is known: its parts, whether that is all, and what went wrong. While
    * something is dragged it is the answer from before. */
   app.asked = (what) => {
     const of = app.explorer.answers();
-    if ((answers[what]?.of !== of || answers[what].from !== app.explorer) && !app.held) begin(what, of);
+    if ((answers[what]?.of !== of || answers[what].from !== app.explorer) && !app.held) {
+      answers[what]?.worker.terminate();
+      const answer = (answers[what] = { of, from: app.explorer, parts: [], done: false, fault: "" });
+      const take = (part) => {
+        answer.parts.push(part);
+        app.changed();
+      };
+      answer.worker = begin(what, take, (fault) => {
+        Object.assign(answer, { done: true, fault });
+        app.changed();
+      });
+    }
     return answers[what] ?? { parts: [], done: false, fault: "" };
   };
 }

@@ -70,6 +70,23 @@ export function connectFiles(app) {
     app.settleText();
     save(app.explorer.text(), named(".toml"), "application/toml");
   });
+  const today = () => {
+    const now = new Date();
+    return [now.getFullYear(), now.getMonth() + 1, now.getDate()].map((part) => String(part).padStart(2, "0")).join("-");
+  };
+  for (const [id, what] of [["save-sheet", "sheet"], ["save-short", "short-sheet"]]) {
+    on(id, async () => {
+      const name = named(`-${what}.html`);
+      say(`${name} is being made.`);
+      try {
+        const { html, fault } = await app.askOnce(`${what} ${today()}`);
+        if (html) save(html, name, "text/html;charset=utf-8");
+        else say(`There is no sheet: ${fault}`);
+      } catch (error) {
+        say(`There is no sheet: ${error.message}`);
+      }
+    });
+  }
   on("save-text", () => save(app.explorer.report(), named(".txt"), "text/plain;charset=utf-8"));
   on("save-json", () => save(app.explorer.json(), named(".json"), "application/json"));
   on("save-body", () => save(app.explorer.section_on_paper(), named("-section.svg"), "image/svg+xml"));
@@ -88,6 +105,8 @@ export function connectFiles(app) {
   });
   return (said) => {
     for (const id of ["save-plate", "save-png"]) byId(id).disabled = said.plates.length === 0;
+    // A sheet is of the text that stands.
+    for (const id of ["save-sheet", "save-short"]) byId(id).disabled = said.fault !== null;
     byId("save-csv").disabled = said.point === null;
     byId("save-body").disabled = said.plates.length === 1 && said.plates[0] === "time";
   };

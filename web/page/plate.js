@@ -127,7 +127,7 @@ export function connectPlate(app) {
     const pixels = map.clientWidth || 560;
     // On a large screen the drawing is enlarged, on a small one laid out anew.
     const enlarged = pixels > 900 ? pixels / 900 : 1;
-    return { scale: enlarged, width: pixels / enlarged, height: Math.max(236, room(app, map, pixels, 0.64, 0.52)) / enlarged };
+    return { scale: enlarged, width: pixels / enlarged, height: Math.max(app.story ? 200 : 236, room(app, map, pixels, 0.64, 0.52)) / enlarged };
   };
   return (said) => {
     app.shownPlate = said.plates.includes(app.plate) ? app.plate : said.plates[0] ?? "";

@@ -10,7 +10,10 @@ export function room(app, place, width, ratio, share) {
   if (!isAlone(app)) return Math.min(ratio * width, 620, share * innerHeight);
   const plate = place.closest(".plate");
   // One above the other they share a screen.
-  if (app.story && plate.clientWidth > 0.6 * innerWidth) return Math.min(0.7 * width, 0.3 * innerHeight);
+  if (app.story && !app.only && plate.clientWidth > 0.6 * innerWidth) {
+    const left = innerHeight - plate.parentElement.getBoundingClientRect().top - scrollY - byId("loose").offsetHeight - byId("story-nav").offsetHeight - 24;
+    return Math.min(0.7 * width, left / 2);
+  }
   const above = plate.getBoundingClientRect().top + scrollY + plate.querySelector(".bar").offsetHeight;
   const below = ["moment", "loose", "strengths"].map((id) => byId(id)).filter((one) => plate.contains(one));
   const others = [...below, byId("transport"), byId("story-nav"), byId("whole-page")];

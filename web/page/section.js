@@ -9,6 +9,9 @@ const stills = matchMedia("(prefers-reduced-motion: reduce)");
 /** Numbers that stand beside the drawing, where the case has them. */
 const LOOSE = [/^block\.(b1|b2|d|mu_s)$/, /^body\.(mass|density|friction|buoyant_weight)$/, /^load\[\d+\]\.elevation$/, /^wave\.(deep_water_height|Hmax|period)$/, /^earthquake\.(horizontal|vertical)$/, /^ground\.(strength|friction_angle_deg)$/, /^water\.(level|left|right)$/];
 const MOST = 7;
+/** Between a number and what it stands beside, and half the width of a ring, pixels. */
+const GAP = 6;
+const RING = 8;
 
 export function connectSection(app) {
   const place = byId("section");
@@ -28,7 +31,7 @@ export function connectSection(app) {
   // What begins.
   const bodySize = () => {
     const width = Math.max(260, Math.min(760, place.parentElement.clientWidth));
-    return [width, Math.max(230, isAlone(app) ? room(app, place, width) : Math.min(420, width * 0.62))];
+    return [width, Math.max(app.story ? 180 : 230, isAlone(app) ? room(app, place, width) : Math.min(420, width * 0.62))];
   };
   const animate = () => {
     animation?.cancel();
@@ -104,16 +107,20 @@ export function connectSection(app) {
     over.style.height = `${height * scale}px`;
     const placed = new Map();
     for (const { key, x, y } of drawing.numbers) if (!placed.has(key) && numbers.has(key)) placed.set(key, [x, y]);
-    // The number of a force makes room for its ring.
-    const middle = (drawing.body[0] + drawing.body[2]) / 2;
-    const beside = new Map(drawing.forces.map(({ key, x }) => [key, x > middle ? 16 : -16]));
+    // What stands beside the body does not reach over it, nor the number of a force over its ring; on either side the plate has some room.
+    const [left, , right] = drawing.body.map((side) => side * scale);
+    const room = Math.max(0, (place.clientWidth - width * scale) / 2) + GAP;
+    const ringAt = new Map(drawing.forces.map(({ key, x }) => [key, x * scale]));
     for (const [key, { box, show }] of [...placed.keys()].map((key) => [key, field(key)])) {
       show(numbers.get(key));
       if (box.parentElement !== over) over.append(box);
       const [x, y] = placed.get(key);
       const half = box.offsetWidth / 2;
-      const at = x * scale + (beside.get(key) ?? 0);
-      box.style.left = `${Math.min(Math.max(at, half), Math.max(half, width * scale - half))}px`;
+      const toLeft = Math.min(left - GAP, ringAt.get(key) - RING || left) - half;
+      const toRight = Math.max(right + GAP, ringAt.get(key) + RING || right) + half;
+      const across = x * scale;
+      const free = across < left ? Math.min(across, toLeft) : across > right ? Math.max(across, toRight) : across;
+      box.style.left = `${Math.min(Math.max(free, half - room), width * scale + room - half)}px`;
       box.style.top = `${y * scale}px`;
     }
     const forces = new Map(drawing.forces.filter(({ key }) => numbers.has(key)).map((force) => [force.key, force]));
@@ -181,7 +188,7 @@ export function connectSection(app) {
       return;
     }
     const width = Math.max(280, place.parentElement.clientWidth);
-    const drawing = JSON.parse(app.explorer.section(width, Math.max(app.story ? 200 : 240, room(app, place, width, 0.6, 0.5))));
+    const drawing = JSON.parse(app.explorer.section(width, Math.max(app.story ? 180 : 240, room(app, place, width, 0.6, 0.5))));
     picture.innerHTML = drawing.svg;
     put(byId("body-hint"), drawing.body.some((side) => side !== 0) ? "type over a number, pull a ring" : "its positions: a body in pure numbers has no section");
     document.querySelector(".legend").hidden = drawing.words.length === 0;

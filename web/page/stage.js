@@ -53,7 +53,7 @@ export function connectStage(app) {
   };
   return () => {
     const width = Math.max(280, stage.parentElement.clientWidth);
-    const json = app.explorer.stage(fromEarth, Math.floor(width), Math.round(Math.max(app.story ? 200 : 230, room(app, stage, width, 0.6, 0.45))));
+    const json = app.explorer.stage(fromEarth, Math.floor(width), Math.round(Math.max(app.story ? 180 : 230, room(app, stage, width, 0.6, 0.45))));
     app.motion = json ? JSON.parse(json) : null;
     byId("views").hidden = stage.hidden || !app.motion?.shaken;
     byId("moment").hidden = !app.motion;

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use standfast_cases::CaseFile;
 
 use crate::page::{Page, Version, read};
+use crate::sheet::SheetAsked;
 
 /// A question whose answer is told part by part, the first soon.
 pub trait Question: std::fmt::Debug {
@@ -35,7 +36,11 @@ pub fn ask(what: &str, handed_on: &str) -> Option<Box<dyn Question>> {
     question(what, file)
 }
 
-/// The questions there are.
-fn question(_what: &str, _file: CaseFile) -> Option<Box<dyn Question>> {
-    None
+/// The question of a name, with what belongs to it behind.
+fn question(what: &str, file: CaseFile) -> Option<Box<dyn Question>> {
+    let (name, rest) = what.split_once(' ').unwrap_or((what, ""));
+    match name {
+        "sheet" | "short-sheet" => Some(Box::new(SheetAsked::of(file, name == "short-sheet", rest))),
+        _ => None,
+    }
 }

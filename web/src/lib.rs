@@ -18,7 +18,7 @@
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
 //! | Which stories does it tell? | `stories` |
-//! | What takes longer than a picture, and is asked in a thread of its own? | `asked` |
+//! | What takes longer than a picture, and is asked in a thread of its own? | `asked`; `sheet` |
 //!
 //! Everything but this file runs, and is tested, without wasm.
 
@@ -33,6 +33,7 @@ mod old_link;
 mod page;
 mod plane;
 mod said;
+mod sheet;
 mod stories;
 mod text;
 mod time;

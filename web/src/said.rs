@@ -59,7 +59,7 @@ struct Said<'a> {
 /// A number on a line from 0 to 2, on which 1 is where the body moves or a bound is reached.
 #[derive(Debug, Serialize)]
 struct Ruler {
-    name: String,
+    name: &'static str,
     words: String,
     /// The value as it is read.
     value: String,
@@ -250,7 +250,7 @@ fn rulers(rest: &Assessment, with_factors: bool) -> Vec<Ruler> {
         let is_least = required.starts_with('≥');
         let ratio = if is_least { 1.0 / ratio } else { ratio };
         Some(Ruler {
-            name: check.name().to_owned(),
+            name: check.in_short(),
             words: check.words().to_owned(),
             value,
             required,
@@ -295,7 +295,7 @@ fn factors(assessed: &Assessed) -> Vec<Ruler> {
         all.into_iter().filter_map(|(value, name)| Some((value?, name))).collect();
     factors.sort_by(|one, other| one.0.total_cmp(&other.0));
     let ruler = |(value, name): (f64, ResultName)| Ruler {
-        name: name.name().to_owned(),
+        name: name.in_short(),
         words: name.info().words.to_owned(),
         value: factor(value),
         required: String::new(),
@@ -343,7 +343,7 @@ mod tests {
         let [first, ..] = &said["rulers"].as_array().unwrap()[..] else { panic!("no ruler") };
         assert_eq!(
             (&first["name"], &first["value"], &first["good"]),
-            (&"ground_factor".into(), &"0.9809".into(), &false.into())
+            (&"ground".into(), &"0.9809".into(), &false.into())
         );
         // 0.9809 of 1.4, on a line to twice the bound.
         assert!((first["at"].as_f64().unwrap() - 0.9809 / 1.4 / 2.0).abs() < 1e-4);
@@ -351,8 +351,8 @@ mod tests {
         // Ground, sliding and overturning, the governing first: before other criteria, and whether asked or not.
         let names: Vec<&str> =
             said["rulers"].as_array().unwrap().iter().filter_map(|ruler| ruler["name"].as_str()).collect();
-        let ways = ["ground_factor", "SF_sliding", "SF_overturning_net"];
-        assert_eq!(names, [&ways[..], &["effective_pressure_max"]].concat());
+        let ways = ["ground", "sliding", "overturning"];
+        assert_eq!(names, [&ways[..], &["effective pressure"]].concat());
     }
 
     #[test]
@@ -371,7 +371,7 @@ mod tests {
                 )
             })
             .collect();
-        assert_eq!(shown, ["SF_sliding 0.8240 false", "SF_overturning_net 0.8957 false"]);
+        assert_eq!(shown, ["sliding 0.8240 false", "overturning 0.8957 false"]);
         assert_eq!(said["stages"][0][0], "0 % – 82.4 %");
         assert_eq!(said["because"].as_array().unwrap().len(), 2);
     }

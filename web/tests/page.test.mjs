@@ -1,12 +1,14 @@
 // One file, links, files, what is hostile, motion, looks.
 
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync, statSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { artefacts, drawn, drop, html, launch, mode, onDisk, open, said, saved, site, take, text, type } from "./browser.mjs";
+import { artefacts, drawn, drop, html, launch, mode, onDisk, open, program, said, saved, site, take, text, type } from "./browser.mjs";
 
 let browser;
 before(async () => (browser = await launch()));
@@ -253,12 +255,40 @@ test("case, answers and drawings are saved", async () => {
   await page.close();
 });
 
+/** A sheet without the last digits of its numbers, in which tan and exp of two machines differ. */
+const inTwelveDigits = (html) => html.replace(/value="(-?[\d.]+(e-?\d+)?)"/g, (_, number) => `value="${Number(number).toPrecision(12)}"`);
+
+test("a sheet is the program's, with today's date", async () => {
+  const page = await open(browser);
+  const folder = mkdtempSync(path.join(tmpdir(), "sheet-"));
+  for (const name of ["caisson-in-air.toml", "goda-on-sand.toml", "goda-2000-random.toml"]) {
+    const file = path.join(folder, name);
+    writeFileSync(file, example(name));
+    await take(page, name, example(name));
+    const today = await page.evaluate(() => new Date().toLocaleDateString("sv"));
+    for (const [id, option, what] of [["#save-sheet", [], "sheet"], ["#save-short", ["--short"], "short-sheet"]]) {
+      const found = await saved(page, id);
+      const out = path.join(folder, "out.html");
+      execFileSync(program, ["sheet", file, "--output", out, "--date", today, ...option]);
+      assert.equal(found.name, name.replace(".toml", `-${what}.html`));
+      // Without the sheets in the message.
+      assert.ok(inTwelveDigits(found.content.toString()) === inTwelveDigits(readFileSync(out, "utf8")), `${name}: ${what}`);
+    }
+  }
+  // A text with a fault has none.
+  await take(page, "x.toml", "[body]");
+  await page.click("#save-menu > summary");
+  assert.ok(await page.isDisabled("#save-sheet"));
+  assert.deepEqual(page.heard, []);
+  await page.close();
+});
+
 test("a published point: γ = 1, k' = 1, k = 2, μ = 5 rocks with θ̈ = 1.125 g/B", async () => {
   const page = await open(browser, { fragment: "g=1&kp=1&k=2&mu=5" });
   assert.equal(await page.textContent("#symbol"), "RO");
   const { situations: [answer] } = JSON.parse(await page.evaluate(() => window.standfast.explorer.json()));
   assert.ok(Math.abs(answer.motion.theta_ddot / ((1.125 * 9.81) / 7.5) - 1) < 1e-12);
-  assert.match(await page.textContent("#rulers"), /SF_overturning_net.*0\.2500 below 1/);
+  assert.match(await page.textContent("#rulers"), /overturning.*0\.2500 below 1/);
   await page.close();
 });
 

@@ -166,6 +166,11 @@ fn prerequisites() -> Result<PathBuf, String> {
 
 fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), String> {
     let (address, _) = server(page, 0)?;
+    // Its tests alone are left out without it.
+    let firefox = programs::firefox();
+    if let Err(missing) = &firefox {
+        tally.missing("explorer in Firefox", missing.to_string());
+    }
     let artefacts = target().join("explorer").join("screenshots");
     let tests = root().join("web").join("tests");
     let mut node = Command::new("node");
@@ -175,7 +180,8 @@ fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), 
         .env("EXPLORER_SITE", address)
         .env("EXPLORER_ARTEFACTS", &artefacts)
         .env("STANDFAST", built("standfast"))
-        .env("CHROMIUM", chromium);
+        .env("CHROMIUM", chromium)
+        .envs(firefox.ok().map(|path| ("FIREFOX", path)));
     tally.count("explorer in a browser", &mut node, node_line);
     println!("screenshots: {}", artefacts.display());
     Ok(())

@@ -37,6 +37,11 @@ pub fn chromium() -> Result<PathBuf, Missing> {
     })
 }
 
+/// Firefox.
+pub fn firefox() -> Result<PathBuf, Missing> {
+    needed("Firefox", &["firefox-esr"], || ["firefox-esr", "firefox"].into_iter().find_map(found))
+}
+
 /// The browser, with `pdftotext` beside it.
 pub fn for_pdfs() -> Result<PathBuf, Missing> {
     let browser = chromium()?;

@@ -52,10 +52,20 @@ const RESULTS: [(Key, ResultName); 10] = [
     (Key::LeastLoadFactor, ResultName::LoadFactor),
 ];
 
+/// The result that a criterion asks for; none where it asks for modes or a probability.
+fn asked_for(criterion: Criterion) -> Option<ResultName> {
+    RESULTS.iter().find(|(key, _)| *key == criterion.key).map(|(_, result)| *result)
+}
+
 impl Check {
+    /// What it is of, in one or two words.
+    pub fn in_short(&self) -> &'static str {
+        asked_for(self.criterion).map_or(self.criterion.name(), ResultName::in_short)
+    }
+
     /// Check of a criterion in a situation.
     pub fn of(criterion: Criterion, assessed: &Assessed) -> Check {
-        let result = RESULTS.iter().find(|(key, _)| *key == criterion.key).map(|(_, result)| *result);
+        let result = asked_for(criterion);
         let value = match result {
             // Where a body that never leaves rest, or does not rest at all, would be is not a number of the list.
             Some(ResultName::LoadFactor) => ResultValue::Number(assessed.departure().load_factor()),

@@ -312,6 +312,21 @@ impl ResultName {
         self.info().name
     }
 
+    /// What it is of, in one or two words, where a line has no room for more: of those that criteria ask for.
+    pub fn in_short(self) -> &'static str {
+        match self {
+            ResultName::SfSliding => "sliding",
+            ResultName::SfOverturningNet => "overturning",
+            ResultName::SfOverturningGross => "overturning, gross",
+            ResultName::BearingMax => "bearing pressure",
+            ResultName::ContactShare => "contact",
+            ResultName::GroundFactor => "ground",
+            ResultName::EffectivePressure => "effective pressure",
+            ResultName::LoadFactor => "load factor",
+            other => other.name(),
+        }
+    }
+
     /// Its value for a situation.
     pub fn of(self, assessed: &Assessed) -> ResultValue {
         (self.info().of)(assessed)

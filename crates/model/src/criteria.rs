@@ -144,6 +144,15 @@ impl MotionCriterion {
         }
     }
 
+    /// What it is of, in one or two words.
+    pub fn in_short(self) -> &'static str {
+        match self {
+            MotionCriterion::Slide(_) => "slide",
+            MotionCriterion::MaxTheta(_) => "turn",
+            MotionCriterion::NotOverturned => "overturning",
+        }
+    }
+
     /// The quantity that is asked for, in words.
     pub fn words(self) -> &'static str {
         match self {

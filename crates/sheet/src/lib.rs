@@ -26,6 +26,7 @@
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "print")]
 pub mod browser;
 mod calculation;
 mod date;
@@ -53,6 +54,7 @@ use standfast_cases::motion::{Factors, FirstInstant, Follow, StrengthAsked};
 use standfast_cases::{Assessment, AssessmentView, CaseError, CaseFile, Explained, Key, Portion, Stopped};
 use thiserror::Error;
 
+#[cfg(feature = "print")]
 pub use browser::{Paper, PaperError, PrintError};
 pub use date::{Date, DateError};
 pub use fault::SheetFault;
@@ -121,7 +123,9 @@ impl Explained for SheetError {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {
     html: String,
+    #[cfg(feature = "print")]
     date: Option<Date>,
+    #[cfg(feature = "print")]
     short: bool,
 }
 
@@ -183,7 +187,13 @@ impl Sheet {
             false => document::render(assessment, &source, &view, portion)?,
         };
         portion.reached(1.0);
-        Ok(Sheet { html, date: options.date, short: options.short })
+        Ok(Sheet {
+            html,
+            #[cfg(feature = "print")]
+            date: options.date,
+            #[cfg(feature = "print")]
+            short: options.short,
+        })
     }
 
     /// The sheet as an HTML document.
@@ -196,6 +206,7 @@ impl Sheet {
     ///
     /// # Errors
     /// If there is no such browser, or it does not print.
+    #[cfg(feature = "print")]
     pub fn pdf(&self, paper: Paper) -> Result<Vec<u8>, PrintError> {
         browser::print(&self.html, paper, self.short, self.date)
     }

@@ -2,7 +2,9 @@
 
 #![forbid(unsafe_code)]
 
-use lzma_rust2::{LzmaReader, Read};
+use std::io::Read;
+
+use lzma_rust2::LzmaReader;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Most memory that is taken, in KiB: a dictionary as large as the library.
@@ -21,7 +23,9 @@ pub fn unpack(packed: &[u8]) -> Option<Vec<u8>> {
 
 #[cfg(test)]
 mod tests {
-    use lzma_rust2::{LzmaOptions, LzmaWriter, Write};
+    use std::io::Write;
+
+    use lzma_rust2::{LzmaOptions, LzmaWriter};
 
     use super::unpack;
 

@@ -21,6 +21,14 @@ impl AnyCheck<'_> {
         }
     }
 
+    /// What it is of, in one or two words.
+    pub fn in_short(&self) -> &'static str {
+        match self {
+            AnyCheck::Instant(CaseCheck { check, .. }) => check.in_short(),
+            AnyCheck::Motion(check, _) => check.criterion.in_short(),
+        }
+    }
+
     /// The quantity it asks for, in words.
     pub fn words(&self) -> &'static str {
         match self {
