@@ -21,9 +21,9 @@ export function connectAsking(app) {
   app.asked = (what) => {
     const [name] = what.split(" ");
     const of = `${app.explorer.answers()} ${what}`;
-    if (answers[name]?.of !== of && !app.held) {
+    if ((answers[name]?.of !== of || answers[name].from !== app.explorer) && !app.held) {
       answers[name]?.worker.terminate();
-      const answer = (answers[name] = { of, parts: [], done: false, fault: "" });
+      const answer = (answers[name] = { of, from: app.explorer, parts: [], done: false, fault: "" });
       const take = (part) => {
         answer.parts.push(part);
         app.changed();

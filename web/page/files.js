@@ -24,6 +24,7 @@ export function connectFiles(app) {
   const take = async (files) => {
     const all = [...files];
     const isCase = (file) => /\.toml$/i.test(file.name);
+    app.leaveStory();
     // Records first, so that a case finds them.
     for (const file of [...all.filter((one) => !isCase(one)), ...all.filter(isCase)]) {
       if (file.size > (isCase(file) ? MOST.case : MOST.record)) {

@@ -1,6 +1,8 @@
-// The address: `#c=` the text of the case, deflated, in letters of base64 for addresses; `&n=` its name, `&v=` plate, tab and moment.
+// The address: `#c=` the text of the case, deflated, in letters of base64 for addresses; `&n=` its name, `&v=` plate, tab and moment. Or `#teach=` a
+// story, `&step=` its step. `&only=` shows one part alone.
 
 import { byId, say } from "dom";
+import { PARTS } from "embed";
 
 /** As many letters as a text from an address may have. */
 const MOST = 400_000;
@@ -35,8 +37,17 @@ export async function connectLink(app) {
   let written = "";
   const read = async () => {
     const fragment = location.hash.slice(1);
-    if (!fragment || fragment === written) return;
+    if (fragment && fragment === written && fragment.startsWith("teach=") === Boolean(app.story)) return;
     const parts = new URLSearchParams(fragment);
+    app.only = PARTS.includes(parts.get("only")) ? parts.get("only") : "";
+    if (app.only) document.documentElement.dataset.only = app.only;
+    else delete document.documentElement.dataset.only;
+    if (parts.has("teach")) {
+      if (!app.tell(parts.get("teach"), Number(parts.get("step") ?? 1))) say("The address names a story that this page does not have.");
+      return;
+    }
+    app.leaveStory();
+    if (!fragment) return;
     if (parts.has("c")) {
       try {
         const text = await unpacked(parts.get("c"));
@@ -57,15 +68,17 @@ export async function connectLink(app) {
     await read();
     app.changed();
   });
-  const fragment = async () => {
+  app.fragment = async (only = app.only) => {
+    const part = only ? `&only=${only}` : "";
+    if (app.story) return `teach=${app.story.id}&step=${app.story.step}${part}`;
     const name = app.explorer.name();
     const t = app.motion && app.time.t > 0 ? [app.time.t.toFixed(3)] : [];
     const view = [app.shownPlate, app.tab, ...t].join(",");
-    return `c=${await packed(app.explorer.text())}&n=${encodeURIComponent(name)}&v=${view}`;
+    return `c=${await packed(app.explorer.text())}&n=${encodeURIComponent(name)}&v=${view}${part}`;
   };
   byId("link").addEventListener("click", async () => {
     app.settleText();
-    written = await fragment();
+    written = await app.fragment();
     history.replaceState(null, "", `#${written}`);
     const isOnDisk = location.protocol === "file:";
     const link = isOnDisk ? `#${written}` : location.href.split("#")[0] + `#${written}`;
@@ -86,7 +99,8 @@ export async function connectLink(app) {
     // Browsers limit how often an address may change.
     clearTimeout(timer);
     timer = setTimeout(async () => {
-      written = await fragment();
+      written = await app.fragment();
+      if (app.only) byId("whole-page").href = `#${await app.fragment("")}`;
       if (!app.held) history.replaceState(null, "", `#${written}`);
     }, 350);
   };

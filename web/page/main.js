@@ -24,6 +24,8 @@ import { connectFiles } from "files";
 import { connectLink } from "link";
 import { connectUndo } from "undo";
 import { connectTheme } from "theme";
+import { connectTeach } from "teach";
+import { connectEmbed } from "embed";
 import { connectAsking } from "asking";
 
 async function library() {
@@ -63,10 +65,11 @@ async function connect(compiled) {
   connectAsking(app);
   for (const connectPart of [
     connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectHistories, connectForm, connectPane,
-    connectWhy, connectHelp, connectLikely, connectTerms, connectMenus, connectFiles, connectUndo,
+    connectWhy, connectHelp, connectLikely, connectTerms, connectMenus, connectFiles, connectUndo, connectTeach,
   ]) {
     parts.push(connectPart(app));
   }
+  connectEmbed(app);
   parts.push(await connectLink(app));
   // On paper stands what the tabs hide.
   for (const [event, printing] of [["beforeprint", true], ["afterprint", false]]) {

@@ -2,6 +2,7 @@
 
 import { byId, put } from "dom";
 import { dragged } from "dragged";
+import { room } from "room";
 
 const STEP = 0.01;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
@@ -122,10 +123,11 @@ export function connectPlate(app) {
   button("reset", () => app.explorer.reset_view());
 
   app.plateSize = () => {
-    const pixels = map.clientWidth;
+    // Where it is not seen it still has a size.
+    const pixels = map.clientWidth || 560;
     // On a large screen the drawing is enlarged, on a small one laid out anew.
     const enlarged = pixels > 900 ? pixels / 900 : 1;
-    return { scale: enlarged, width: pixels / enlarged, height: Math.max(236, Math.min(0.64 * pixels, 0.52 * innerHeight, 620)) / enlarged };
+    return { scale: enlarged, width: pixels / enlarged, height: Math.max(app.story ? 200 : 236, room(app, map, pixels, 0.64, 0.52)) / enlarged };
   };
   return (said) => {
     app.shownPlate = said.plates.includes(app.plate) ? app.plate : said.plates[0] ?? "";
@@ -147,7 +149,7 @@ export function connectPlate(app) {
       const svg = picture.querySelector("svg");
       const own = Number(svg?.getAttribute("width") ?? size.width);
       // What is too wide is made smaller as a whole, and the point with it.
-      scale = svg ? Math.min(size.scale, map.clientWidth / own) : 1;
+      scale = svg ? Math.min(size.scale, (map.clientWidth || own) / own) : 1;
       if (svg) svg.style.width = `${own * scale}px`;
       app.plateScale = scale;
       // The words below a plane of the load stand in the answer already.

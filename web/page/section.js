@@ -3,6 +3,7 @@
 import { byId, element, put, symbolOf, whenChanged } from "dom";
 import { dragged } from "dragged";
 import { numberField, byKey } from "number";
+import { isAlone, room } from "room";
 
 const stills = matchMedia("(prefers-reduced-motion: reduce)");
 /** Numbers that stand beside the drawing, where the case has them. */
@@ -30,7 +31,7 @@ export function connectSection(app) {
   // What begins.
   const bodySize = () => {
     const width = Math.max(260, Math.min(760, place.parentElement.clientWidth));
-    return [width, Math.max(230, Math.min(420, width * 0.62))];
+    return [width, Math.max(app.story ? 180 : 230, isAlone(app) ? room(app, place, width) : Math.min(420, width * 0.62))];
   };
   const animate = () => {
     animation?.cancel();
@@ -58,6 +59,8 @@ export function connectSection(app) {
     view = chosen;
     app.changed();
   };
+  /** Shows a drawing of the body; without a name the one that comes first. */
+  app.showBody = (which = "") => choose(which)();
   byId("begins").addEventListener("click", choose("begins"));
   byId("to-scale").addEventListener("click", choose("to-scale"));
   byId("moves").addEventListener("click", choose("moves"));
@@ -120,7 +123,7 @@ export function connectSection(app) {
       box.style.left = `${Math.min(Math.max(free, half - room), width * scale + room - half)}px`;
       box.style.top = `${y * scale}px`;
     }
-    const forces = new Map(drawing.forces.map((force) => [force.key, force]));
+    const forces = new Map(drawing.forces.filter(({ key }) => numbers.has(key)).map((force) => [force.key, force]));
     for (const [key, { x, y, words }] of forces) {
       if (!rings.has(key)) rings.set(key, ring(key));
       const handle = rings.get(key);
@@ -171,6 +174,8 @@ export function connectSection(app) {
     play.textContent = running ? "Pause" : "Play";
     play.setAttribute("aria-pressed", String(running));
     const numbers = byKey(said);
+    // A step of a story says which numbers may be changed in it.
+    if (app.story?.hold) for (const key of numbers.keys()) if (!app.story.hold.includes(key)) numbers.delete(key);
     document.querySelector(".legend").hidden = true;
     if (shown === "moves") {
       loose(new Map(), numbers);
@@ -183,7 +188,7 @@ export function connectSection(app) {
       return;
     }
     const width = Math.max(280, place.parentElement.clientWidth);
-    const drawing = JSON.parse(app.explorer.section(width, Math.max(240, Math.min(0.6 * width, 620, innerHeight * 0.5))));
+    const drawing = JSON.parse(app.explorer.section(width, Math.max(app.story ? 180 : 240, room(app, place, width, 0.6, 0.5))));
     picture.innerHTML = drawing.svg;
     put(byId("body-hint"), drawing.body.some((side) => side !== 0) ? "type over a number, pull a ring" : "its positions: a body in pure numbers has no section");
     document.querySelector(".legend").hidden = drawing.words.length === 0;

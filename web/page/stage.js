@@ -1,6 +1,7 @@
 // The body in motion: a drawing made once, of which one group is moved.
 
 import { byId, put } from "dom";
+import { room } from "room";
 
 /** Numbers of a pose: x, y, degrees clockwise, shift of the ground, mode. */
 const STRIDE = 5;
@@ -52,7 +53,7 @@ export function connectStage(app) {
   };
   return () => {
     const width = Math.max(280, stage.parentElement.clientWidth);
-    const json = app.explorer.stage(fromEarth, Math.floor(width), Math.round(Math.max(230, Math.min(0.6 * width, 620, innerHeight * 0.45))));
+    const json = app.explorer.stage(fromEarth, Math.floor(width), Math.round(Math.max(app.story ? 180 : 230, room(app, stage, width, 0.6, 0.45))));
     app.motion = json ? JSON.parse(json) : null;
     byId("views").hidden = stage.hidden || !app.motion?.shaken;
     byId("moment").hidden = !app.motion;

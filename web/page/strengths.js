@@ -9,14 +9,14 @@ export function connectStrengths(app) {
   const place = byId("strengths");
   let timer = 0;
   // The answer of which all is tried.
-  let tried = 0;
+  let tried = { from: null, answers: 0 };
   let known = false;
   const show = whenChanged((svg) => (place.innerHTML = svg));
   const step = () => {
     timer = 0;
     if (app.held || !app.motion) return;
     if (app.explorer.try_strength()) timer = setTimeout(step, TURN);
-    else tried = app.explorer.answers();
+    else tried = { from: app.explorer, answers: app.explorer.answers() };
     if (!known && app.explorer.strengths(300)) app.changed();
   };
   return () => {
@@ -25,6 +25,7 @@ export function connectStrengths(app) {
     place.hidden = !svg;
     show(svg);
     clearTimeout(timer);
-    if (app.motion && !app.held && tried !== app.explorer.answers()) timer = setTimeout(step, TURN);
+    const isTried = tried.from === app.explorer && tried.answers === app.explorer.answers();
+    if (app.motion && !app.held && !isTried) timer = setTimeout(step, TURN);
   };
 }

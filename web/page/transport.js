@@ -77,7 +77,9 @@ export function connectTransport(app) {
   // The keys: on the bar, and wherever no field or button has them.
   addEventListener("keydown", (pressed) => {
     if (!time.motion || pressed.ctrlKey || pressed.metaKey || pressed.altKey) return;
-    if (pressed.target !== bar && pressed.target !== document.body) return;
+    if (pressed.target !== bar && pressed.target !== document.body && pressed.target.id !== "story-head") return;
+    // In a story the arrows lead from step to step.
+    if (app.story && pressed.target !== bar && pressed.key.startsWith("Arrow")) return;
     const step = time.motion.end / (pressed.shiftKey ? 20 : 200);
     const action = {
       " ": toggle, ArrowLeft: () => go(time.t - step), ArrowRight: () => go(time.t + step), PageUp: () => event(-1), PageDown: () => event(1),

@@ -18,6 +18,7 @@
 //! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
+//! | Which stories does it tell? | `stories` |
 //! | What takes longer than a picture, and is asked in a thread of its own? | `asked`; the sheet: `sheet`; what would help: `help`; how likely it is: `likely` |
 //!
 //! Everything but this file runs, and is tested, without wasm.
@@ -37,6 +38,7 @@ mod page;
 mod plane;
 mod said;
 mod sheet;
+mod stories;
 mod text;
 mod time;
 
@@ -165,6 +167,11 @@ impl Explorer {
     /// Shakes the body with a file that was dropped. Returns what is wrong with that, if anything is.
     pub fn shake_with(&mut self, name: &str) -> Option<String> {
         self.page.shake_with(name).err()
+    }
+
+    /// Makes the text as it stands the first: there is none to go back to.
+    pub fn forget(&mut self) {
+        self.page.forget();
     }
 
     /// The answer as the program's JSON: `assess`, or `simulate` of a case in time.
@@ -314,6 +321,11 @@ impl Explorer {
         self.page.section_on_paper()
     }
 
+    /// A drawing of the body for a handout: `to-scale`, what `begins`, or how it `moves`.
+    pub fn body_on_paper(&self, which: &str) -> String {
+        self.page.body_on_paper(which)
+    }
+
     /// The curves and named points of the k–μ plane as CSV.
     pub fn curves_csv(&self) -> String {
         let Some(point) = self.page.answered().point() else { return String::new() };
@@ -341,6 +353,11 @@ impl Explorer {
     /// The shelves of examples, and the new cases, as JSON.
     pub fn examples() -> String {
         examples::json()
+    }
+
+    /// The stories, each in steps, as JSON.
+    pub fn stories() -> String {
+        stories::json()
     }
 
     /// The type that the figures are set in, as a TrueType font.

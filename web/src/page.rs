@@ -191,6 +191,12 @@ impl Page {
         }
     }
 
+    /// Makes the text as it stands the first.
+    pub fn forget(&mut self) {
+        self.past.clear();
+        self.future.clear();
+    }
+
     fn step_to(&mut self, next: Version) -> bool {
         if next != self.now {
             self.past.push(std::mem::replace(&mut self.now, next));

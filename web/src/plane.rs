@@ -292,6 +292,17 @@ impl Page {
         section.map_or(String::new(), |section| section.figure.svg_on_paper())
     }
 
+    /// A drawing of the body for a handout.
+    pub fn body_on_paper(&self, which: &str) -> String {
+        /// Units across and down that a drawing of what begins has on half a page.
+        const SIZE: (f64, f64) = (560.0, 380.0);
+        match which {
+            "begins" => self.body(SIZE).map_or(String::new(), |(figure, _)| figure.svg().to_owned()),
+            "moves" => self.positions().svg,
+            _ => self.section_on_paper(),
+        }
+    }
+
     /// The map of the report's cases with the place of the body, as JSON; an empty drawing where the loads have no point.
     pub fn cases(&self, size: (f64, f64)) -> String {
         let drawn = self.answered().point().map(|reduced| {
