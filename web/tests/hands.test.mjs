@@ -26,7 +26,7 @@ const choose = async (page, name) => {
 
 test("every control is reached by the Tab key, in the order of the page", async () => {
   const page = await open(browser);
-  for (const tab of ["why", "likely", "inputs", "terms"]) {
+  for (const tab of ["why", "help", "likely", "inputs", "terms"]) {
     await page.click(`#tab-${tab}`);
     await drawn(page);
     const all = await page.evaluate(() => {
@@ -89,7 +89,7 @@ test("keys move the design point and the view, and the answer is read aloud", as
 test("tabs and menus go by keys", async () => {
   const page = await open(browser);
   await page.focus("#tab-why");
-  for (const [key, tab] of [["ArrowRight", "likely"], ["ArrowRight", "inputs"], ["ArrowRight", "whole"], ["End", "terms"], ["ArrowRight", "why"], ["ArrowLeft", "terms"], ["Home", "why"]]) {
+  for (const [key, tab] of [["ArrowRight", "help"], ["ArrowRight", "likely"], ["ArrowRight", "inputs"], ["ArrowRight", "whole"], ["End", "terms"], ["ArrowRight", "why"], ["ArrowLeft", "terms"], ["Home", "why"]]) {
     await page.keyboard.press(key);
     await drawn(page);
     assert.equal(await page.evaluate(() => document.activeElement.id), `tab-${tab}`);
