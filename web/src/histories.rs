@@ -164,7 +164,15 @@ mod tests {
             for key in keys.iter().map(|row| row["key"].as_str().unwrap()) {
                 for (shape, _) in SHAPES {
                     let before = page.text().to_owned();
-                    assert_eq!(page.set_history(key, shape), Ok(()), "{name}: {key}, {shape}");
+                    // A base shakes where all that varies goes with time.
+                    if let Err(words) = page.set_history(key, shape) {
+                        assert!(
+                            key.ends_with("horizontal") && words.contains("history"),
+                            "{key}, {shape}: {words}"
+                        );
+                        assert_eq!(page.text(), before);
+                        continue;
+                    }
                     assert!(page.answered().is_in_time(), "{name}: {key}, {shape}");
                     page.undo();
                     assert_eq!(page.text(), before);

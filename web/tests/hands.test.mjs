@@ -89,7 +89,7 @@ test("keys move the design point and the view, and the answer is read aloud", as
 test("tabs and menus go by keys", async () => {
   const page = await open(browser);
   await page.focus("#tab-why");
-  for (const [key, tab] of [["ArrowRight", "likely"], ["ArrowRight", "inputs"], ["ArrowRight", "whole"], ["End", "terms"], ["ArrowRight", "why"], ["ArrowLeft", "terms"], ["Home", "why"]]) {
+  for (const [key, tab] of [["ArrowRight", "help"], ["ArrowRight", "likely"], ["ArrowRight", "inputs"], ["ArrowRight", "whole"], ["End", "terms"], ["ArrowRight", "why"], ["ArrowLeft", "terms"], ["Home", "why"]]) {
     await page.keyboard.press(key);
     await drawn(page);
     assert.equal(await page.evaluate(() => document.activeElement.id), `tab-${tab}`);

@@ -404,7 +404,7 @@ for (const colorScheme of ["light", "dark"]) {
       await faults("menu");
       await page.click(`[data-case="${name}"]`);
       await drawn(page);
-      for (const tab of ["why", "likely", "inputs", "whole", "terms"]) {
+      for (const tab of ["why", "help", "likely", "inputs", "whole", "terms"]) {
         await page.click(`#tab-${tab}`);
         await drawn(page);
         await faults(`${name}, ${tab}`);

@@ -108,7 +108,7 @@ mod tests {
             told(BODY),
             [
                 "friction (0.6): certain; { lognormal = { cov = 0.2 } }",
-                "mass (378000 kg/m): certain; { normal = { cov = 0.03 } }",
+                "mass (378 t/m): certain; { normal = { cov = 0.03 } }",
                 "bias.force (): certain; { lognormal = { mean = 1, cov = 0.2 } }",
             ]
         );

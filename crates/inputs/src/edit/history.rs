@@ -32,9 +32,10 @@ impl CaseText {
                 let end = next_header(text, header);
                 let own =
                     self.entries().iter().filter(|entry| (entry.id.table, entry.id.index) == (parent, index));
-                let last = own
-                    .filter(|entry| (header..end).contains(&entry.span.start))
-                    .map(|entry| line_of(text, &entry.span).end);
+                let inner = parent.children().filter_map(|child| self.header(child, index));
+                let all = own.map(|entry| entry.span.clone()).chain(inner);
+                let last = all.filter(|span| (header..end).contains(&span.start));
+                let last = last.map(|span| line_of(text, &span).end);
                 last.max().unwrap_or(header)
             }
             None if parent == Table::Base => {
