@@ -4,6 +4,7 @@
 import { Explorer } from "library";
 import { byId, element, put } from "dom";
 import { embedded } from "embed";
+import { room } from "room";
 
 const root = document.documentElement;
 
@@ -14,6 +15,7 @@ export function connectTeach(app) {
   let own = null;
   let story = null;
   let at = 0;
+  let ownTab = "";
   app.story = null;
 
   /** The case of a step, as if a person had opened it and typed its numbers. */
@@ -29,12 +31,20 @@ export function connectTeach(app) {
     return explorer;
   };
   const step = () => story.steps[at];
+  /** Puts a tab's answer into the place of the plane; without a name it goes back to where it was. */
+  const showTab = (name) => {
+    root.dataset.tab = name;
+    if (name) byId("story-tab").append(byId(`panel-${name}`));
+    else for (const panel of [...byId("story-tab").children]) byId("panel-inputs").before(panel);
+    app.showTab(name || ownTab);
+  };
   const show = (number) => {
     at = Math.min(Math.max(number, 0), story.steps.length - 1);
     if (app.explorer !== own) app.explorer.free();
     app.explorer = told(story, at);
     app.story = { id: story.id, step: at + 1, hold: step().hold, tab: step().tab };
     app.plate = step().plate ?? "";
+    showTab(step().tab ?? "");
     app.showBody(step().body);
     app.startAt = undefined;
     const { head, words, do: task = "", figure = "" } = step();
@@ -71,6 +81,7 @@ export function connectTeach(app) {
     if (!story) {
       app.settleText();
       own = app.explorer;
+      ownTab = app.tab;
       root.dataset.story = "";
     }
     story = found;
@@ -88,6 +99,8 @@ export function connectTeach(app) {
     if (keep) own.open(name, text);
     else app.plate = "";
     story = own = app.story = null;
+    showTab("");
+    delete root.dataset.tab;
     delete root.dataset.story;
     delete root.dataset.figure;
     app.showBody("");
@@ -140,6 +153,9 @@ export function connectTeach(app) {
   });
   addEventListener("afterprint", () => byId("handout").replaceChildren());
   return () => {
-    if (story) document.title = `${story.title} · ${at + 1} of ${story.steps.length}`;
+    if (!story) return;
+    const place = byId("story-tab");
+    if (step().tab) place.style.maxHeight = place.clientWidth > 0.6 * innerWidth ? "" : `${room(app, place, Infinity)}px`;
+    document.title = `${story.title} · ${at + 1} of ${story.steps.length}`;
   };
 }
