@@ -107,7 +107,7 @@ export function connectHelp(app) {
       list.replaceChildren();
       others.replaceChildren();
       put(byId("help-fault"), "");
-      put(heading, "");
+      put(heading, "The least change of each number");
     }
     for (; shown.parts < answer.parts.length; shown.parts += 1) show(answer, answer.parts[shown.parts]);
     byId("others-part").hidden = others.children.length === 0;
