@@ -13,7 +13,7 @@ export function connectAsking(app) {
     return worker;
   };
   /** The one part of the answer to a question. */
-  app.askOnce = (what) => new Promise((found, failed) => begin(what, found, (fault) => fault && failed(new Error(fault))));
+  app.askOnce = (what) => new Promise((found, failed) => begin(what, found, (fault) => failed(new Error(fault || "there is no answer"))));
 
   const answers = {};
   /** The answer to a question on the case as it stands, as far as it is known: its parts, whether that is all, and what went wrong. Behind

@@ -33,6 +33,22 @@ export function say(text) {
   timer = setTimeout(() => (byId("note").textContent = ""), 9000);
 }
 
+/** Copies a text and says so; where a browser does not copy, the text itself is said. */
+export async function copy(text, words) {
+  try {
+    await navigator.clipboard.writeText(text);
+    say(words);
+  } catch {
+    say(text);
+  }
+}
+
+/** The day on this machine, as 2026-11-21. */
+export function today() {
+  const now = new Date();
+  return [now.getFullYear(), now.getMonth() + 1, now.getDate()].map((part) => String(part).padStart(2, "0")).join("-");
+}
+
 /** The name of the case's file without its ending. */
 export const stem = (name) => name.replace(/\.toml$/i, "").replace(/[^\p{L}\p{N}._-]+/gu, "-") || "case";
 

@@ -1,6 +1,6 @@
 // A part of the page for a handout: as the text of an <iframe>, and as it stands in one.
 
-import { byId, element, say } from "dom";
+import { byId, copy, element } from "dom";
 
 export const PARTS = ["plane", "body", "verdict"];
 /** Width and height of a frame, with the whole of a story where no part is named. */
@@ -15,13 +15,7 @@ export async function embedded(app, part) {
   const [width, height] = SIZES[part];
   const frame = element("iframe", { title: document.title });
   for (const [name, value] of Object.entries({ src: `${address}#${fragment}`, width, height, loading: "lazy" })) frame.setAttribute(name, value);
-  const text = frame.outerHTML;
-  try {
-    await navigator.clipboard.writeText(text);
-    say(isOnDisk ? "Frame copied. Put this page’s file beside the one that it goes into." : "Frame copied: paste it into the HTML of a handout.");
-  } catch {
-    say(text);
-  }
+  await copy(frame.outerHTML, isOnDisk ? "Frame copied. Put this page’s file beside the one that it goes into." : "Frame copied: paste it into the HTML of a handout.");
 }
 
 export function connectEmbed(app) {

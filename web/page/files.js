@@ -1,6 +1,6 @@
 // Files: opened, dropped, saved.
 
-import { byId, say, stem } from "dom";
+import { byId, say, stem, today } from "dom";
 
 /** As many letters as a case file or a record may have. */
 const MOST = { case: 1_000_000, record: 40_000_000 };
@@ -87,10 +87,6 @@ export function connectFiles(app) {
     app.settleText();
     save(app.explorer.text(), named(".toml"), "application/toml");
   });
-  const today = () => {
-    const now = new Date();
-    return [now.getFullYear(), now.getMonth() + 1, now.getDate()].map((part) => String(part).padStart(2, "0")).join("-");
-  };
   for (const [id, what] of [["save-sheet", "sheet"], ["save-short", "short-sheet"]]) {
     on(id, async () => {
       const name = named(`-${what}.html`);

@@ -1,7 +1,7 @@
 // The address: `#c=` the text of the case, deflated, in letters of base64 for addresses; `&n=` its name, `&v=` plate, tab and moment. Or `#teach=` a
 // story, `&step=` its step. `&only=` shows one part alone.
 
-import { byId, say } from "dom";
+import { byId, copy, say } from "dom";
 import { PARTS } from "embed";
 
 /** As many letters as a text from an address may have. */
@@ -86,12 +86,7 @@ export async function connectLink(app) {
       ? "Copied what stands behind the # of the address: put it behind that of any copy of this page."
       : "Link copied; it holds the text of the case and the view.";
     const files = app.said.tables.length > 0 && /\bfile\s*=/.test(app.explorer.text()) ? " A record that the case names is not in it." : "";
-    try {
-      await navigator.clipboard.writeText(link);
-      say(words + files);
-    } catch {
-      say(link);
-    }
+    await copy(link, words + files);
   });
   let timer = 0;
   return () => {

@@ -1,7 +1,7 @@
 // Menus of the header: each closes at Escape, and when something else is pressed. The way in: open, new, examples.
 
 import { Explorer } from "library";
-import { byId, element, put } from "dom";
+import { byId, element, put, today } from "dom";
 
 export function connectMenus(app) {
   const menus = [...document.querySelectorAll("details.menu")];
@@ -49,6 +49,6 @@ export function connectMenus(app) {
     const title = said.fault ? said.name : (said.title ?? said.name);
     put(byId("case-name"), title);
     document.title = `${title} · standfast explorer`;
-    put(byId("print-head"), `${title} · ${said.name} · ${new Date().toISOString().slice(0, 10)} · standfast explorer`);
+    put(byId("print-head"), `${title} · ${said.name} · ${today()} · standfast explorer`);
   };
 }

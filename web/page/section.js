@@ -109,7 +109,7 @@ export function connectSection(app) {
     for (const { key, x, y } of drawing.numbers) if (!placed.has(key) && numbers.has(key)) placed.set(key, [x, y]);
     // What stands beside the body does not reach over it, nor the number of a force over its ring; on either side the plate has some room.
     const [left, , right] = drawing.body.map((side) => side * scale);
-    const room = Math.max(0, (place.clientWidth - width * scale) / 2) + GAP;
+    const slack = Math.max(0, (place.clientWidth - width * scale) / 2) + GAP;
     const ringAt = new Map(drawing.forces.map(({ key, x }) => [key, x * scale]));
     for (const [key, { box, show }] of [...placed.keys()].map((key) => [key, field(key)])) {
       show(numbers.get(key));
@@ -120,7 +120,7 @@ export function connectSection(app) {
       const toRight = Math.max(right + GAP, ringAt.get(key) + RING || right) + half;
       const across = x * scale;
       const free = across < left ? Math.min(across, toLeft) : across > right ? Math.max(across, toRight) : across;
-      box.style.left = `${Math.min(Math.max(free, half - room), width * scale + room - half)}px`;
+      box.style.left = `${Math.min(Math.max(free, half - slack), width * scale + slack - half)}px`;
       box.style.top = `${y * scale}px`;
     }
     const forces = new Map(drawing.forces.filter(({ key }) => numbers.has(key)).map((force) => [force.key, force]));

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use standfast_cases::CaseFile;
+use standfast_cases::case::history_shapes;
 use standfast_inputs::Key;
 use standfast_inputs::key::{Id, Table};
 
@@ -17,16 +18,17 @@ struct HistoryRow {
     shapes: Vec<&'static str>,
 }
 
-/// The shapes that may be chosen, each with the keys that it is written with.
-const SHAPES: [(&str, &[Key]); 7] = [
-    ("constant", &[]),
-    ("rect", &[Key::HistoryDuration]),
-    ("triangle", &[Key::HistoryRise, Key::HistoryDuration]),
-    ("decay", &[Key::HistoryDuration]),
-    ("half-sine", &[Key::HistoryDuration]),
-    ("sine", &[Key::HistoryDuration, Key::HistoryPeriod]),
-    ("church-roof", &[Key::HistoryRise, Key::ImpactDuration, Key::HistoryDuration, Key::Tail]),
-];
+/// Keys that a shape need not have, and is begun with.
+const BEGUN_WITH: [Key; 2] = [Key::HistoryPeriod, Key::Tail];
+
+/// The shapes that may be chosen, each with the keys that it is written with: all but those of points and records.
+fn shapes() -> impl Iterator<Item = (&'static str, impl Iterator<Item = Key>)> {
+    let all = history_shapes().filter(|(name, ..)| !["points", "file"].contains(name));
+    all.map(|(name, needed, open)| {
+        let open = open.iter().filter(|key| BEGUN_WITH.contains(key));
+        (name, needed.iter().chain(open).copied())
+    })
+}
 
 /// What a shaking reaches that is not said.
 const PEAK: &str = "\"0.3 g\"";
@@ -56,8 +58,9 @@ impl Page {
                 file.inputs().text(Id::new(Key::LoadName, index)).filter(|_| table == Table::LoadHistory);
             let shape = written(file, (table, index), Key::HistoryShape).unwrap_or_default();
             let shape = shape.trim_matches(['"', '\'']).to_owned();
-            let mut shapes: Vec<&'static str> = SHAPES.map(|(shape, _)| shape).into();
-            shapes.extend(["points", "file"].into_iter().filter(|own| *own == shape));
+            // Points and records are not begun with, and stay where they are.
+            let shapes = history_shapes().map(|(name, ..)| name);
+            let shapes = shapes.filter(|name| *name == shape || self::shapes().any(|(own, _)| own == *name));
             let place = if table.parent().is_some_and(Table::repeats) {
                 format!(" {}", index + 1)
             } else {
@@ -69,7 +72,7 @@ impl Page {
                 (Table::WaveHistory, _) => "wave".to_owned(),
                 _ => format!("load{place}"),
             };
-            HistoryRow { key: table.path(index), words, shape, shapes }
+            HistoryRow { key: table.path(index), words, shapes: shapes.collect(), shape }
         };
         let rows: Vec<HistoryRow> = all(file).into_iter().map(row).collect();
         serde_json::to_string(&rows).unwrap_or_default()
@@ -82,7 +85,7 @@ impl Page {
     pub fn set_history(&mut self, key: &str, shape: &str) -> Result<(), String> {
         let file = self.settled();
         let of = all(file).into_iter().find(|(table, index)| table.path(*index) == key);
-        let chosen = SHAPES.into_iter().find(|(name, _)| *name == shape);
+        let chosen = shapes().find(|(name, _)| *name == shape);
         let ((table, index), (_, keys)) = of.zip(chosen).ok_or_else(|| format!("The case has no {key}."))?;
         let is_pure = file.inputs().has(Table::Block);
         let has = |key: Key| written(file, (table, index), key);
@@ -97,8 +100,8 @@ impl Page {
             let plain =
                 if is_pure { plain.trim_matches('"').split(' ').next().unwrap_or(plain) } else { plain };
             // A tail of the base would be an acceleration.
-            if *key != Key::Tail || table != Table::BaseHorizontal || has(*key).is_some() {
-                put(*key, has(*key).unwrap_or(plain));
+            if key != Key::Tail || table != Table::BaseHorizontal || has(key).is_some() {
+                put(key, has(key).unwrap_or(plain));
             }
         }
         let peak = (table == Table::BaseHorizontal).then_some(if is_pure { "0.3" } else { PEAK });
@@ -162,7 +165,7 @@ mod tests {
             let keys: Vec<serde_json::Value> = serde_json::from_str(&page.courses()).unwrap();
             assert!(!keys.is_empty(), "{name}");
             for key in keys.iter().map(|row| row["key"].as_str().unwrap()) {
-                for (shape, _) in SHAPES {
+                for (shape, _) in shapes() {
                     let before = page.text().to_owned();
                     // A base shakes where all that varies goes with time.
                     if let Err(words) = page.set_history(key, shape) {

@@ -42,8 +42,8 @@ fn rows(of: &SingleChanges) -> Vec<(standfast_cases::design::SingleChange, Chang
         .collect()
 }
 
-/// The printed numbers of the values that meet a target, as a design of one number has them.
-fn designed(file: &CaseFile, row: &ChangeRow, target: Target, extreme: Extreme) -> Option<Vec<String>> {
+/// The design of the number of a row.
+fn design(file: &CaseFile, row: &ChangeRow, target: Target, extreme: Extreme) -> Option<Design> {
     let request = DesignRequest {
         vary: row.vary.clone(),
         target,
@@ -52,7 +52,12 @@ fn designed(file: &CaseFile, row: &ChangeRow, target: Target, extreme: Extreme) 
         to: None,
         spelling: &Spelling::PROGRAM,
     };
-    let design = Design::of(file, request, Portion::UNSEEN).ok()?;
+    Design::of(file, request, Portion::UNSEEN).ok()
+}
+
+/// The printed numbers of the values that meet a target, as a design of one number has them.
+fn designed(file: &CaseFile, row: &ChangeRow, target: Target, extreme: Extreme) -> Option<Vec<String>> {
+    let design = design(file, row, target, extreme)?;
     let ends = design.stretches.iter().map(|stretch| extreme.of(stretch).text.clone());
     Some(ends.collect())
 }
@@ -94,17 +99,8 @@ fn it_is_the_nearest_of_all_that_do() {
         for (change, row) in rows(&of) {
             let Found::Helps(new) = &change.found else { continue };
             let far = |value: f64| (value - change.quantity.present).abs();
-            let request = |extreme| DesignRequest {
-                vary: row.vary.clone(),
-                target,
-                extreme,
-                from: None,
-                to: None,
-                spelling: &Spelling::PROGRAM,
-            };
             let ways = [Extreme::Least, Extreme::Greatest];
-            let designs =
-                ways.into_iter().filter_map(|way| Design::of(&file, request(way), Portion::UNSEEN).ok());
+            let designs = ways.into_iter().filter_map(|way| design(&file, &row, target, way));
             for design in designs {
                 for stretch in &design.stretches {
                     for end in [&stretch.least, &stretch.greatest] {

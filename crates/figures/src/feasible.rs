@@ -17,6 +17,8 @@ use crate::text::Text;
 
 const HEIGHT: f64 = 300.0;
 const TOP: f64 = 30.0;
+/// Room to the right of the plot, for the last number below it.
+const RIGHT: f64 = 26.0;
 const LABEL: f64 = 13.0;
 const BOUNDARY: Pen = Pen::solid(INK, 1.5);
 
@@ -136,7 +138,7 @@ pub fn feasible_set_on_screen(set: &FeasibleSet<'_>, width: f64) -> Option<Figur
 fn drawn(set: &FeasibleSet<'_>, (width, height): (f64, f64)) -> Option<(Canvas, Vec<Run>)> {
     let window = window(set)?;
     let (across, up) = window.axes();
-    let axes = Axes::beside_numbers([across, up], (LEFT, width - 26.0), TOP, height);
+    let axes = Axes::beside_numbers([across, up], (LEFT, width - RIGHT), TOP, height);
     let mut canvas = Canvas::new(axes);
 
     let pieces = clip_strips(&set.strips(), &window);
@@ -166,7 +168,7 @@ fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], with_words: b
     axes.name_above(&mut canvas.scene, &axis_name(&set.up), LEFT, 0.0);
     let name = axis_name(&set.across);
     let below = axes.name_below(&mut canvas.scene, &name);
-    let right = axes.area.x1 + 26.0;
+    let right = axes.area.x1 + RIGHT;
     let edges = (LEFT, (right - LEFT).max(LEFT + name.width));
     let mut binds: Vec<_> = runs.iter().map(|run| run.by).collect();
     binds.sort_unstable();

@@ -81,6 +81,20 @@ pub struct RandomEntry {
 }
 
 impl RandomEntry {
+    /// An entry of a name at a place in the text, for a life, whose law is still to be said.
+    pub fn without_law(name: String, span: Span<usize>) -> RandomEntry {
+        RandomEntry {
+            name,
+            every: Rate::Life,
+            law: "",
+            parameters: Vec::new(),
+            of: None,
+            lower: None,
+            upper: None,
+            span,
+        }
+    }
+
     /// Its law in words: `lognormal, mean 0.636, cov 0.15`.
     pub fn law_words(&self) -> String {
         let written = |parameter: &Parameter| {
@@ -395,16 +409,7 @@ fn numbers(name: String, item: &Item<'_>, found: &mut Vec<RandomEntry>) -> ReadR
 fn named(name: String, item: &Item<'_>) -> ReadResult<RandomEntry> {
     let what = format!("`{name}`");
     let table = table(item, &what, "a law in braces")?;
-    let mut named = RandomEntry {
-        name,
-        every: Rate::Life,
-        law: "",
-        parameters: Vec::new(),
-        of: None,
-        lower: None,
-        upper: None,
-        span: item.span(),
-    };
+    let mut named = RandomEntry::without_law(name, item.span());
     let mut laws = Vec::new();
     for (key, value) in in_order(table) {
         match key {

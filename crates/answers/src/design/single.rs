@@ -153,25 +153,23 @@ impl SingleChanges {
             .numbers()
             .filter(|(id, si)| *id == own || file.inputs().number(*id) != Some(*si))
             .collect();
-        let (mut text, mut coupled) = (file.text().to_owned(), Vec::new());
+        let (mut now, mut coupled) = (file.clone(), Vec::new());
         for (id, si) in changed {
-            let now = CaseFile::parse(file.name(), &text).ok()?;
             let unit = now.written_number(id)?.unit;
             let number = if id == own {
                 end.text.split(' ').next()?.parse().ok()?
             } else {
                 format!("{:.*e}", count - 1, now.from_si(id, si, &unit)?).parse().ok()?
             };
-            text = now.with_number(id, number, &unit)?;
+            now = CaseFile::parse(file.name(), &now.with_number(id, number, &unit)?).ok()?;
             // What is written is what is proven.
-            let si = number_of(&text, file, id)?;
-            inputs.set(id, si);
+            inputs.set(id, now.inputs().number(id)?);
             if id != own {
                 let digits = crate::digits::significant(number, count);
                 coupled.push((id, format!("{digits} {unit}").trim_end().to_owned()));
             }
         }
-        self.meets(inputs).then_some((text, coupled))
+        self.meets(inputs).then(|| (now.text().to_owned(), coupled))
     }
 
     fn meets(&self, inputs: Inputs) -> bool {
@@ -179,11 +177,6 @@ impl SingleChanges {
         let answer = self.subject.answer_as_written(inputs, self.follows, chance);
         answer.is_ok_and(|answer| self.target.is_met(&answer))
     }
-}
-
-/// A number of a text, SI.
-fn number_of(text: &str, file: &CaseFile, id: Id) -> Option<f64> {
-    CaseFile::parse(file.name(), text).ok()?.inputs().number(id)
 }
 
 /// True of a number that a person can change: no constant of nature, of a place or of a formula, nothing that goes with another number, and no part

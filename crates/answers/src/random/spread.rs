@@ -65,16 +65,7 @@ pub fn spreads(file: &CaseFile) -> Result<Vec<Spread>, CaseError> {
 
 /// The number under a name of `[random]`.
 fn input(file: &CaseFile, case: &Case, name: &str) -> Option<RandomInput> {
-    let entry = RandomEntry {
-        name: name.to_owned(),
-        every: Rate::Life,
-        law: "",
-        parameters: Vec::new(),
-        of: None,
-        lower: None,
-        upper: None,
-        span: 0..0,
-    };
+    let entry = RandomEntry::without_law(name.to_owned(), 0..0);
     let quantity = Resolve(Names::Case(file, case, None)).quantity(&entry).ok()?;
     Some(RandomInput { name: entry.name, quantity, every: Rate::Life, cut: 0.0 })
 }
