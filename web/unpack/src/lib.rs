@@ -7,16 +7,19 @@ use std::io::Read;
 use lzma_rust2::LzmaReader;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Most memory that is taken, in KiB: a dictionary as large as the library.
-const MOST: u32 = 64 << 10;
+/// Most bytes that are unpacked: what is not packed says any number.
+const MOST: u32 = 64 << 20;
+/// Most memory that is taken for it, in KiB: the largest dictionary of the packer's presets, and what goes with it.
+const MEMORY: u32 = 72 << 10;
 
 /// The bytes that are packed by LZMA behind its header; none of what is not so packed.
 #[wasm_bindgen]
 pub fn unpack(packed: &[u8]) -> Option<Vec<u8>> {
     // The header ends with the number of bytes.
     let count = packed.get(5..13)?.try_into().map(u64::from_le_bytes).ok()?;
+    let count = u32::try_from(count).ok().filter(|count| *count <= MOST)?;
     let mut bytes = vec![0; usize::try_from(count).ok()?];
-    let mut reader = LzmaReader::new_mem_limit(packed, MOST, None).ok()?;
+    let mut reader = LzmaReader::new_mem_limit(packed, MEMORY, None).ok()?;
     reader.read_exact(&mut bytes).ok()?;
     Some(bytes)
 }
