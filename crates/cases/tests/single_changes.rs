@@ -112,6 +112,28 @@ fn it_is_the_nearest_of_all_that_do() {
     }
 }
 
+/// Where less and more would do, the nearer of the two is told: with friction between 1/γ − kk' and (ak + b)/(ck + d) this caisson slides
+/// and rocks, with less it slides, with more it rocks.
+#[test]
+fn of_two_sides_the_nearer_is_told() {
+    let text = include_str!("../../../examples/caisson-in-air.toml");
+    let [gamma, k_prime, k] = [12.0 / 15.0, 5.5 / 6.0, 2700.0 / (378.0 * 9.81)];
+    // The report's a, b, c and d, (3.18) to (3.21).
+    let squared = gamma * gamma;
+    let (a, b) = (4.0 + squared - 3.0 * squared * k_prime, 3.0 * gamma);
+    let (c, d) = (3.0 * gamma * (1.0 + k_prime), 1.0 + 4.0 * squared);
+    let [less, more] = [1.0 / gamma - k * k_prime, (a * k + b) / (c * k + d)];
+    for (friction, nearest, wanted) in [(0.60, less, "greatest"), (0.64, more, "least")] {
+        let text = text.replace("friction = 0.6\n", &format!("friction = {friction}\n"));
+        let of =
+            SingleChanges::of(&file(&format!("{text}\n[criteria]\nmodes_not = [\"SRO-\"]\n")), None).unwrap();
+        let rows = rows(&of);
+        let (_, row) = rows.iter().find(|(_, row)| row.vary == "body.friction").unwrap();
+        assert_eq!(row.wanted, Some(wanted), "{row:?}");
+        assert!((row.value.unwrap() - nearest).abs() < 1e-4, "{row:?}: {nearest}");
+    }
+}
+
 /// What is written meets the target; the number with what goes with it, one digit less, does not. Comments stay, and so does every line
 /// that does not have to change.
 #[test]
