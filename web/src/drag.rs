@@ -7,6 +7,7 @@ use standfast_inputs::Place;
 use standfast_inputs::key::{Id, Table};
 
 use crate::answered::Answered;
+use crate::by_hand;
 use crate::page::Page;
 use crate::plane::Drawn;
 
@@ -25,6 +26,8 @@ pub struct Held {
     pub view_was_free: bool,
     /// How finely numbers were dragged, in SI units.
     steps: Vec<(Id, f64)>,
+    /// The history of which points were dragged.
+    pub by_hand: Option<(Table, usize)>,
 }
 
 impl Held {
@@ -38,6 +41,7 @@ impl Held {
             force: force.and_then(|id| file.inputs().number(id)),
             view_was_free: false,
             steps: Vec::new(),
+            by_hand: None,
         }
     }
 
@@ -57,7 +61,9 @@ impl Held {
             let next = text.and_then(|text| CaseFile::parse(now.name(), &text).ok());
             now = next.unwrap_or(now);
         }
-        now.text().to_owned()
+        let drawn =
+            self.by_hand.and_then(|of| by_hand::written(&now, of, &by_hand::corners(&self.file, of)?));
+        drawn.unwrap_or_else(|| now.text().to_owned())
     }
 
     fn note(&mut self, id: Id, step: f64) {
@@ -69,7 +75,7 @@ impl Held {
 }
 
 /// A value with no more decimals than its step deserves.
-fn rounded(value: f64, step: f64) -> f64 {
+pub(crate) fn rounded(value: f64, step: f64) -> f64 {
     let decimals = (-step.abs().log10()).ceil().clamp(-6.0, 12.0) as i32;
     // Dividing by a whole power keeps the decimal that is meant.
     match decimals {

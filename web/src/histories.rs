@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 use standfast_cases::CaseFile;
-use standfast_cases::case::history_shapes;
+use standfast_cases::case::{course, history_shapes};
+use standfast_cases::layout::significant;
 use standfast_inputs::Key;
 use standfast_inputs::key::{Id, Table};
 
@@ -21,9 +22,9 @@ struct HistoryRow {
 /// Keys that a shape need not have, and is begun with.
 const BEGUN_WITH: [Key; 2] = [Key::HistoryPeriod, Key::Tail];
 
-/// The shapes that may be chosen, each with the keys that it is written with: all but those of points and records.
+/// The shapes that may be chosen, each with the keys that it is written with: all but records.
 fn shapes() -> impl Iterator<Item = (&'static str, impl Iterator<Item = Key>)> {
-    let all = history_shapes().filter(|(name, ..)| !["points", "file"].contains(name));
+    let all = history_shapes().filter(|(name, ..)| *name != "file");
     all.map(|(name, needed, open)| {
         let open = open.iter().filter(|key| BEGUN_WITH.contains(key));
         (name, needed.iter().chain(open).copied())
@@ -34,7 +35,7 @@ fn shapes() -> impl Iterator<Item = (&'static str, impl Iterator<Item = Key>)> {
 const PEAK: &str = "\"0.3 g\"";
 
 /// The histories that a case has or may have.
-fn all(file: &CaseFile) -> Vec<(Table, usize)> {
+pub(crate) fn all(file: &CaseFile) -> Vec<(Table, usize)> {
     let inputs = file.inputs();
     let of = |parent: Table, table: Table| (0..inputs.count(parent)).map(move |index| (table, index));
     let loads = of(Table::Load, Table::LoadHistory).chain(of(Table::BlockLoad, Table::BlockLoadHistory));
@@ -44,9 +45,43 @@ fn all(file: &CaseFile) -> Vec<(Table, usize)> {
 }
 
 /// An entry of a history as it is written.
-fn written(file: &CaseFile, of: (Table, usize), key: Key) -> Option<&str> {
+pub(crate) fn written(file: &CaseFile, of: (Table, usize), key: Key) -> Option<&str> {
     let is_it = |id: Id| (id.table, id.index) == of && id.key == key;
     file.entries().iter().find(|entry| is_it(entry.id)).map(|entry| file.written(entry))
+}
+
+/// Points of a history as shares of its peak, before it is shifted to its start; `None` of one that has none to draw.
+pub(crate) fn points(file: &CaseFile, (table, index): (Table, usize)) -> Option<Vec<[f64; 2]>> {
+    /// Points of a shape that is curved, and moments at which one that has no end is seen.
+    const CURVED: usize = 16;
+    let course = course(file.inputs(), table, index)?;
+    let peak = file.inputs().number(Id::of(table, index, Key::HistoryPeak)).unwrap_or(1.0);
+    let end = Some(course.end()).filter(|end| end.is_finite());
+    let points = match course.corners() {
+        Some(corners) => corners,
+        None => {
+            let end = end?;
+            (0..=CURVED).map(|i| end * i as f64 / CURVED as f64).map(|t| [t, course.before(t)]).collect()
+        }
+    };
+    let to_hand = |share: f64| significant(share, 4).parse().unwrap_or(share);
+    let points = points.into_iter().map(|[t, value]| [to_hand(t), to_hand(value / peak)]);
+    let points: Vec<_> = points.collect();
+    points.iter().flatten().all(|number| number.is_finite()).then_some(points).filter(|_| end.is_some())
+}
+
+/// Times and values of points as lists of a case file.
+pub(crate) fn lists(points: &[[f64; 2]]) -> [String; 2] {
+    [0, 1].map(|which| {
+        let numbers: Vec<String> = points.iter().map(|point| plain(point[which])).collect();
+        format!("[{}]", numbers.join(", "))
+    })
+}
+
+/// A number as it is written.
+fn plain(number: f64) -> String {
+    // No sum of roundings, and no zero below zero.
+    significant(number + 0.0, 7)
 }
 
 impl Page {
@@ -58,7 +93,7 @@ impl Page {
                 file.inputs().text(Id::new(Key::LoadName, index)).filter(|_| table == Table::LoadHistory);
             let shape = written(file, (table, index), Key::HistoryShape).unwrap_or_default();
             let shape = shape.trim_matches(['"', '\'']).to_owned();
-            // Points and records are not begun with, and stay where they are.
+            // A record is not begun with, and stays where it is.
             let shapes = history_shapes().map(|(name, ..)| name);
             let shapes = shapes.filter(|name| *name == shape || self::shapes().any(|(own, _)| own == *name));
             let place = if table.parent().is_some_and(Table::repeats) {
@@ -89,6 +124,9 @@ impl Page {
         let ((table, index), (_, keys)) = of.zip(chosen).ok_or_else(|| format!("The case has no {key}."))?;
         let is_pure = file.inputs().has(Table::Block);
         let has = |key: Key| written(file, (table, index), key);
+        // Points begin as the shape before them went.
+        let drawn = points(file, (table, index)).filter(|_| shape == "points");
+        let drawn = drawn.map(|points| lists(&points));
         let mut parts = vec![format!("shape = \"{shape}\"")];
         let mut put = |key: Key, value: &str| parts.push(format!("{} = {value}", key.name()));
         if let Some(start) = has(Key::HistoryStart) {
@@ -99,6 +137,15 @@ impl Page {
             // A block in pure numbers has no units.
             let plain =
                 if is_pure { plain.trim_matches('"').split(' ').next().unwrap_or(plain) } else { plain };
+            let from_before = match (key, &drawn) {
+                (Key::Times, Some([times, _])) => Some(times.as_str()),
+                (Key::Values, Some([_, values])) => Some(values.as_str()),
+                _ => None,
+            };
+            if let Some(list) = from_before {
+                put(key, list);
+                continue;
+            }
             // A tail of the base would be an acceleration.
             if key != Key::Tail || table != Table::BaseHorizontal || has(key).is_some() {
                 put(key, has(key).unwrap_or(plain));

@@ -14,7 +14,7 @@
 //! | Which case is it, and which were before? | `page` |
 //! | What is its answer? | `answered`; as the page shows it: `said`, `text` |
 //! | Which numbers can be typed or dragged? | `numbers`, `drag` |
-//! | How do loads go with time? | `histories` |
+//! | How do loads go with time? | `histories`; drawn by hand: `by_hand` |
 //! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
 //! | What did links of the first page say? | `old_link` |
@@ -27,6 +27,7 @@
 
 mod answered;
 mod asked;
+mod by_hand;
 mod drag;
 mod examples;
 mod help;
@@ -157,6 +158,31 @@ impl Explorer {
     /// Gives what goes with time another shape. Returns what is wrong with that, if anything is.
     pub fn set_history(&mut self, key: &str, shape: &str) -> Option<String> {
         self.page.set_history(key, shape).err()
+    }
+
+    /// The course of a history, of a size, as JSON; empty where there is none to draw.
+    pub fn course(&mut self, key: &str, width: f64, height: f64) -> String {
+        self.page.course(key, (width, height))
+    }
+
+    /// Drags a point of a history drawn by hand to a place in its drawing.
+    pub fn drag_corner(&mut self, key: &str, corner: usize, x: f64, y: f64) {
+        self.page.drag_corner(key, corner, (x, y));
+    }
+
+    /// Moves a point of a history by shares of its drawing, as one step.
+    pub fn nudge_corner(&mut self, key: &str, corner: usize, right: f64, up: f64) {
+        self.page.nudge_corner(key, corner, (right, up));
+    }
+
+    /// Adds a point to a history drawn by hand, as one step.
+    pub fn add_corner(&mut self, key: &str, x: f64, y: f64) {
+        self.page.add_corner(key, (x, y));
+    }
+
+    /// Takes a point of a history away, as one step.
+    pub fn remove_corner(&mut self, key: &str, corner: usize) {
+        self.page.remove_corner(key, corner);
     }
 
     /// True if the body may be shaken with a file that was dropped.

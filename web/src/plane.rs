@@ -10,7 +10,7 @@ use standfast_cases::{AnswerFigure, AssessmentView, Document};
 use standfast_figures::{
     DesignPoint, Figure, FreeBody, Map, Picture, Pose, Rect, SectionArrow, View, cases_on_screen, free_body,
 };
-use standfast_inputs::key::Id;
+use standfast_inputs::key::{Id, Table};
 
 use crate::page::Page;
 
@@ -24,6 +24,8 @@ pub struct Drawn {
     pub motion: Option<MotionOnScreen>,
     /// The motion whose strength is looked for, and what was tried of it so far.
     pub trying: (usize, Vec<Tried>),
+    /// Courses of histories, by which they are of.
+    pub courses: Vec<((Table, usize), Picture)>,
     /// Name of that plate.
     which: String,
     /// Forces of the section.

@@ -90,3 +90,63 @@ test("a shape from the menu gives the load a history, whose numbers are fields",
   assert.deepEqual(page.heard, []);
   await page.close();
 });
+
+test("a history is drawn by hand: points dragged, added and taken away, by mouse and by keys", async () => {
+  const page = await open(browser, still);
+  await page.evaluate(() => {
+    window.standfast.explorer.open_example("A caisson under a wave");
+    window.standfast.changed();
+  });
+  await page.click("#tab-inputs");
+  const select = page.locator("#history-wave\\.history");
+  await select.selectOption("triangle");
+  await drawn(page);
+  assert.equal(await page.locator(".course .ring").count(), 0, "a shape has fields, and no points");
+  assert.ok(await page.isVisible(".course svg"));
+  await select.selectOption("points");
+  await drawn(page);
+  const rings = page.locator(".course .ring");
+  assert.equal(await rings.count(), 3);
+  const first = await text(page);
+  const before = await page.textContent("#answer");
+
+  // Dragged: the answer is another, and only that line of the text.
+  const peak = await rings.nth(1).boundingBox();
+  await page.mouse.move(peak.x + peak.width / 2, peak.y + peak.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(peak.x + peak.width / 2 + 20, peak.y + peak.height / 2 + 55, { steps: 8 });
+  await drawn(page);
+  assert.equal(await text(page), first);
+  await page.screenshot({ path: path.join(artefacts, "history-by-hand.png") });
+  await page.mouse.up();
+  await drawn(page);
+  const dragged = await text(page);
+  const changed = first.split("\n").filter((line, i) => line !== dragged.split("\n")[i]);
+  assert.equal(changed.length, 1, dragged);
+  assert.ok(changed[0].startsWith("history = { shape = \"points\", times = ["), changed[0]);
+  const values = (of) => JSON.parse(/values = (\[.*?\])/.exec(of)[1]);
+  assert.ok(values(dragged)[1] < 0.7 && values(dragged)[1] > 0.2, dragged);
+  assert.notEqual(await page.textContent("#near"), before);
+
+  // A click adds one, keys move it and take it away, each one step.
+  const box = await page.locator(".course .picture.drawable").boundingBox();
+  await page.mouse.click(box.x + box.width * 0.7, box.y + box.height * 0.4);
+  await drawn(page);
+  assert.equal(await rings.count(), 4);
+  const added = await text(page);
+  await rings.nth(1).focus();
+  await page.keyboard.press("ArrowUp");
+  await drawn(page);
+  assert.ok(values(await text(page))[1] > values(added)[1]);
+  await page.keyboard.press("Delete");
+  await drawn(page);
+  assert.equal(await rings.count(), 3);
+  for (let i = 0; i < 3; i += 1) await page.click("#undo");
+  await drawn(page);
+  assert.equal(await text(page), dragged);
+  await rings.nth(1).dblclick();
+  await drawn(page);
+  assert.equal(await rings.count(), 2);
+  assert.deepEqual(page.heard, []);
+  await page.close();
+});

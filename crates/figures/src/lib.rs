@@ -89,9 +89,9 @@ pub use feasible::{
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
 pub use motion::{
-    MotionLoad, MotionOutline, MotionPicture, MotionPose, MotionStage, SpectrumAxis, SpectrumLines,
-    SpectrumMap, StageLines, motion_animation, motion_histories, motion_histories_on_screen,
-    motion_positions, motion_stage, spectrum_lines, spectrum_map, strength_strip,
+    Course, MotionLoad, MotionOutline, MotionPicture, MotionPose, MotionStage, SpectrumAxis, SpectrumLines,
+    SpectrumMap, StageLines, course_on_screen, motion_animation, motion_histories,
+    motion_histories_on_screen, motion_positions, motion_stage, spectrum_lines, spectrum_map, strength_strip,
 };
 pub use number::significant;
 pub use outlines::outlines;

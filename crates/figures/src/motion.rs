@@ -4,6 +4,7 @@
 //! Motions are given by numbers, at as many moments as the caller finds fit; the figures leave out what is not seen.
 
 mod animation;
+mod course;
 mod histories;
 mod positions;
 mod spectra;
@@ -21,6 +22,7 @@ use crate::scene::{Path, Rect, Scene};
 use crate::text::Text;
 
 pub use animation::motion_animation;
+pub use course::{Course, course_on_screen};
 pub use histories::{motion_histories, motion_histories_on_screen};
 pub use positions::motion_positions;
 pub use spectra::{SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map};

@@ -44,7 +44,7 @@ use standfast::{Ball, Body, InputError, Scalar, Situation, Wrench};
 pub use bias::{Bias, Biases, biased};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub(crate) use history::HistoryOf;
-pub use history::history_shapes;
+pub use history::{course, history_shapes};
 pub use loads::{Combination, Direction, FacePressure, PointForce};
 pub use motion::CaseMotion;
 pub(crate) use reader::{Reader, motion_fault};

@@ -6,7 +6,7 @@ use standfast_motion::record::{Baseline, Record, RecordUnit};
 
 use super::{Reader, Waves};
 use crate::error::{Fault, Problem};
-use crate::inputs::{GRAVITY, Value};
+use crate::inputs::{GRAVITY, Inputs, Value};
 use crate::key::{Id, Key, Table};
 use crate::motion::MotionWarning;
 use crate::parse::BY_WAVES;
@@ -42,6 +42,14 @@ const SHAPES: [Shape; 9] = [
 /// The shapes of a history: the name of each, the keys that it needs, and those that it may have beside `start`.
 pub fn history_shapes() -> impl Iterator<Item = (&'static str, &'static [Key], &'static [Key])> {
     SHAPES.into_iter()
+}
+
+/// Course of a history of the inputs as a factor, before it is shifted to its start; `None` of a record, of one that lasts as its waves say,
+/// and of a faulty one.
+pub fn course(inputs: &Inputs, table: Table, index: usize) -> Option<History> {
+    let field = Field { given: &Reader { inputs }, table, index, of: HistoryOf::Pure };
+    let shape = inputs.choice(field.id(Key::HistoryShape)).filter(|shape| *shape != "file")?;
+    field.course(shape).ok()?.ok()
 }
 
 /// Quantity that varies in a history.
