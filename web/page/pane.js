@@ -1,6 +1,6 @@
 // The text of the case: read at each pause, with its fault marked where it is and the cure as a button.
 
-import { byId, put } from "dom";
+import { byId, element, put } from "dom";
 
 const PAUSE = 350;
 
@@ -50,6 +50,22 @@ export function connectPane(app) {
   wide.addEventListener("change", move);
   move();
 
+  // The number that is in hand is marked in the text.
+  let lit = "";
+  const light = (event) => {
+    const key = event.type === "focusin" ? event.target.dataset?.key ?? "" : "";
+    if (key === lit) return;
+    lit = key;
+    app.changed();
+  };
+  addEventListener("focusin", light);
+  addEventListener("focusout", light);
+  const mark = (from, to, className = "") => {
+    const marked = element("mark", { className }, text.value.slice(from, to) || " ");
+    marks.replaceChildren(text.value.slice(0, from), marked, text.value.slice(Math.max(to, from)));
+    return marked;
+  };
+
   let told = "";
   return (said) => {
     if (!typing && !app.held) {
@@ -63,7 +79,9 @@ export function connectPane(app) {
     const key = JSON.stringify(fault) + (shown ?? "");
     byId("pane-fault").hidden = !fault;
     if (!fault) {
-      marks.replaceChildren();
+      const [from, to] = lit && !typing ? app.explorer.place_of(lit) : [];
+      if (to === undefined) marks.replaceChildren();
+      else mark(from, to, "lit");
       told = "";
       return;
     }
@@ -77,13 +95,11 @@ export function connectPane(app) {
     put(byId("cure"), fault.cure ?? "");
     byId("leave").disabled = !said.can_undo;
     const [from, to] = fault.place;
-    const mark = document.createElement("mark");
-    mark.textContent = text.value.slice(from, to) || " ";
-    marks.replaceChildren(text.value.slice(0, from), mark, text.value.slice(Math.max(to, from)));
+    const marked = mark(from, to);
     // A fault of what was dropped or opened is brought into sight.
     if (document.activeElement !== text) {
       app.showTab("inputs");
-      text.scrollTop = Math.max(0, mark.offsetTop - text.clientHeight / 2);
+      text.scrollTop = Math.max(0, marked.offsetTop - text.clientHeight / 2);
       scroll();
       requestAnimationFrame(() => byId("pane").scrollIntoView({ block: "nearest" }));
     }

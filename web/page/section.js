@@ -9,6 +9,8 @@ const stills = matchMedia("(prefers-reduced-motion: reduce)");
 /** Numbers that stand beside the drawing, where the case has them. */
 const LOOSE = [/^block\.(b1|b2|d|mu_s)$/, /^body\.(mass|density|friction|buoyant_weight)$/, /^load\[\d+\]\.elevation$/, /^wave\.(deep_water_height|Hmax|period)$/, /^earthquake\.(horizontal|vertical)$/, /^ground\.(strength|friction_angle_deg)$/, /^water\.(level|left|right)$/];
 const MOST = 7;
+/** Keys of the sides of the body. */
+const SIDE = /^body\.(width|height)$/;
 /** Between a number and what it stands beside, and half the width of a ring, pixels. */
 const GAP = 6;
 const RING = 8;
@@ -72,13 +74,33 @@ export function connectSection(app) {
     settle = setTimeout(animate, 250);
   });
 
+  const boxOf = () => {
+    const { left, top } = picture.querySelector("svg").getBoundingClientRect();
+    return { left, top };
+  };
+  let held = null;
+  let corner = [0, 0];
   const ring = (key) => {
     const handle = element("button", { type: "button", className: "ring" });
-    const at = (event) => {
-      const box = picture.querySelector("svg").getBoundingClientRect();
-      return [(event.clientX - box.left) / scale, (event.clientY - box.top) / scale];
-    };
-    dragged(app, handle, () => {}, (event) => {
+    handle.dataset.key = key;
+    const at = (event) => [(event.clientX - held.left) / scale, (event.clientY - held.top) / scale];
+    // What is held is measured in the drawing as it was, and a body whose side is held keeps its lower left corner.
+    const gripped = () => (held = { ...boxOf(), corner });
+    if (SIDE.test(key)) {
+      dragged(app, handle, gripped, (event) => {
+        const [x, y] = at(event);
+        return () => app.explorer.drag_side(key, x, y, event.altKey);
+      });
+      handle.addEventListener("keydown", (event) => {
+        const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+        if (!way || event.ctrlKey || event.metaKey) return;
+        event.preventDefault();
+        app.explorer.step_side(key, way * (event.shiftKey ? 10 : 1), event.altKey);
+        app.changed();
+      });
+      return handle;
+    }
+    dragged(app, handle, gripped, (event) => {
       const [x, y] = at(event);
       return () => app.explorer.drag_force(key, x, y);
     });
@@ -101,8 +123,14 @@ export function connectSection(app) {
 
   const layOut = (drawing, numbers) => {
     const [width, height] = drawing.size;
-    const shown = picture.querySelector("svg")?.getBoundingClientRect();
-    scale = shown && width > 0 ? shown.width / width : 1;
+    const svg = picture.querySelector("svg");
+    if (!app.held) held = null;
+    if (held && svg) {
+      // What is held stays as large as it was.
+      Object.assign(svg.style, { width: `${width * scale}px`, maxWidth: "none" });
+    } else {
+      scale = svg && width > 0 ? svg.getBoundingClientRect().width / width : 1;
+    }
     over.style.width = `${width * scale}px`;
     over.style.height = `${height * scale}px`;
     const placed = new Map();
@@ -123,16 +151,24 @@ export function connectSection(app) {
       box.style.left = `${Math.min(Math.max(free, half - slack), width * scale + slack - half)}px`;
       box.style.top = `${y * scale}px`;
     }
-    const forces = new Map(drawing.forces.filter(({ key }) => numbers.has(key)).map((force) => [force.key, force]));
-    for (const [key, { x, y, words }] of forces) {
+    const handles = new Map([...drawing.forces, ...drawing.sides].filter(({ key }) => numbers.has(key)).map((one) => [one.key, one]));
+    for (const [key, { x, y, words }] of handles) {
       if (!rings.has(key)) rings.set(key, ring(key));
       const handle = rings.get(key);
       if (handle.parentElement !== over) over.append(handle);
-      handle.setAttribute("aria-label", `${words}, ${key}: drag along it for its size, across for its level; arrow keys change them`);
+      const does = SIDE.test(key) ? "drag it, or use arrow keys; the density stays, with Alt the mass" : "drag along it for its size, across for its level; arrow keys change them";
+      handle.setAttribute("aria-label", `${words}, ${key}: ${does}`);
       handle.style.left = `${x * scale}px`;
       handle.style.top = `${y * scale}px`;
     }
-    for (const [key, handle] of rings) if (!forces.has(key)) handle.remove();
+    for (const [key, handle] of rings) if (!handles.has(key)) handle.remove();
+    corner = [left, drawing.body[3] * scale];
+    const moved = held ? [held.corner[0] - corner[0] + held.left, held.corner[1] - corner[1] + held.top] : null;
+    picture.style.translate = over.style.translate = "";
+    if (moved) {
+      const box = boxOf();
+      picture.style.translate = over.style.translate = `${moved[0] - box.left}px ${moved[1] - box.top}px`;
+    }
     return placed;
   };
   const loose = (placed, numbers) => {

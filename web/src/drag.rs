@@ -1,6 +1,7 @@
 //! What is dragged: numbers that vary by key, and are written into the text in the end.
 
 use standfast::loads::{LoadId, LoadSource};
+use standfast_cases::couple::{Variable, vary};
 use standfast_cases::{Assessed, CaseFile, Key, case};
 use standfast_figures::Picture;
 use standfast_inputs::Place;
@@ -8,6 +9,7 @@ use standfast_inputs::key::{Id, Table};
 
 use crate::answered::Answered;
 use crate::by_hand;
+use crate::numbers;
 use crate::page::Page;
 use crate::plane::Drawn;
 
@@ -26,6 +28,8 @@ pub struct Held {
     pub view_was_free: bool,
     /// How finely numbers were dragged, in SI units.
     steps: Vec<(Id, f64)>,
+    /// True if a side of the body is dragged.
+    pub is_sized: bool,
     /// The history of which points were dragged.
     pub by_hand: Option<(Table, usize)>,
 }
@@ -41,6 +45,7 @@ impl Held {
             force: force.and_then(|id| file.inputs().number(id)),
             view_was_free: false,
             steps: Vec::new(),
+            is_sized: false,
             by_hand: None,
         }
     }
@@ -218,9 +223,150 @@ impl Page {
     }
 }
 
+/// Numbers that say how heavy a body is.
+const WEIGHTS: [Key; 3] = [Key::Mass, Key::BuoyantWeight, Key::MomentOfInertia];
+
+impl Page {
+    /// Drags the end of the width or the height of the body to a place in the section. Its density stays, or if asked its mass.
+    pub fn drag_side(&mut self, key: &str, (x, y): (f64, f64), keeps_mass: bool) {
+        let (Some(body), Some(scale)) = (self.drawn.body, self.drawn.scale) else { return };
+        let Some(id) = numbers::find(self.settled(), key) else { return };
+        let length = match id.key {
+            Key::Width => (x - body.x0) / scale,
+            Key::Height => (body.y1 - y) / scale,
+            _ => return,
+        };
+        let Some(first) = self.settled().inputs().number(id).filter(|_| length.is_finite()) else { return };
+        let step = 1.0 / scale;
+        self.size(id, rounded(length.clamp(0.1 * first, 3.0 * first), step), step, keeps_mass);
+    }
+
+    /// Makes a side of the body some per cent longer, as one step.
+    pub fn step_side(&mut self, key: &str, percent: f64, keeps_mass: bool) {
+        let Some(id) = numbers::find(self.settled(), key) else { return };
+        let Some(first) = self.settled().inputs().number(id) else { return };
+        self.grab();
+        let step = 0.001 * first;
+        self.size(id, rounded(first * (1.0 + percent / 100.0), step), step, keeps_mass);
+        self.release();
+    }
+
+    /// Varies a side of the body from what stands in the text, with what goes with it.
+    fn size(&mut self, id: Id, length: f64, step: f64, keeps_mass: bool) {
+        let inputs = self.settled().inputs().clone();
+        let Some((case, first)) = self.settled_case().zip(inputs.number(id)) else { return };
+        let variable = Variable::of(id, &inputs);
+        let mut varied = vary(&inputs, case, &[(&variable, length)]);
+        if keeps_mass {
+            for (key, number) in WEIGHTS.iter().filter_map(|key| Some((*key, inputs.number(*key)?))) {
+                varied.set(key, number);
+            }
+            if let Some(density) = inputs.number(Key::Density) {
+                varied.set(Key::Density, density * first / length);
+            }
+        }
+        let Some(held) = &mut self.held else { return };
+        held.is_sized = true;
+        held.note(id, step);
+        for other in inputs.numbers().map(|(other, _)| other).filter(|other| *other != id) {
+            let (Some(was), Some(now)) = (inputs.number(other), varied.number(other)) else { continue };
+            // Of what goes with it, as many figures as it has itself, or as steps of the same length.
+            if was != now {
+                let is_length = inputs.dimension(other) == inputs.dimension(id);
+                held.note(other, if is_length { step } else { was.abs() * step / first });
+            }
+        }
+        self.vary(|inputs| *inputs = varied);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A page with a body of 15 m by 12 m, heavy by its mass or by its density.
+    fn page(weight: &str) -> Page {
+        let mut page = Page::default();
+        let text = page.text().replace("density = \"2.1 t/m3\"", weight);
+        assert!(page.edit(&text) && text.contains(weight));
+        page.section((560.0, 400.0));
+        page
+    }
+
+    /// The width that is dragged takes the mass with it, at its density, or leaves it where it is; only those lines differ.
+    #[test]
+    fn a_side_is_dragged_with_what_goes_with_it() {
+        for (weight, keeps_mass, lines) in [
+            ("density = \"2.1 t/m3\"", false, 1),
+            ("density = \"2.1 t/m3\"", true, 2),
+            ("mass = \"378 t/m\"", false, 2),
+            ("mass = \"378 t/m\"", true, 1),
+        ] {
+            let mut page = page(weight);
+            let before = page.text().to_owned();
+            let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
+            page.grab();
+            page.drag_side("body.width", (body.x0 + 18.0 * scale, 0.0), keeps_mass);
+            page.section((560.0, 400.0));
+            assert_eq!(page.text(), before, "nothing is written while it is held");
+            page.release();
+            let changed = lines_that_differ(&before, page.text());
+            assert_eq!(changed.len(), lines, "{weight}: {changed:?}");
+            let width = page.settled().inputs().number(Key::Width).unwrap();
+            assert!((width - 18.0).abs() < 0.06, "{width}");
+            let mass = 378e3 * if keeps_mass { 1.0 } else { width / 15.0 };
+            let got = page.settled_case().unwrap().body.mass();
+            assert!((got / mass - 1.0).abs() < 2e-3, "{weight}: {got}, not {mass}");
+            page.undo();
+            assert_eq!(page.text(), before);
+        }
+    }
+
+    #[test]
+    fn a_height_is_dragged_and_stepped() {
+        let mut page = page("mass = \"378 t/m\"");
+        let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
+        page.grab();
+        page.drag_side("body.height", (0.0, body.y1 - 13.0 * scale), false);
+        page.drag_side("body.height", (0.0, f64::NAN), false);
+        page.drag_side("body.friction", (1.0, 1.0), false);
+        page.release();
+        let height = page.settled().inputs().number(Key::Height).unwrap();
+        assert!((height - 13.0).abs() < 0.06, "{height}");
+        let mass = page.settled_case().unwrap().body.mass();
+        assert!((mass / (378e3 * height / 12.0) - 1.0).abs() < 2e-3, "{mass}");
+        page.undo();
+        page.step_side("body.width", -1.0, false);
+        assert_eq!(page.settled().inputs().number(Key::Width), Some(14.85));
+    }
+
+    /// Goda's crest rises with the height, and its caisson is as wide as the body.
+    #[test]
+    fn the_sea_goes_with_the_body() {
+        let mut page = Page::default();
+        assert!(page.open("goda.toml", include_str!("../../examples/goda-2000.toml")));
+        page.section((560.0, 400.0));
+        let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
+        page.grab();
+        page.drag_side("body.width", (body.x0 + 16.5 * scale, 0.0), false);
+        page.release();
+        let inputs = page.settled().inputs();
+        let [width, wave] = [Key::Width, Key::CaissonWidth].map(|key| inputs.number(key).unwrap());
+        assert!((width - 16.5).abs() < 0.06 && width == wave, "{width} {wave}");
+        page.undo();
+        page.section((560.0, 400.0));
+        let body = page.drawn.body.unwrap();
+        page.grab();
+        page.drag_side("body.height", (0.0, body.y1 - 11.0 * scale), false);
+        page.release();
+        let inputs = page.settled().inputs();
+        let rise = inputs.number(Key::Height).unwrap() - 10.5;
+        assert!(
+            rise > 0.4 && (inputs.number(Key::CrestHeight).unwrap() - 3.4 - rise).abs() < 1e-9,
+            "{}",
+            page.text()
+        );
+    }
 
     fn lines_that_differ(one: &str, other: &str) -> Vec<String> {
         one.lines()

@@ -307,6 +307,21 @@ impl Explorer {
         self.page.drag_force(key, (x, y));
     }
 
+    /// Drags a side of the body, by its key, to a place in the section; its density stays, or if asked its mass.
+    pub fn drag_side(&mut self, key: &str, x: f64, y: f64, keeps_mass: bool) {
+        self.page.drag_side(key, (x, y), keeps_mass);
+    }
+
+    /// Makes a side of the body some per cent longer, as one step.
+    pub fn step_side(&mut self, key: &str, percent: f64, keeps_mass: bool) {
+        self.page.step_side(key, percent, keeps_mass);
+    }
+
+    /// Beginning and end of a number's value in the text, by its key; empty where it does not stand there.
+    pub fn place_of(&self, key: &str) -> Vec<u32> {
+        self.page.place_of(key)
+    }
+
     /// Moves the design point by shares of the plate's width and height, as one step.
     pub fn nudge(&mut self, right: f64, up: f64) {
         self.page.nudge((right, up));

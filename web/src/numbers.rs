@@ -84,6 +84,17 @@ pub fn find(file: &CaseFile, key: &str) -> Option<Id> {
 }
 
 impl Page {
+    /// Beginning and end of a number's value in the text, in UTF-16 units; empty of one that does not stand there.
+    pub fn place_of(&self, key: &str) -> Vec<u32> {
+        let file = self.settled();
+        let entry = file.entries().iter().find(|entry| entry.id.to_string() == key);
+        let span = entry.map(|entry| entry.span.clone()).filter(|span| !span.is_empty());
+        let units = |to: usize| file.text().get(..to).map(|text| text.encode_utf16().count() as u32);
+        // Another text than the one that stands has other places.
+        let span = span.filter(|_| file.text() == self.text());
+        span.and_then(|span| Some(vec![units(span.start)?, units(span.end)?])).unwrap_or_default()
+    }
+
     /// Takes what was typed for a number: in the unit typed, or else in that which stands there.
     ///
     /// # Errors
@@ -156,6 +167,19 @@ mod tests {
             assert!(error.starts_with(message), "{key}: {error}");
             assert_eq!((page.text(), page.can_undo()), (before.as_str(), false));
         }
+    }
+
+    #[test]
+    fn a_number_is_found_in_the_text() {
+        let mut page = Page::default();
+        let text = format!("# größer\n{}", page.text());
+        assert!(page.edit(&text));
+        let units: Vec<u16> = text.encode_utf16().collect();
+        let [from, to] = page.place_of("body.friction")[..] else { panic!("it stands there") };
+        assert_eq!(String::from_utf16(&units[from as usize..to as usize]).unwrap(), "0.6");
+        assert!(page.place_of("wave.period").is_empty());
+        page.edit("nonsense");
+        assert!(page.place_of("body.friction").is_empty());
     }
 
     #[test]

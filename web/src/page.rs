@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use standfast_cases::motion::FollowedMotion;
-use standfast_cases::{CaseError, CaseFile, Inputs};
+use standfast_cases::{Case, CaseError, CaseFile, Inputs};
 use standfast_figures::View;
 
 use crate::answered::Answered;
@@ -117,6 +117,11 @@ impl Page {
     /// The answer that is shown.
     pub fn answered(&self) -> &Answered {
         self.held.as_ref().map_or(&self.answered, |held| &held.answered)
+    }
+
+    /// The case of the last text that has an answer, at rest.
+    pub(crate) fn settled_case(&self) -> Option<&Case> {
+        self.answered.rest.as_ref().map(|rest| &rest.case)
     }
 
     /// A motion of the last text that has an answer, by its place from the worst on.

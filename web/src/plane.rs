@@ -3,12 +3,13 @@
 use serde::Serialize;
 use standfast::Diagram;
 use standfast_cases::assess::UP_TO;
-use standfast_cases::assess::screen::{load_plane_on_screen, section_on_screen};
+use standfast_cases::assess::screen::{load_plane_on_screen, section_as_fitted, section_on_screen};
 use standfast_cases::motion::screen::MotionOnScreen;
 use standfast_cases::motion::{MotionView, Tried};
-use standfast_cases::{AnswerFigure, AssessmentView, Document};
+use standfast_cases::{AnswerFigure, Assessment, AssessmentView, Document};
 use standfast_figures::{
-    DesignPoint, Figure, FreeBody, Map, Picture, Pose, Rect, SectionArrow, View, cases_on_screen, free_body,
+    DesignPoint, Figure, FreeBody, Map, Picture, Pose, Rect, SectionArrow, SectionFit, View, cases_on_screen,
+    free_body,
 };
 use standfast_inputs::key::{Id, Table};
 
@@ -34,6 +35,8 @@ pub struct Drawn {
     pub body: Option<Rect>,
     /// Units for a metre of the section.
     pub scale: Option<f64>,
+    /// Scale and look of the section.
+    pub fit: Option<SectionFit>,
 }
 
 impl Drawn {
@@ -63,9 +66,9 @@ struct ShownNumber {
     y: f64,
 }
 
-/// The handle of a force: the beginning of its arrow.
+/// A handle: of a force the beginning of its arrow, of the width and the height of the body the end of its line.
 #[derive(Serialize)]
-struct ForceHandle {
+struct Handle {
     key: String,
     x: f64,
     y: f64,
@@ -80,7 +83,8 @@ struct SectionShown {
     /// Left, top, right and bottom of the body.
     body: [f64; 4],
     numbers: Vec<ShownNumber>,
-    forces: Vec<ForceHandle>,
+    forces: Vec<Handle>,
+    sides: Vec<Handle>,
     /// The loads by their letters, and sentences on the drawing.
     words: Vec<String>,
 }
@@ -88,7 +92,13 @@ struct SectionShown {
 impl Page {
     /// The section, about as large as `size`, as JSON; without a drawing of a body in pure numbers.
     pub fn section(&mut self, size: (f64, f64)) -> String {
-        let drawn = self.answered().rest.as_ref().and_then(|rest| section_on_screen(rest, size).ok());
+        let fit = self.drawn.fit.filter(|_| self.held.as_ref().is_some_and(|held| held.is_sized));
+        let draw = |rest: &Assessment| match fit {
+            // A side that is held stays under the hand.
+            Some(fit) => section_as_fitted(rest, fit).ok(),
+            None => section_on_screen(rest, size).ok(),
+        };
+        let drawn = self.answered().rest.as_ref().and_then(draw);
         let Some(section) = drawn else {
             return serde_json::to_string(&self.positions()).unwrap_or_default();
         };
@@ -99,7 +109,7 @@ impl Page {
             ShownNumber { key: id.to_string(), x, y }
         });
         let forces = section.forces.iter().filter(|(id, arrow)| has(id) && arrow.tail.0 != arrow.tip.0).map(
-            |(id, arrow)| ForceHandle {
+            |(id, arrow)| Handle {
                 key: id.to_string(),
                 x: arrow.tail.0,
                 y: arrow.tail.1,
@@ -107,12 +117,19 @@ impl Page {
             },
         );
         let Rect { x0, y0, x1, y1 } = section.picture.body;
+        let sides = section.sides.iter().filter(|(id, _)| has(id)).map(|(id, (x, y))| Handle {
+            key: id.to_string(),
+            x: *x,
+            y: *y,
+            words: id.key.info().words,
+        });
         let shown = SectionShown {
             svg: section.picture.figure.svg().to_owned(),
             size: section.picture.figure.size(),
             body: [x0, y0, x1, y1],
             numbers: numbers.collect(),
             forces: forces.collect(),
+            sides: sides.collect(),
             words: section.words,
         };
         // An arrow that is held is measured by where it was.
@@ -120,6 +137,7 @@ impl Page {
             self.drawn.forces = section.forces;
             self.drawn.body = Some(section.picture.body);
             self.drawn.scale = Some(section.picture.scale);
+            self.drawn.fit = Some(section.picture.fit);
         }
         serde_json::to_string(&shown).unwrap_or_default()
     }

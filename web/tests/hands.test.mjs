@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { drawn, drop, launch, lines, mode, numberOf, open, said, saved, take, text, type } from "./browser.mjs";
+import { artefacts, drawn, drop, launch, lines, mode, numberOf, open, said, saved, take, text, type } from "./browser.mjs";
 
 let browser;
 before(async () => (browser = await launch()));
@@ -166,7 +166,7 @@ test("under a wave the point goes up and down only", async () => {
 test("the arrow of a force is dragged by its ring: along for its size, across for its level", async () => {
   const page = await open(browser);
   const before = await text(page);
-  const [x, y] = await centre(page, ".ring");
+  const [x, y] = await centre(page, ".ring[data-key$=force]");
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x - 12, y + 60, { steps: 6 });
@@ -176,11 +176,67 @@ test("the arrow of a force is dragged by its ring: along for its size, across fo
   assert.equal(changed.length, 2, changed.join(" "));
   const [force, level] = changed.map((line) => Number(line.match(/"([\d.]+) /)[1]));
   assert.ok(force < 2300 && force > 1000 && level < 10.5 && level > 7, changed.join(" "));
-  await page.focus(".ring");
+  await page.focus(".ring[data-key$=force]");
   await page.keyboard.press("ArrowRight");
   await drawn(page);
   const [stepped] = lines(before, await text(page)).map((line) => Number(line.match(/"([\d.]+) /)[1]));
   assert.ok(Math.abs(stepped - force * 1.01) <= 1, `${stepped}`);
+  await page.close();
+});
+
+test("a side of the body is dragged by its ring, which stays under the hand; of the file its line alone differs", async () => {
+  for (const width of [1280, 390]) {
+    const page = await open(browser, { viewport: { width, height: 844 }, acceptDownloads: true });
+    const before = await text(page);
+    for (const [key, [right, up], most] of [["body.width", [30, 0], 21], ["body.height", [0, 22], 15]]) {
+      const ring = `.ring[data-key="${key}"]`;
+      const [x, y] = await centre(page, ring);
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + right, y - up, { steps: 5 });
+      await drawn(page);
+      const [at, level] = await centre(page, ring);
+      // Along the way it goes; a longer number beside it may push its line aside.
+      const off = key === "body.width" ? at - x - right : y - up - level;
+      assert.ok(Math.abs(off) < 2.5, `${width}, ${key}: ${off} px from the hand`);
+      if (width === 1280) await page.screenshot({ path: path.join(artefacts, `held-${key}.png`) });
+      await page.mouse.up();
+      await drawn(page);
+      const changed = lines(before, await text(page));
+      assert.equal(changed.length, 1, changed.join(" "));
+      assert.ok(changed[0].startsWith(key.split(".")[1]), changed[0]);
+      const value = Number(changed[0].match(/"([\d.]+) m"/)[1]);
+      assert.ok(value > 12.2 && value < most, changed[0]);
+      assert.equal(await page.evaluate(() => document.querySelector("#section .over").style.translate), "");
+      await page.click("#undo");
+      await drawn(page);
+      assert.equal(await text(page), before);
+    }
+    await page.focus('.ring[data-key="body.width"]');
+    await page.keyboard.press("ArrowRight");
+    await drawn(page);
+    assert.deepEqual(lines(before, await text(page)), ['width = "15.15 m"']);
+    await page.keyboard.press("Alt+ArrowRight");
+    await drawn(page);
+    assert.equal(lines(before, await text(page)).length, 2, "with Alt the mass stays, and the density does not");
+    assert.deepEqual(page.heard, []);
+    await page.close();
+  }
+});
+
+test("the number in hand is marked in the text beside it", async () => {
+  const page = await open(browser, { viewport: { width: 1760, height: 1000 } });
+  await page.focus('[data-key="body.friction"]');
+  await drawn(page);
+  assert.equal(await page.textContent(".marks mark.lit"), "0.6");
+  await page.focus('.ring[data-key="load[1].force"]');
+  await drawn(page);
+  assert.equal(await page.textContent(".marks mark.lit"), '"2700 kN/m"');
+  await page.screenshot({ path: path.join(artefacts, "lit-1760.png") });
+  await page.focus("#undo").catch(() => {});
+  await page.focus("#link");
+  await drawn(page);
+  assert.equal(await page.locator(".marks mark").count(), 0);
   await page.close();
 });
 

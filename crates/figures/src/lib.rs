@@ -108,7 +108,7 @@ pub use scene::Rect;
 pub use screen::{Map, Picture, tint_on_screen};
 pub use section::{
     Arrow, Backfill, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, SectionArrow,
-    SectionNumber, SectionPicture, Side, section, section_on_screen,
+    SectionFit, SectionNumber, SectionPicture, Side, section, section_as_fitted, section_on_screen,
 };
 
 /// A drawing with its caption.

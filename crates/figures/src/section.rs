@@ -245,8 +245,19 @@ fn fitted(given: &Section<'_>, look: SectionLook, size: (f64, f64)) -> SectionPi
     drawn(given, SectionLook { body, ..look })
 }
 
+/// The section of a body that has changed, at the scale and in the look that it had: for a screen, while a side of it is held.
+pub fn section_as_fitted(given: &Section<'_>, fit: SectionFit) -> SectionPicture {
+    let bounds = Painter::new(given, fit.0, (0.0, 0.0), None).bounds;
+    let body = (fit.1 * (bounds.x1 - bounds.x0), fit.1 * bounds.y1);
+    drawn(given, SectionLook { body, ..fit.0 })
+}
+
+/// Scale and look of a section that was drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SectionFit(SectionLook, f64);
+
 /// Look of a section.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct SectionLook {
     /// The largest width and height of the body on the page.
     body: (f64, f64),
@@ -294,12 +305,16 @@ pub struct SectionPicture {
     pub figure: Figure,
     /// The labels of numbers.
     pub numbers: Vec<(SectionNumber, Rect)>,
+    /// Where the lines of widths and heights end: at the right, and above.
+    pub ends: Vec<(SectionNumber, (f64, f64))>,
     /// The forces on faces.
     pub arrows: Vec<SectionArrow>,
     /// The body.
     pub body: Rect,
     /// Units for a metre.
     pub scale: f64,
+    /// Scale and look, to draw it again.
+    pub fit: SectionFit,
 }
 
 fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
@@ -335,7 +350,16 @@ fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
     };
     let (svg, labels) = drawn.scene.finish(size.0, size.1, &title, &description(given));
     let figure = Figure { svg, title, caption: legend(given).join(". "), labels, size };
-    SectionPicture { figure, numbers: drawn.numbers, arrows: drawn.arrows, body, scale }
+    let fit = SectionFit(look, scale);
+    SectionPicture {
+        figure,
+        numbers: drawn.numbers,
+        ends: drawn.ends,
+        arrows: drawn.arrows,
+        body,
+        scale,
+        fit,
+    }
 }
 
 /// How large the body and its loads are drawn on paper, so that all has room in a column or a page.
@@ -404,6 +428,7 @@ struct Painting {
     extent: Rect,
     names: (f64, f64),
     /// Where labels stand, but for the legend.
+    ends: Vec<(SectionNumber, (f64, f64))>,
     labels: Vec<Rect>,
     numbers: Vec<(SectionNumber, Rect)>,
     arrows: Vec<SectionArrow>,

@@ -1,7 +1,9 @@
 //! Drawings of a case for a screen, and where in them the numbers of the case lie: for a page on which they are fields and handles.
 
 use standfast::InputError;
-use standfast_figures::{Picture, Rect, SectionArrow, SectionNumber, SectionPicture, Side};
+use standfast_figures::{
+    Picture, Rect, Section, SectionArrow, SectionFit, SectionNumber, SectionPicture, Side,
+};
 
 use super::figures::with_load_plane;
 use super::section::with_section;
@@ -17,6 +19,8 @@ pub struct SectionOnScreen {
     pub picture: SectionPicture,
     /// Keys of a case file whose numbers it shows, and where; a file need not have all of them.
     pub numbers: Vec<(Id, Rect)>,
+    /// Width and height of the body, and where their lines end.
+    pub sides: Vec<(Id, (f64, f64))>,
     /// The forces of the case on faces of the body, each under the key of its size.
     pub forces: Vec<(Id, SectionArrow)>,
     /// The loads by their letters, and sentences on the drawing.
@@ -28,19 +32,39 @@ pub struct SectionOnScreen {
 /// # Errors
 /// If a number is out of range.
 pub fn section_on_screen(assessment: &Assessment, size: (f64, f64)) -> Result<SectionOnScreen, InputError> {
+    placed(assessment, |section| standfast_figures::section_on_screen(section, size))
+}
+
+/// The section of a case whose body has changed, at the scale and in the look that one of it had.
+///
+/// # Errors
+/// If a number is out of range.
+pub fn section_as_fitted(assessment: &Assessment, fit: SectionFit) -> Result<SectionOnScreen, InputError> {
+    placed(assessment, |section| standfast_figures::section_as_fitted(section, fit))
+}
+
+fn placed(
+    assessment: &Assessment,
+    draw: impl Fn(&Section<'_>) -> SectionPicture,
+) -> Result<SectionOnScreen, InputError> {
     with_section(assessment, |section, loads| {
-        let picture = standfast_figures::section_on_screen(section, size);
+        let picture = draw(section);
         let force = |index: usize| match said_by(*loads.get(index)?) {
             Place::Table(Table::Load, index) => Some(Id::new(Key::Force, index)),
             _ => None,
         };
+        // The width and the height of the body are the outermost.
+        let side = |of: &SectionNumber| match of {
+            SectionNumber::Width(row, _) if row + 1 == section.widths.len() => Some(Key::Width),
+            SectionNumber::Height(column, _) if column + 1 == section.heights.len() => Some(Key::Height),
+            _ => None,
+        };
+        let sides = picture.ends.iter().filter_map(|(of, end)| Some((side(of)?.into(), *end))).collect();
         let mut numbers = Vec::new();
         for (of, rect) in &picture.numbers {
             let ids: Vec<Id> = match of {
-                // The width and the height of the body are the outermost.
-                SectionNumber::Width(row, _) if row + 1 == section.widths.len() => vec![Key::Width.into()],
-                SectionNumber::Height(column, _) if column + 1 == section.heights.len() => {
-                    vec![Key::Height.into()]
+                SectionNumber::Width(..) | SectionNumber::Height(..) => {
+                    side(of).into_iter().map(Id::from).collect()
                 }
                 SectionNumber::Level(place) if assessment.case.wave.is_none() => {
                     match (section.levels[*place].is_water, section.levels[*place].side) {
@@ -57,7 +81,7 @@ pub fn section_on_screen(assessment: &Assessment, size: (f64, f64)) -> Result<Se
         let forces = picture.arrows.iter().filter_map(|arrow| Some((force(arrow.index)?, *arrow))).collect();
         let legend = picture.figure.caption().split(". ").map(str::to_owned);
         let words = legend.chain(section.notes.iter().cloned()).filter(|words| !words.is_empty()).collect();
-        SectionOnScreen { numbers, forces, words, picture }
+        SectionOnScreen { numbers, sides, forces, words, picture }
     })
 }
 

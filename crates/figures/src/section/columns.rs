@@ -237,6 +237,7 @@ impl Painter<'_> {
             let [from, to] = [ends.0, ends.1].map(|height| (x, self.place(0.0, height).1));
             self.dimension(from, to);
             let (middle, of) = ((x, (from.1 + to.1) / 2.0), Some(SectionNumber::Height(at, place)));
+            self.drawn.ends.push((SectionNumber::Height(at, place), to));
             spots.push(Spot { at: middle, text: Text::new(label, LABEL), colour: INK, of, lower: 0.0 });
         }
         column.end = self.names(column, column.end + NEAR, spots, reach);

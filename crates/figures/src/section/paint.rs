@@ -60,8 +60,15 @@ impl<'a> Painter<'a> {
         let extent = Rect { x0: shift.0, y0: shift.1, x1: shift.0, y1: shift.1 };
         let scene = if look.on_screen { Scene::themed() } else { Scene::default() };
         let names = (shift.0, shift.0);
-        let drawn =
-            Painting { scene, extent, names, labels: Vec::new(), numbers: Vec::new(), arrows: Vec::new() };
+        let drawn = Painting {
+            scene,
+            extent,
+            names,
+            labels: Vec::new(),
+            numbers: Vec::new(),
+            ends: Vec::new(),
+            arrows: Vec::new(),
+        };
         Painter { given, drawn, scale, origin: shift, room, look, bounds, bed, labels: Vec::new() }
     }
 

@@ -158,6 +158,7 @@ impl Painter<'_> {
                 let [from, to] = [measure.ends.0, measure.ends.1].map(|x| (self.place(x, 0.0).0, y));
                 self.dimension(from, to);
                 let (at, of) = (((from.0 + to.0) / 2.0, y), Some(SectionNumber::Width(row, place)));
+                self.drawn.ends.push((SectionNumber::Width(row, place), to));
                 spots.push(Spot {
                     at,
                     text: Text::verbatim(&measure.label, LABEL),
