@@ -199,7 +199,7 @@ mod tests {
     /// The pulse of an example, made points.
     fn page() -> (Page, &'static str) {
         let mut page = Page::default();
-        let example = examples::find("object").unwrap();
+        let example = examples::find("rack").unwrap();
         assert!(page.open(&example.file(), example.text));
         page.add_file("shake.csv", "t,a_m_s2\n0,0\n1,4\n2,0\n");
         page.shake_with("shake.csv").unwrap();

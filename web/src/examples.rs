@@ -1,6 +1,7 @@
 //! The cases that the page brings along: examples on four shelves, each with what is surprising in it, and new ones.
 
 use serde::Serialize;
+use standfast_cases::beginnings::{BEGINNINGS, Beginning};
 
 /// A case that the page brings along.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -103,12 +104,16 @@ pub const SHELVES: [Shelf; 4] = [
 ];
 
 /// New cases, to be made one's own.
-pub const NEW: &[BroughtCase] = cases! {
-    "block" "../cases/block.toml" "A block" "Width, height, density, friction, one force.";
-    "caisson" "../cases/caisson.toml" "A caisson under a wave" "Goda’s wave from the right, still water, three criteria.";
-    "wall" "../cases/wall.toml" "A wall" "Backfill that pushes, water in it, two criteria.";
-    "object" "../cases/object.toml" "An object that shakes" "One thing of some length, on a floor in an earthquake.";
-};
+fn new() -> impl Iterator<Item = BroughtCase> {
+    let brought =
+        |one: &Beginning| BroughtCase { name: one.title, words: one.words, text: one.text, file: one.name };
+    BEGINNINGS.iter().map(brought)
+}
+
+/// Every case: those on the shelves, then the new ones.
+fn all() -> impl Iterator<Item = BroughtCase> {
+    SHELVES.iter().flat_map(|shelf| shelf.cases).copied().chain(new())
+}
 
 /// Records that examples name.
 const RECORDS: [(&str, &str); 2] = [
@@ -122,9 +127,8 @@ pub fn first() -> &'static BroughtCase {
 }
 
 /// A case by its name, or that of its file.
-pub fn find(name: &str) -> Option<&'static BroughtCase> {
-    let all = SHELVES.iter().flat_map(|shelf| shelf.cases).chain(NEW);
-    all.into_iter().find(|case| case.name == name || case.file == name)
+pub fn find(name: &str) -> Option<BroughtCase> {
+    all().find(|case| case.name == name || case.file == name)
 }
 
 /// A record by the name of its file.
@@ -134,7 +138,7 @@ pub fn record(name: &str) -> Option<&'static str> {
 
 /// The shelves and the new cases, as JSON.
 pub fn json() -> String {
-    serde_json::to_string(&(SHELVES, NEW)).unwrap_or_default()
+    serde_json::to_string(&(SHELVES, new().collect::<Vec<_>>())).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -149,7 +153,7 @@ mod tests {
     }
 
     fn answer(name: &str) -> (String, f64) {
-        let page = opened(find(name).unwrap());
+        let page = opened(&find(name).unwrap());
         let summary = page.answered().summary().unwrap();
         let worst = page
             .answered()
@@ -161,8 +165,8 @@ mod tests {
 
     #[test]
     fn every_case_has_an_answer() {
-        for case in SHELVES.iter().flat_map(|shelf| shelf.cases).chain(NEW) {
-            let page = opened(case);
+        for case in all() {
+            let page = opened(&case);
             assert!(page.answered().summary().is_some(), "{}", case.name);
             assert!(!case.words.is_empty());
         }
@@ -200,7 +204,7 @@ mod tests {
 
     #[test]
     fn a_case_is_found_by_its_name() {
-        assert_eq!(find("Goda’s caisson").map(BroughtCase::file).as_deref(), Some("goda-2000.toml"));
+        assert_eq!(find("Goda’s caisson").map(|case| case.file()).as_deref(), Some("goda-2000.toml"));
         assert!(find("block").is_some() && find("../goda-2000").is_none());
         assert!(record("np01002p_4225c_a.smc").is_some() && record("x").is_none());
     }

@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn a_dropped_record_shakes_the_body_in_place_of_its_earthquake() {
-        let mut page = page("object");
+        let mut page = page("rack");
         assert!(!page.can_shake_with("shake.csv"));
         page.add_file("shake.csv", "t,a_m_s2\n0,0\n1,4\n2,0\n");
         assert!(page.can_shake_with("shake.csv"));

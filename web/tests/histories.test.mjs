@@ -21,7 +21,7 @@ test("a dropped record offers to shake the body, in one step, as the program doe
   for (const [name, content] of [["shake.csv", CSV], ["shake.AT2", AT2], ["np01002p_4225a_a.smc", SMC]]) {
     const page = await open(browser, still);
     await page.evaluate(() => {
-      window.standfast.explorer.open_example("object");
+      window.standfast.explorer.open_example("rack");
       window.standfast.changed();
     });
     const first = await text(page);

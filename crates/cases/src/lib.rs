@@ -10,6 +10,7 @@
 //!
 //! | question | start at |
 //! |---|---|
+//! | What does a case look like? | [`beginnings`] |
 //! | What may stand in a case file? | [`key`], [`units`] |
 //! | What does a file say, and where? | [`CaseFile`], [`Inputs`] |
 //! | What is the answer to a case? | [`Assessment`]; its results by name: [`results`]; its criteria: [`criteria`] |
@@ -27,6 +28,7 @@
 #![forbid(unsafe_code)]
 
 pub mod assess;
+pub mod beginnings;
 pub mod describe;
 pub mod design;
 mod document;

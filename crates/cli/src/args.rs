@@ -4,12 +4,14 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushPoint;
 use standfast::{InputError, Point};
 
+use standfast_cases::beginnings::{BEGINNINGS, Beginning};
 use standfast_cases::check_up_to;
 use standfast_cases::design::Target;
 use standfast_cases::motion::{SpectrumKind, SpectrumSteps};
@@ -40,6 +42,12 @@ pub struct Cli {
 /// A subcommand.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Begin a case: a complete case file to put your own numbers into
+    ///
+    /// Prints it, or writes it to a file that is not there yet. Or writes all examples of the documentation into a folder.
+    #[command(after_help = include_str!("help/new.txt"))]
+    New(NewArgs),
+
     /// Assess a body and its loads from a case file
     ///
     /// Prints forces and moments, safety factors and bearing pressures, and the mode of response under the full load with the
@@ -146,6 +154,20 @@ pub enum Command {
 /// Number of threads: those asked for, or one for each core.
 pub(crate) fn threads(asked: Option<NonZeroUsize>) -> usize {
     asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
+}
+
+/// Arguments of `new`.
+#[derive(Debug, Args)]
+pub struct NewArgs {
+    /// Kind of case, one of those below
+    #[arg(value_parser = beginnings(), required_unless_present = "examples", conflicts_with = "examples")]
+    pub kind: Option<&'static Beginning>,
+    /// Write it to a file that is not there yet, in place of standard output
+    #[arg(short, long, value_name = "FILE", conflicts_with = "examples")]
+    pub output: Option<PathBuf>,
+    /// Write all examples into a folder, ./examples if none is named; no file that is there is touched
+    #[arg(long, value_name = "DIR", num_args = 0..=1, default_missing_value = "examples")]
+    pub examples: Option<PathBuf>,
 }
 
 /// Arguments of `assess`.
@@ -605,6 +627,12 @@ fn motions(value: &str) -> Result<u16, String> {
     count.ok_or_else(|| {
         "expected how many motions to try, from 1 to 10000; without a number the option goes behind the case file".to_owned()
     })
+}
+
+/// The kinds of cases to begin from.
+fn beginnings() -> impl TypedValueParser<Value = &'static Beginning> {
+    let named = |name: String| Beginning::find(&name).expect("it is one of the names");
+    PossibleValuesParser::new(BEGINNINGS.map(|beginning| beginning.name)).map(named)
 }
 
 fn time_step(text: &str) -> Result<f64, String> {

@@ -74,6 +74,12 @@ pub enum CommandError {
         /// The first line with such a byte, counted from one.
         line: usize,
     },
+    /// A file that is to be new is there already.
+    #[error("{} is there already, and may have been worked in: it is not written over", path.display())]
+    Exists {
+        /// The file.
+        path: PathBuf,
+    },
     /// There are no criteria to check.
     #[error("--check finds no [criteria]{of} in {}", path.display())]
     NothingToCheck {

@@ -3,6 +3,7 @@
 //! | question | start at |
 //! |---|---|
 //! | What does the command line look like? | [`args`] |
+//! | What does a case begin from? | [`mod@begin`] |
 //! | From which file to which is a table answered? | [`batch`] |
 //! | What becomes of a case file and its diagrams? | [`assess`], [`mod@design`] |
 //! | How is a calculation sheet written? | [`sheet`] |
@@ -19,6 +20,7 @@ pub mod answer;
 pub mod args;
 pub mod assess;
 pub mod batch;
+pub mod begin;
 pub mod case_file;
 pub mod design;
 pub mod draw;
@@ -106,6 +108,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
             let files = draw::draw_figures(&args.output, figures, args.picture, args.scale)?;
             print(&files.iter().map(|file| format!("{}\n", file.display())).collect::<String>())
         }
+        Command::New(args) => print(&begin::begin(&args)?),
         Command::Batch(args) => batch_command(&args),
         Command::Completions { shell } => {
             let mut script = Vec::new();
