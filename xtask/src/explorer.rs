@@ -31,6 +31,11 @@ fn build(mut bundler: Command) -> Result<PathBuf, String> {
     Ok(page)
 }
 
+/// The explorer, built.
+pub fn file() -> Result<PathBuf, String> {
+    build(cargo(&["run", "--quiet", "--package", "standfast-web-bundle", "--"]))
+}
+
 /// The environment in which cargo compiles for wasm: rustup's, or a toolchain made of Debian's packages.
 fn toolchain() -> Result<Vec<(String, OsString)>, String> {
     if has_target() {
@@ -76,7 +81,7 @@ fn has_target() -> bool {
 
 /// Builds the explorer and serves it on this machine until interrupted; opens it in the browser if asked.
 pub fn serve(open: bool) -> Result<(), String> {
-    let page = build(cargo(&["run", "--quiet", "--package", "standfast-web-bundle", "--"]))?;
+    let page = file()?;
     let (address, server) = server(&page, 8420)?;
     println!("{}\n{address}  (Ctrl+C ends it)", page.display());
     if open {

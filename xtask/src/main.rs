@@ -4,6 +4,7 @@
 
 mod arm;
 mod checks;
+mod dist;
 mod explorer;
 mod lints;
 mod manifests;
@@ -25,6 +26,8 @@ Usage: cargo xtask COMMAND
   arm       the tests of exact signs on an emulated 64-bit ARM, and the library checked for Windows and macOS
   gallery   write docs/gallery.md with its figures and the example of a calculation sheet
   python-versions  all tests of the Python package with every Python it promises to run under, as far as they are found
+  dist      build what is handed on into target/dist: programs, packages, wheels, the explorer, with their sums; about an
+            hour. --only NAME builds one of them, and may be given again
   explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
   sea-states N  print a table of N synthetic sea states for examples/goda-2000.toml, whose first 100 are examples/sea-states.csv
   help      this text
@@ -41,6 +44,7 @@ fn main() -> ExitCode {
         ["test", "explorer"] => checks::Part::Explorer.run(),
         ["python-versions"] => checks::Part::PythonVersions.run(),
         ["arm"] => arm::run(),
+        ["dist", ref options @ ..] => ended(only(options).and_then(|names| dist::run(&names))),
         ["deny"] => ended(manifests::deny()),
         ["gallery"] => ended(ran(&mut tally::cargo(&["run", "--quiet", "--package", "xtask-docs"]))),
         ["explorer"] => ended(explorer::serve(false)),
@@ -60,6 +64,15 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// The names of `--only`.
+fn only<'a>(options: &[&'a str]) -> Result<Vec<&'a str>, String> {
+    let pair = |pair: &[&'a str]| match pair {
+        ["--only", name] => Ok(*name),
+        _ => Err(format!("cargo xtask dist: expected --only NAME, not {}", pair.join(" "))),
+    };
+    options.chunks(2).map(pair).collect()
 }
 
 fn ended(result: Result<(), String>) -> ExitCode {

@@ -3,9 +3,10 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::sync::LazyLock;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushPoint;
@@ -22,17 +23,24 @@ use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
 
 use crate::design::BoundaryFile;
 use crate::draw::{KMu, PictureFile, PictureFormat};
+use crate::features;
 use crate::format::Format;
 use crate::probability::DrawsFile;
 use crate::sheet::SheetFile;
 use crate::title_block::TitleBlock;
+
+/// Version, the commit it was built from where that is known, and the parts it has.
+static VERSION: LazyLock<String> = LazyLock::new(|| {
+    let commit = option_env!("STANDFAST_COMMIT").map(|commit| format!("commit {commit}; "));
+    format!("{} ({}{})", env!("CARGO_PKG_VERSION"), commit.unwrap_or_default(), features::list())
+});
 
 /// Does a freestanding body on a rough base rest, slide, rock, or slide and rock under a horizontal force?
 ///
 /// The symbols are the report's: γ = height/width; k = F/(m g); k' the height of the force above the centre of mass,
 /// in half-heights (-1 at the base, 0 at the centre, 1 at the crest); μ Coulomb friction.
 #[derive(Debug, Parser)]
-#[command(name = "standfast", version, max_term_width = 100, after_help = include_str!("help/program.txt"))]
+#[command(name = "standfast", version = VERSION.as_str(), max_term_width = 100, after_help = include_str!("help/program.txt"))]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -142,6 +150,14 @@ pub enum Command {
     /// units.
     #[command(after_help = include_str!("help/batch.txt"))]
     Batch(BatchArgs),
+
+    /// Print the manual of the program or of one command, as a page for `man`
+    #[command(after_help = include_str!("help/manual.txt"))]
+    Manual {
+        /// The command; without one, the program
+        #[arg(value_parser = command_name)]
+        command: Option<String>,
+    },
 
     /// Print a completion script for a shell
     #[command(after_help = include_str!("help/completions.txt"))]
@@ -627,6 +643,23 @@ fn motions(value: &str) -> Result<u16, String> {
     count.ok_or_else(|| {
         "expected how many motions to try, from 1 to 10000; without a number the option goes behind the case file".to_owned()
     })
+}
+
+/// The name of a command.
+fn command_name(text: &str) -> Result<String, String> {
+    let names: Vec<String> = Cli::command().get_subcommands().map(|one| one.get_name().to_owned()).collect();
+    let found = names.contains(&text.to_owned());
+    if found { Ok(text.to_owned()) } else { Err(format!("expected one of {}", names.join(", "))) }
+}
+
+/// The program, or one of its commands under its whole name, as clap describes it.
+pub(crate) fn described(command: Option<&str>) -> clap::Command {
+    let program = Cli::command();
+    let found = command.and_then(|name| Some((name, program.find_subcommand(name)?.clone())));
+    match found {
+        Some((name, found)) => found.name(format!("standfast-{name}")).version(VERSION.as_str()),
+        None => program,
+    }
 }
 
 /// The kinds of cases to begin from.

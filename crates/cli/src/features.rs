@@ -50,6 +50,14 @@ impl Feature {
     }
 }
 
+/// The parts that this build has, in words.
+pub fn list() -> String {
+    let all = [Feature::Tables, Feature::Workbooks, Feature::Pictures];
+    let parts: Vec<&str> =
+        all.into_iter().filter(|feature| feature.is_built_in()).map(Feature::name).collect();
+    if parts.is_empty() { "no features".to_owned() } else { format!("with {}", parts.join(", ")) }
+}
+
 /// Something is asked for that this build leaves out.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{asked}: this build of standfast leaves out {what}")]

@@ -110,6 +110,11 @@ pub fn run(cli: Cli) -> Result<Ended> {
         }
         Command::New(args) => print(&begin::begin(&args)?),
         Command::Batch(args) => batch_command(&args),
+        Command::Manual { command } => {
+            let mut page = Vec::new();
+            let _ = clap_mangen::Man::new(args::described(command.as_deref())).render(&mut page);
+            print(&String::from_utf8_lossy(&page))
+        }
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Cli::command(), "standfast", &mut script);

@@ -1,0 +1,127 @@
+//! Compilers and linkers for other systems: zig and maturin of the Python package index, in an environment of their own, and the
+//! standard libraries that rustup has.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::{System, output};
+use crate::pythons::Python;
+use crate::{ran, root, target};
+
+/// What builds.
+pub struct Toolchain {
+    /// Environment with zig and maturin.
+    environment: PathBuf,
+    /// The commit that is built, with a word if what lies there is another.
+    commit: String,
+}
+
+impl Toolchain {
+    /// Makes the environment, if it is not there.
+    pub fn found() -> Result<Toolchain, String> {
+        let environment = target().join("dist-tools");
+        let pins = root().join("xtask/dist/requirements.txt");
+        let stamp = environment.join("installed.txt");
+        let wanted = std::fs::read(&pins).map_err(|error| format!("{}: {error}", pins.display()))?;
+        if std::fs::read(&stamp).ok().as_ref() != Some(&wanted) {
+            let python =
+                Python::of_path().ok_or("no Python 3.10 or later with pip and venv; PYTHON names one")?;
+            ran(Command::new(&python.program).args(["-m", "venv", "--clear"]).arg(&environment))?;
+            let pip = ["-m", "pip", "--quiet", "--disable-pip-version-check", "install", "--requirement"];
+            ran(Command::new(environment.join("bin/python")).args(pip).arg(&pins))?;
+            std::fs::write(&stamp, wanted).map_err(|error| format!("{}: {error}", stamp.display()))?;
+        }
+        let git = |arguments: &[&str]| output(Command::new("git").args(arguments).current_dir(root()));
+        let changed = !git(&["status", "--porcelain", "--untracked-files=no"])?.is_empty();
+        let commit = git(&["rev-parse", "--short=12", "HEAD"])?.trim().to_owned();
+        let commit = if changed { format!("{commit}, changed") } else { commit };
+        Ok(Toolchain { environment, commit })
+    }
+
+    pub fn python(&self) -> PathBuf {
+        self.environment.join("bin/python")
+    }
+
+    /// A program of the environment, which finds zig, builds for a system and leaves no path of this machine in what it builds.
+    pub fn command(&self, program: &str, system: &System) -> Result<Command, String> {
+        ran(Command::new("rustup").args(["--quiet", "target", "add", system.triple]).current_dir(root()))?;
+        let programs = self.environment.join("bin");
+        let mut command = Command::new(programs.join(program));
+        let path = env::var_os("PATH").unwrap_or_default();
+        let path = env::join_paths(std::iter::once(programs).chain(env::split_paths(&path)));
+        let flags: Vec<String> = remapped()?;
+        let prefixes = prefixes()?;
+        let of_c: Vec<String> =
+            prefixes.iter().map(|(from, to)| format!("-ffile-prefix-map={}={to}", from.display())).collect();
+        command
+            .current_dir(root())
+            .env("PATH", path.map_err(|error| error.to_string())?)
+            .env("CARGO_TARGET_DIR", target().join("dist-build"))
+            .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"))
+            .env("CFLAGS", of_c.join(" "))
+            .env("SOURCE_DATE_EPOCH", "315532800")
+            .env("MACOSX_DEPLOYMENT_TARGET", "11.0")
+            .env("STANDFAST_COMMIT", &self.commit);
+        if system.triple.ends_with("apple-darwin") {
+            command.env("SDKROOT", root().join("xtask/dist/macos-sdk"));
+        }
+        Ok(command)
+    }
+}
+
+/// Folders of this machine, and what stands for them in what is built.
+fn prefixes() -> Result<Vec<(PathBuf, &'static str)>, String> {
+    let home = |name: &str, folder: &str| {
+        env::var_os(name).map(PathBuf::from).or_else(|| Some(Path::new(&env::var_os("HOME")?).join(folder)))
+    };
+    let sysroot = output(Command::new("rustc").args(["--print", "sysroot"]).current_dir(root()))?;
+    let mut prefixes = vec![(root(), "/standfast"), (PathBuf::from(sysroot.trim()), "/rust")];
+    prefixes.extend(home("CARGO_HOME", ".cargo").map(|folder| (folder, "/cargo")));
+    Ok(prefixes)
+}
+
+/// Flags with which rustc writes no path of this machine.
+fn remapped() -> Result<Vec<String>, String> {
+    let flag = |(from, to): (PathBuf, &str)| format!("--remap-path-prefix={}={to}", from.display());
+    Ok(prefixes()?.into_iter().map(flag).collect())
+}
+
+/// Folders of this machine that must not stand in what is built.
+pub fn own_folders() -> Result<Vec<String>, String> {
+    let mut folders: Vec<String> =
+        prefixes()?.into_iter().map(|(path, _)| path.display().to_string()).collect();
+    folders.extend(env::var("HOME").ok().filter(|home| home.len() > 3));
+    Ok(folders)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A program compiled as those that are handed on has no path of this machine; without the flags it would.
+    #[test]
+    fn no_path_of_this_machine_is_built_in() {
+        let folder = tempfile::tempdir_in(target()).expect("a folder");
+        let source = folder.path().join("main.rs");
+        std::fs::write(&source, "fn main() { println!(\"{}\", std::panic::Location::caller()); }\n")
+            .expect("it is written");
+        let paths = |flags: Vec<String>| {
+            let program = folder.path().join("main");
+            ran(Command::new("rustc")
+                .args(flags)
+                .arg(&source)
+                .args(["-C", "strip=symbols", "-o"])
+                .arg(&program))
+            .expect("it compiles");
+            let bytes = std::fs::read(&program).expect("it is there");
+            own_folders()
+                .expect("folders")
+                .into_iter()
+                .filter(|own| super::super::examine::has(&bytes, own))
+                .count()
+        };
+        assert_eq!(paths(remapped().expect("flags")), 0);
+        assert_ne!(paths(Vec::new()), 0);
+    }
+}
