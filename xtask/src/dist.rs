@@ -127,7 +127,7 @@ const ARTEFACTS: [Artefact; 13] = [
 
 /// Builds all, or those that are named, into `target/dist`, and lists what is there.
 pub fn run(names: &[&str]) -> Result<(), String> {
-    let known = |name: &str| ARTEFACTS.iter().any(|one| one.name == *name);
+    let known = |name: &str| ARTEFACTS.iter().any(|one| one.name == name);
     if let Some(unknown) = names.iter().find(|name| !known(name)) {
         let all: Vec<&str> = ARTEFACTS.iter().map(|one| one.name).collect();
         return Err(format!("cargo xtask dist --only {unknown}: there are {}", all.join(", ")));
@@ -143,6 +143,21 @@ pub fn run(names: &[&str]) -> Result<(), String> {
         lists::note(&folder, &file, &state)?;
     }
     lists::sums(&folder)
+}
+
+/// Runs the first lines of people who have what was built, each in an empty home without our tools.
+pub fn try_first_lines() -> Result<(), String> {
+    let scripts = root().join("xtask/dist/first-lines");
+    let run = scripts.join("run.sh");
+    let found = fs::read_dir(&scripts).map_err(|error| format!("{}: {error}", scripts.display()))?;
+    let mut all: Vec<PathBuf> = found.filter_map(Result::ok).map(|entry| entry.path()).collect();
+    all.retain(|path| *path != run);
+    all.sort();
+    for script in all {
+        println!("── {}", script.file_stem().unwrap_or_default().to_string_lossy());
+        ran(Command::new("sh").arg(&run).arg(target().join("dist")).arg(&script))?;
+    }
+    Ok(())
 }
 
 impl Artefact {

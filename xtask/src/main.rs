@@ -27,7 +27,8 @@ Usage: cargo xtask COMMAND
   gallery   write docs/gallery.md with its figures and the example of a calculation sheet
   python-versions  all tests of the Python package with every Python it promises to run under, as far as they are found
   dist      build what is handed on into target/dist: programs, packages, wheels, the explorer, with their sums; about an
-            hour. --only NAME builds one of them, and may be given again
+            hour. --only NAME builds one of them, and may be given again; --try runs the first lines of people who have
+            what was built and none of our tools
   explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
   sea-states N  print a table of N synthetic sea states for examples/goda-2000.toml, whose first 100 are examples/sea-states.csv
   help      this text
@@ -44,6 +45,7 @@ fn main() -> ExitCode {
         ["test", "explorer"] => checks::Part::Explorer.run(),
         ["python-versions"] => checks::Part::PythonVersions.run(),
         ["arm"] => arm::run(),
+        ["dist", "--try"] => ended(dist::try_first_lines()),
         ["dist", ref options @ ..] => ended(only(options).and_then(|names| dist::run(&names))),
         ["deny"] => ended(manifests::deny()),
         ["gallery"] => ended(ran(&mut tally::cargo(&["run", "--quiet", "--package", "xtask-docs"]))),

@@ -16,8 +16,9 @@ macro_rules! examples {
 }
 
 /// The examples: where each lies in their folder, and what it holds.
-pub const EXAMPLES: [(&str, &[u8]); 36] = examples! {
+pub const EXAMPLES: [(&str, &[u8]); 37] = examples! {
     "block-two-loads.toml"
+    "block.toml"
     "breaking-wave.toml"
     "caisson-in-air.toml"
     "caisson-of-parts.toml"

@@ -10,8 +10,6 @@ use standfast_cases::design::Target;
 use standfast_cases::key::{Key, MOTION_CRITERIA, Table};
 use standfast_cli::args::Cli;
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-
 /// The help of every command, of the program itself under no name, as a terminal of a width shows it.
 fn helps(width: usize) -> Vec<(String, String)> {
     let mut program = Cli::command().term_width(width);
@@ -44,22 +42,11 @@ fn case_files(help: &str) -> Vec<String> {
         .collect()
 }
 
-fn copy(from: &Path, to: &Path) {
-    fs::create_dir_all(to).unwrap();
-    for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
-        let target = to.join(entry.file_name());
-        if entry.path().is_dir() {
-            copy(&entry.path(), &target);
-        } else {
-            fs::copy(entry.path(), target).unwrap();
-        }
-    }
-}
-
-/// Folder in which the examples lie as in the repository.
+/// Folder with the examples that the program itself writes.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    copy(&Path::new(ROOT).join("examples"), &folder.path().join("examples"));
+    let output = run(folder.path(), &["new".to_owned(), "--examples".to_owned()]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     folder
 }
 
@@ -84,8 +71,11 @@ fn commands_run_as_they_are_pasted() {
         let commands = commands(&help);
         assert!(!commands.is_empty(), "{name} has no example");
         assert_eq!(commands, self::commands(&self::help(&name)), "{name}: the same at every width");
+        // Examples are not written over.
+        let empty = tempfile::tempdir().unwrap();
+        let folder = if name == "new" { empty.path() } else { folder.path() };
         for command in commands {
-            let output = run(folder.path(), &words(&command));
+            let output = run(folder, &words(&command));
             assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
             count += 1;
         }
