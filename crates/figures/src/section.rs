@@ -17,6 +17,7 @@ mod columns;
 mod paint;
 mod rows;
 mod surroundings;
+mod under;
 
 use standfast::loads::Face;
 
@@ -138,8 +139,36 @@ pub struct BaseReaction {
     pub pressed: (f64, f64),
     /// The point about which the body turns, if it does.
     pub neutral: Option<f64>,
-    /// Its size as it is written.
+    /// Its size as it is written, and what of it is borne, in lines.
+    pub labels: Vec<String>,
+    /// The way in which the ground under it fails, where that is drawn.
+    pub failure: Option<FailureSketch>,
+}
+
+/// The way in which ground fails; m from mid-width and above the base.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FailureSketch {
+    /// Lines; the surface on which the ground slips first, from the edge inside the base to where it comes out.
+    pub lines: Vec<Vec<(f64, f64)>>,
+    /// The edge of what bears on the side where the ground comes out.
+    pub near: f64,
+    /// That side: −1 to the left, 1 to the right.
+    pub out: f64,
+    /// Its name.
     pub label: String,
+}
+
+/// A number that is written where it acts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stated {
+    /// Name with its symbol, in markup.
+    pub name: String,
+    /// The symbol alone, in markup.
+    pub symbol: String,
+    /// The number as it is written.
+    pub value: String,
+    /// Its unit behind it, with the space before it; may be empty.
+    pub unit: String,
 }
 
 /// Content of a section.
@@ -173,6 +202,10 @@ pub struct Section<'a> {
     pub wave_crest: Option<f64>,
     /// Reaction of the base.
     pub reaction: Option<BaseReaction>,
+    /// Friction of the base.
+    pub friction: Option<Stated>,
+    /// What the ground under it is known by.
+    pub ground: Option<Stated>,
     /// Sentences below the legend; not markup.
     pub notes: Vec<String>,
 }
@@ -202,6 +235,8 @@ pub struct Section<'a> {
 ///     backfills: Vec::new(),
 ///     wave_crest: None,
 ///     reaction: None,
+///     friction: None,
+///     ground: None,
 ///     notes: vec!["1 m by 2 m".to_owned()],
 /// });
 /// assert_eq!(figure.title(), "Section: Block");
@@ -274,6 +309,10 @@ pub enum SectionNumber {
     Level(usize),
     /// The size of a force, by its place.
     Arrow(usize),
+    /// Friction of the base.
+    Friction,
+    /// What the ground is known by.
+    Ground,
 }
 
 /// A force as it is drawn on a face.

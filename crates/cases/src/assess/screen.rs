@@ -50,6 +50,8 @@ pub fn section_on_screen(assessment: &Assessment, size: (f64, f64)) -> Result<Se
                     }
                 }
                 SectionNumber::Arrow(index) => force(*index).into_iter().collect(),
+                SectionNumber::Friction => vec![Key::Friction.into()],
+                SectionNumber::Ground => vec![Key::GroundAngle.into(), Key::Strength.into()],
                 _ => Vec::new(),
             };
             numbers.extend(ids.into_iter().map(|id| (id, *rect)));

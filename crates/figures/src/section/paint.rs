@@ -140,7 +140,7 @@ impl<'a> Painter<'a> {
         self.labels.iter().map(|(_, rect, _)| rect).filter(move |rect| rect.y0 - 2.0 < y && y < rect.y1 + 2.0)
     }
 
-    fn touches(&self, rect: &Rect) -> bool {
+    pub(super) fn touches(&self, rect: &Rect) -> bool {
         self.labels.iter().any(|(_, other, _)| other.overlaps(rect))
     }
 
