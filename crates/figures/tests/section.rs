@@ -128,6 +128,7 @@ fn random(dice: &mut Dice, parts: &[Outline], (width, height): (f64, f64)) -> Fi
                 pressed: (one.min(other), one.max(other)),
                 neutral: (dice.roll() < 0.5).then_some(one.max(other)),
                 labels: vec!["2319 kN/m comes,".to_owned(), "2100 kN/m is borne".to_owned()],
+                width: Some("B′ 8.337 m".to_owned()),
                 failure: (dice.roll() < 0.5).then(|| failure(one.min(other), one.max(other))),
             }
         }),

@@ -43,8 +43,7 @@ pub(super) fn with_section<T>(
     let situation = case.situation(Acting::All, None)?;
     let extent = case.extent;
     let BaseEdges { left, right } = case.body.base_edges();
-    let (mut widths, heights) = dimensions(case);
-    widths.splice(0..0, reaction.iter().filter_map(under::pressed_width).map(|measure| vec![measure]));
+    let (widths, heights) = dimensions(case);
     let backfills = backfills(situation.loads());
     let is_on_soil = matches!(worst.ground.as_ref().and_then(|ground| ground.limit), Some(Limit::Ground(_)));
     let mut notes = notes(case);

@@ -4,7 +4,7 @@ use standfast::loads::Face;
 
 use super::columns::{ANYWHERE, APART, MOVED, Spot, Stalk, numbers};
 use super::paint::{Painter, THIN};
-use super::{Arrow, LABEL, Pressed, SectionArrow, SectionNumber, tag};
+use super::{Arrow, LABEL, Measure, Pressed, SectionArrow, SectionNumber, tag};
 use crate::labels::spread;
 use crate::palette::{INK, MARK};
 use crate::scene::Pen;
@@ -110,22 +110,31 @@ impl Painter<'_> {
     pub(super) fn widths(&mut self, start: f64) {
         let given = self.given;
         let mut y = start;
-        for (row, measures) in given.widths.iter().enumerate() {
-            y += 1.5 * APART;
-            let mut spots = Vec::new();
-            for (place, measure) in measures.iter().enumerate() {
-                let [from, to] = [measure.ends.0, measure.ends.1].map(|x| (self.place(x, 0.0).0, y));
-                self.dimension(from, to);
-                let (at, of) = (((from.0 + to.0) / 2.0, y), Some(SectionNumber::Width(row, place)));
-                spots.push(Spot {
-                    at,
-                    text: Text::verbatim(&measure.label, LABEL),
-                    colour: INK,
-                    of,
-                    lower: 0.0,
-                });
-            }
-            y = self.row(spots, y + NEAR, DOWN);
+        let bears = given.reaction.as_ref().filter(|_| !self.look.on_screen);
+        if let Some((ends, label)) = bears.and_then(|reaction| Some((reaction.pressed, reaction.width.as_ref()?))) {
+            let measures = [Measure { ends, label: label.clone() }];
+            y = self.row_of_widths(&measures, y, |_| None);
         }
+        for (row, measures) in given.widths.iter().enumerate() {
+            y = self.row_of_widths(measures, y, |place| Some(SectionNumber::Width(row, place)));
+        }
+    }
+
+    /// A row of widths below `start`; gives where it ends.
+    fn row_of_widths(
+        &mut self,
+        measures: &[Measure],
+        start: f64,
+        of: impl Fn(usize) -> Option<SectionNumber>,
+    ) -> f64 {
+        let y = start + 1.5 * APART;
+        let mut spots = Vec::new();
+        for (place, Measure { ends, label }) in measures.iter().enumerate() {
+            let [from, to] = [ends.0, ends.1].map(|x| (self.place(x, 0.0).0, y));
+            self.dimension(from, to);
+            let (at, text) = (((from.0 + to.0) / 2.0, y), Text::verbatim(label, LABEL));
+            spots.push(Spot { at, text, colour: INK, of: of(place), lower: 0.0 });
+        }
+        self.row(spots, y + NEAR, DOWN)
     }
 }

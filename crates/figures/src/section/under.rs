@@ -13,6 +13,8 @@ use crate::text::Text;
 
 /// Height of the block of pressure under the effective width.
 const BAND: f64 = 7.0;
+/// From the base to below the letters of the corners.
+const LETTERS: f64 = 20.0;
 /// Height of a row of words, and of one with a field on a screen.
 const ROW: f64 = 16.0;
 const FIELD_ROW: f64 = 31.0;
@@ -31,10 +33,10 @@ const SPARE: f64 = 7.0;
 /// The way in which the ground fails.
 const FAILS: Pen = Pen { colour: MARK, width: 1.4, dashes: "6 4" };
 
-/// A row of words beside the reaction: what is drawn of it from left to right.
+/// A row beside the reaction: words, or numbers from left to right.
 enum Line<'a> {
     Words(&'a str),
-    Number(&'a Stated, SectionNumber),
+    Numbers(Vec<(&'a Stated, SectionNumber)>),
 }
 
 impl Painter<'_> {
@@ -82,6 +84,26 @@ impl Painter<'_> {
     fn sketched(&self) -> &[Vec<(f64, f64)>] {
         let sketch = self.given.reaction.as_ref().and_then(|reaction| reaction.failure.as_ref());
         sketch.map_or(&[], |sketch| &sketch.lines)
+    }
+
+    /// Room that ground takes beside the body where it fails and comes out on a side; no more than a share of the body's width.
+    pub(super) fn exit(&self, out: f64) -> f64 {
+        const MOST: f64 = 0.6;
+        const BEYOND: f64 = 8.0;
+        let sketch = self.given.reaction.as_ref().and_then(|reaction| reaction.failure.as_ref());
+        let Some(surface) = sketch.filter(|sketch| sketch.out == out).and_then(|sketch| sketch.lines.first()) else {
+            return 0.0;
+        };
+        let edge = if out < 0.0 { self.bounds.x0 } else { self.bounds.x1 };
+        let far = |at: &(f64, f64)| (at.0 - edge) * out;
+        // Where the bed is lower than the base, it comes out before.
+        let low = self.bed.unwrap_or(0.0).min(0.0);
+        let last = surface.windows(2).last().map_or(0.0, |pair| {
+            let share = if pair[1].1 > pair[0].1 { (low - pair[0].1) / (pair[1].1 - pair[0].1) } else { 1.0 };
+            let (from, to) = (far(&pair[0]), far(&pair[1]));
+            from + share.clamp(0.0, 1.0) * (to - from)
+        });
+        (last * self.scale + BEYOND).min(MOST * self.width())
     }
 
     /// The way in which the ground fails, as far as ground is drawn.
@@ -145,25 +167,37 @@ impl Painter<'_> {
         tail.1
     }
 
-    /// Rows of words beside the reaction, downwards: the friction on the base, the size of the reaction, the strength of the ground.
+    /// Rows beside the reaction, downwards: the friction on the base, the size of the reaction, the strength of the ground. On a screen, where
+    /// they are fields, both numbers stand in a row.
     fn rows(&self) -> Vec<Line<'_>> {
         let given = self.given;
-        let friction = given.friction.iter().map(|number| Line::Number(number, SectionNumber::Friction));
-        let sizes = given.reaction.iter().flat_map(|reaction| reaction.labels.iter().map(|line| Line::Words(line)));
-        let ground = given.ground.iter().map(|number| Line::Number(number, SectionNumber::Ground));
-        friction.chain(sizes).chain(ground).collect()
+        let mut friction: Vec<_> = given.friction.iter().map(|number| (number, SectionNumber::Friction)).collect();
+        let mut ground: Vec<_> = given.ground.iter().map(|number| (number, SectionNumber::Ground)).collect();
+        if self.look.on_screen {
+            friction.append(&mut ground);
+        }
+        let width = given.reaction.iter().filter(|_| self.look.on_screen).filter_map(|reaction| reaction.width.as_ref());
+        let sizes = given.reaction.iter().flat_map(|reaction| &reaction.labels);
+        let words = sizes.chain(width).map(|line| Line::Words(line));
+        let numbers = |numbers: Vec<_>| Some(Line::Numbers(numbers)).filter(|line| !matches!(line, Line::Numbers(all) if all.is_empty()));
+        numbers(friction).into_iter().chain(words).chain(numbers(ground)).collect()
     }
 
     fn row_height(&self, row: &Line<'_>) -> f64 {
         match row {
-            Line::Number(..) if self.look.on_screen => FIELD_ROW,
+            Line::Numbers(..) if self.look.on_screen => FIELD_ROW,
             _ => ROW,
         }
     }
 
+    /// Where the rows begin below the base: fields stand below the letters of the corners.
+    fn rows_start(&self) -> f64 {
+        if self.look.on_screen { LETTERS } else { BAND + 2.0 }
+    }
+
     /// What the rows take from the base downwards.
     fn rows_height(&self) -> f64 {
-        BAND + 2.0 + self.rows().iter().map(|row| self.row_height(row)).sum::<f64>()
+        self.rows_start() + self.rows().iter().map(|row| self.row_height(row)).sum::<f64>()
     }
 
     /// Draws the rows beside the reaction, on the side away from the failure or where there is more of the base; gives where they end.
@@ -181,7 +215,7 @@ impl Painter<'_> {
         };
         let rows: Vec<(f64, SetLine)> =
             self.rows().iter().map(|row| (self.row_height(row), self.pieces(row))).collect();
-        let mut y = base + BAND + 2.0;
+        let mut y = base + self.rows_start();
         for (height, pieces) in rows {
             let farther = |one: f64, two: f64| if (two - one) * out > 0.0 { two } else { one };
             let lines = self.crossings((y, y + height)).map(|x| x + out * BESIDE);
@@ -221,27 +255,32 @@ impl Painter<'_> {
         rect
     }
 
-    /// A row set: words in one piece; a number on a screen with room for its field.
+    /// A row set: words in one piece; numbers on a screen with room for their fields.
     fn pieces(&self, row: &Line<'_>) -> SetLine {
-        let whole = |text: Text, colour, of| {
-            let width = text.width;
-            SetLine { of: vec![Word { text, from: 0.0, width, of }], width, colour }
-        };
-        match row {
-            Line::Words(words) => whole(Text::verbatim(words, LABEL), PUSH, None),
-            Line::Number(Stated { name, symbol, value, unit }, of) => {
-                let name = if self.look.names { name } else { symbol };
-                if !self.look.on_screen {
-                    return whole(Text::new(&format!("{name} = {value}{unit}"), LABEL), INK, Some(*of));
-                }
-                let [name, value, unit] =
-                    [name, &format!("{value}{unit}"), unit].map(|words| Text::new(words, LABEL));
-                let (from, width) = (name.width + BETWEEN, FIELD.max(value.width) + unit.width + BETWEEN);
-                let name = Word { from: 0.0, width: name.width, text: name, of: None };
-                let value = Word { text: value, from, width, of: Some(*of) };
-                SetLine { of: vec![name, value], width: from + width, colour: INK }
+        let numbers = match row {
+            Line::Words(words) => {
+                let text = Text::verbatim(words, LABEL);
+                return SetLine { width: text.width, of: vec![Word { width: text.width, text, from: 0.0, of: None }], colour: PUSH };
             }
+            Line::Numbers(numbers) => numbers,
+        };
+        let mut set = SetLine { of: Vec::new(), width: 0.0, colour: INK };
+        for (i, (Stated { name, symbol, value, unit }, of)) in numbers.iter().enumerate() {
+            if i > 0 {
+                set.width += 2.0 * BESIDE;
+            }
+            if !self.look.on_screen {
+                set.add(Text::new(&format!("{name} = {value}{unit}"), LABEL), 0.0, Some(*of));
+                continue;
+            }
+            // Of several the first alone has its name in words.
+            let name = if self.look.names && i == 0 { name } else { symbol };
+            set.add(Text::new(name, LABEL), 0.0, None);
+            set.width += BETWEEN;
+            let unit = Text::new(unit, LABEL).width;
+            set.add(Text::new(value, LABEL), FIELD + unit + BETWEEN, Some(*of));
         }
+        set
     }
 }
 
@@ -250,6 +289,15 @@ struct SetLine {
     of: Vec<Word>,
     width: f64,
     colour: &'static str,
+}
+
+impl SetLine {
+    /// Adds a text in the middle of a room, or of its own width if that is more.
+    fn add(&mut self, text: Text, room: f64, of: Option<SectionNumber>) {
+        let width = text.width.max(room);
+        self.of.push(Word { text, from: self.width, width, of });
+        self.width += width;
+    }
 }
 
 /// A text in a row: where it begins, and the room in whose middle it stands.

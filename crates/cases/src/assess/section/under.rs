@@ -2,7 +2,7 @@
 
 use standfast::ground::bearing::FailureShape;
 use standfast::{BaseEdges, Mode, Verdict};
-use standfast_figures::{BaseReaction, FailureSketch, Measure, Stated};
+use standfast_figures::{BaseReaction, FailureSketch, Stated};
 
 use super::super::{Assessed, Assessment, BaseResponse};
 use super::metres;
@@ -44,8 +44,11 @@ pub(super) fn reaction(case: &Case, assessed: &Assessed, ground: &BaseResponse) 
     };
     let neutral = crush.and_then(|crush| crush.neutral).map(|neutral| centre + neutral);
     let labels = labels(case, assessed, ground, force);
+    let name = if neutral.is_some() { "crushed" } else { "B′" };
+    let wide = pressed.1 - pressed.0;
+    let width = (wide > 0.0).then(|| format!("{name} {}", metres(wide)));
     let failure = failure(case, assessed, ground);
-    Some(BaseReaction { at, size: force.abs(), pressed, neutral, labels, failure })
+    Some(BaseReaction { at, size: force.abs(), pressed, neutral, labels, width, failure })
 }
 
 /// What comes on the base, and what of it is borne where that is known: under a body that stays, or that the ground does not bear.
@@ -120,13 +123,6 @@ pub(super) fn ground(case: &Case) -> Option<Stated> {
 fn stated(name: &str, key: Key, value: String, unit: &str) -> Stated {
     let symbol = format!("${}$", key.info().symbol);
     Stated { name: format!("{name} {symbol}"), symbol, value, unit: unit.to_owned() }
-}
-
-/// The width that bears the reaction; none of an edge.
-pub(super) fn pressed_width(reaction: &BaseReaction) -> Option<Measure> {
-    let (from, to) = reaction.pressed;
-    let name = if reaction.neutral.is_some() { "crushed" } else { "B′" };
-    (to > from).then(|| Measure { ends: (from, to), label: format!("{name} {}", metres(to - from)) })
 }
 
 /// Words on the reaction, below the drawing.
