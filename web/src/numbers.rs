@@ -62,7 +62,11 @@ impl NumberField {
             label: id.words(),
             symbol: info.symbol,
             digits: digits(&written.digits, varied),
-            unit: if written.unit.is_empty() && info.name.ends_with("_deg") { "°".to_owned() } else { written.unit },
+            unit: if written.unit.is_empty() && info.name.ends_with("_deg") {
+                "°".to_owned()
+            } else {
+                written.unit
+            },
             units: names.chain(units.gravity.then_some(GRAVITY_UNIT)).collect(),
             range: info.range().map_or("", standfast_inputs::key::Range::words),
         })

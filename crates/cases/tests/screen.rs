@@ -15,10 +15,16 @@ fn assessment(name: &str) -> (CaseFile, Assessment) {
 #[test]
 fn a_number_lies_on_its_label() {
     for (name, expected) in [
-        ("caisson-in-air.toml", "body.friction 0.6 , body.height 12 m, body.width 15 m, load[1].force 2700 kN/m"),
+        (
+            "caisson-in-air.toml",
+            "body.friction 0.6 , body.height 12 m, body.width 15 m, load[1].force 2700 kN/m",
+        ),
         ("head-difference.toml", ""),
         ("goda-2000.toml", "body.friction 0.6 , body.height 10.5 m, body.width 15 m"),
-        ("goda-on-sand.toml", "body.friction 0.6 , body.height 10.5 m, body.width 15 m, ground.friction_angle_deg 35 "),
+        (
+            "goda-on-sand.toml",
+            "body.friction 0.6 , body.height 10.5 m, body.width 15 m, ground.friction_angle_deg 35 ",
+        ),
         ("caisson-on-stone.toml", ""),
     ] {
         let (file, assessment) = assessment(name);

@@ -144,14 +144,16 @@ fn the_reaction_lies_where_equilibrium_has_it() {
 /// the specification has them, worked out here: R = 2B² γ' N_γ (1−ε)² (1−η)³; 960 kN/m comes.
 #[test]
 fn what_comes_and_what_is_borne_stand_under_the_base() {
-    for (angle, weight, share, bears) in [(30.0_f64, 9e3, 0.2, "can be borne"), (24.0, 4e3, 0.3, "is borne")] {
+    for (angle, weight, share, bears) in [(30.0_f64, 9e3, 0.2, "can be borne"), (24.0, 4e3, 0.3, "is borne")]
+    {
         let text = sand(angle, weight, share * 960e3, "left");
         let texts = texts(&section(&case("block.toml", &text)));
         let tan = angle.to_radians().tan();
         let n_q = (std::f64::consts::PI * tan).exp() * (45.0 + angle / 2.0).to_radians().tan().powi(2);
         let n_gamma = 2.0 * (n_q - 1.0) * tan;
         // e = 3 m × share of a half width of 4 m.
-        let borne = 2.0 * 16.0 * weight * n_gamma * (1.0 - 0.75 * share).powi(2) * (1.0 - share).powi(3) / 1e3;
+        let borne =
+            2.0 * 16.0 * weight * n_gamma * (1.0 - 0.75 * share).powi(2) * (1.0 - share).powi(3) / 1e3;
         assert_eq!(borne > 960.0, bears == "can be borne", "{borne}");
         assert!(texts.iter().any(|text| text == "960 kN/m comes,"), "{texts:?}");
         let found = texts.iter().find_map(|text| text.strip_suffix(&format!(" kN/m {bears}")));
@@ -189,7 +191,9 @@ fn the_failure_of_the_ground_is_sketched_where_the_load_pushes() {
         let across = wall.iter().map(|at| at.0);
         let scale = (across.clone().fold(0.0, f64::max) - across.fold(f64::INFINITY, f64::min)) / 8.0;
         let lines = failure(&figure).into_iter().map(|line| {
-            line.into_iter().map(|(x, y)| ((x - middle) / scale, (y - height(wall).1) / scale)).collect::<Vec<_>>()
+            line.into_iter()
+                .map(|(x, y)| ((x - middle) / scale, (y - height(wall).1) / scale))
+                .collect::<Vec<_>>()
         });
         (lines.collect::<Vec<_>>(), figure)
     };

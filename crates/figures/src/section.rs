@@ -316,7 +316,13 @@ struct SectionLook {
 impl SectionLook {
     /// A body `size` times as large as bodies are, at most, with loads this long.
     fn on_paper(size: f64, longest: f64) -> SectionLook {
-        SectionLook { body: (size * BODY.0, size * BODY.1), longest, names: true, numbers: true, on_screen: false }
+        SectionLook {
+            body: (size * BODY.0, size * BODY.1),
+            longest,
+            names: true,
+            numbers: true,
+            on_screen: false,
+        }
     }
 }
 

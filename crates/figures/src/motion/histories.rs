@@ -180,7 +180,10 @@ fn laid(scene: &mut Scene, picture: &MotionPicture<'_>, layout: impl Fn(usize, f
             words.unwrap_or_else(|| Text::inline(&panel.name, NUMBER).plain)
         })
         .collect();
-    let description = format!("Over the time, from above: the states, with a tick at each change; {}.", quantities.join("; "));
+    let description = format!(
+        "Over the time, from above: the states, with a tick at each change; {}.",
+        quantities.join("; ")
+    );
     Laid { area, below, edges, description }
 }
 

@@ -57,7 +57,14 @@ impl Painter<'_> {
     }
 
     /// A pressure on the base or the top as a diagram on a line of its own, beginning at `start`; gives where it ends.
-    pub(super) fn pressure_along(&mut self, index: usize, pressed: &Pressed, start: f64, limit: f64, way: f64) -> f64 {
+    pub(super) fn pressure_along(
+        &mut self,
+        index: usize,
+        pressed: &Pressed,
+        start: f64,
+        limit: f64,
+        way: f64,
+    ) -> f64 {
         let scale = self.pressure_scale();
         let reaches = |sign: f64| {
             pressed.points.iter().map(|(_, pressure, _)| sign * pressure * scale).fold(0.0, f64::max)
@@ -111,7 +118,9 @@ impl Painter<'_> {
         let given = self.given;
         let mut y = start;
         let bears = given.reaction.as_ref().filter(|_| !self.look.on_screen);
-        if let Some((ends, label)) = bears.and_then(|reaction| Some((reaction.pressed, reaction.width.as_ref()?))) {
+        if let Some((ends, label)) =
+            bears.and_then(|reaction| Some((reaction.pressed, reaction.width.as_ref()?)))
+        {
             let measures = [Measure { ends, label: label.clone() }];
             y = self.row_of_widths(&measures, y, |_| None);
         }

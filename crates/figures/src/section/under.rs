@@ -13,7 +13,7 @@ use crate::text::Text;
 
 /// Height of the block of pressure under the effective width.
 const BAND: f64 = 7.0;
-/// From the base to below the letters of the corners.
+/// From the base to below the letters of the corners, where the rows begin.
 const LETTERS: f64 = 20.0;
 /// Height of a row of words, and of one with a field on a screen.
 const ROW: f64 = 16.0;
@@ -76,7 +76,8 @@ impl Painter<'_> {
         let above = self.bed_line() - base;
         let tall = (self.bounds.y1 - self.bounds.y0) * self.scale;
         let deepest = self.sketched().iter().flatten().map(|at| -at.1 * self.scale).fold(0.0, f64::max);
-        let fails = if deepest > 0.0 { deepest.min(DEEPEST).min(SHARE * tall).max(above) + SPARE } else { 0.0 };
+        let fails =
+            if deepest > 0.0 { deepest.min(DEEPEST).min(SHARE * tall).max(above) + SPARE } else { 0.0 };
         EARTH.max(fails - above).max(self.rows_height() - above)
     }
 
@@ -91,7 +92,8 @@ impl Painter<'_> {
         const MOST: f64 = 0.6;
         const BEYOND: f64 = 8.0;
         let sketch = self.given.reaction.as_ref().and_then(|reaction| reaction.failure.as_ref());
-        let Some(surface) = sketch.filter(|sketch| sketch.out == out).and_then(|sketch| sketch.lines.first()) else {
+        let Some(surface) = sketch.filter(|sketch| sketch.out == out).and_then(|sketch| sketch.lines.first())
+        else {
             return 0.0;
         };
         let edge = if out < 0.0 { self.bounds.x0 } else { self.bounds.x1 };
@@ -116,7 +118,8 @@ impl Painter<'_> {
             .iter()
             .flat_map(|line| {
                 let places: Vec<_> = line.iter().map(|&(x, y)| self.place(x, y)).collect();
-                let inside = |(x, y): (f64, f64)| west <= x && x <= east && y <= bottom && y >= self.surface(x) - 0.01;
+                let inside =
+                    |(x, y): (f64, f64)| west <= x && x <= east && y <= bottom && y >= self.surface(x) - 0.01;
                 clipped(&places, inside)
             })
             .collect();
@@ -171,15 +174,22 @@ impl Painter<'_> {
     /// they are fields, both numbers stand in a row.
     fn rows(&self) -> Vec<Line<'_>> {
         let given = self.given;
-        let mut friction: Vec<_> = given.friction.iter().map(|number| (number, SectionNumber::Friction)).collect();
+        let mut friction: Vec<_> =
+            given.friction.iter().map(|number| (number, SectionNumber::Friction)).collect();
         let mut ground: Vec<_> = given.ground.iter().map(|number| (number, SectionNumber::Ground)).collect();
         if self.look.on_screen {
             friction.append(&mut ground);
         }
-        let width = given.reaction.iter().filter(|_| self.look.on_screen).filter_map(|reaction| reaction.width.as_ref());
+        let width = given
+            .reaction
+            .iter()
+            .filter(|_| self.look.on_screen)
+            .filter_map(|reaction| reaction.width.as_ref());
         let sizes = given.reaction.iter().flat_map(|reaction| &reaction.labels);
         let words = sizes.chain(width).map(|line| Line::Words(line));
-        let numbers = |numbers: Vec<_>| Some(Line::Numbers(numbers)).filter(|line| !matches!(line, Line::Numbers(all) if all.is_empty()));
+        let numbers = |numbers: Vec<_>| {
+            Some(Line::Numbers(numbers)).filter(|line| !matches!(line, Line::Numbers(all) if all.is_empty()))
+        };
         numbers(friction).into_iter().chain(words).chain(numbers(ground)).collect()
     }
 
@@ -190,14 +200,9 @@ impl Painter<'_> {
         }
     }
 
-    /// Where the rows begin below the base: fields stand below the letters of the corners.
-    fn rows_start(&self) -> f64 {
-        if self.look.on_screen { LETTERS } else { BAND + 2.0 }
-    }
-
     /// What the rows take from the base downwards.
     fn rows_height(&self) -> f64 {
-        self.rows_start() + self.rows().iter().map(|row| self.row_height(row)).sum::<f64>()
+        LETTERS + self.rows().iter().map(|row| self.row_height(row)).sum::<f64>()
     }
 
     /// Draws the rows beside the reaction, on the side away from the failure or where there is more of the base; gives where they end.
@@ -215,7 +220,7 @@ impl Painter<'_> {
         };
         let rows: Vec<(f64, SetLine)> =
             self.rows().iter().map(|row| (self.row_height(row), self.pieces(row))).collect();
-        let mut y = base + self.rows_start();
+        let mut y = base + LETTERS;
         for (height, pieces) in rows {
             let farther = |one: f64, two: f64| if (two - one) * out > 0.0 { two } else { one };
             let lines = self.crossings((y, y + height)).map(|x| x + out * BESIDE);
@@ -224,7 +229,8 @@ impl Painter<'_> {
             let rect = Rect { x0: left, y0: y + 1.0, x1: left + pieces.width, y1: y + height - 1.0 };
             let place = self.free(rect, out);
             for Word { text, from, width, of } in pieces.of {
-                let rect = self.label(&text, (place.x0 + from + width / 2.0, place.centre().1), pieces.colour);
+                let rect =
+                    self.label(&text, (place.x0 + from + width / 2.0, place.centre().1), pieces.colour);
                 let field = Rect::around(rect.centre().0, rect.centre().1, width, height - 2.0);
                 self.hold(&field);
                 self.drawn.numbers.extend(of.map(|of| (of, field)));
@@ -237,11 +243,14 @@ impl Painter<'_> {
     /// Where the line of the failure passes heights of the page.
     fn crossings(&self, (top, bottom): (f64, f64)) -> impl Iterator<Item = f64> {
         const LEVELS: u32 = 8;
-        let line: Vec<_> = self.sketched().first().into_iter().flatten().map(|&(x, y)| self.place(x, y)).collect();
+        let line: Vec<_> =
+            self.sketched().first().into_iter().flatten().map(|&(x, y)| self.place(x, y)).collect();
         let levels = (0..=LEVELS).map(move |i| top + (bottom - top) * f64::from(i) / f64::from(LEVELS));
         levels.flat_map(move |y| {
             let pairs = line.windows(2).filter(|pair| (pair[0].1 > y) != (pair[1].1 > y));
-            let met = |pair: &[(f64, f64)]| pair[0].0 + (y - pair[0].1) / (pair[1].1 - pair[0].1) * (pair[1].0 - pair[0].0);
+            let met = |pair: &[(f64, f64)]| {
+                pair[0].0 + (y - pair[0].1) / (pair[1].1 - pair[0].1) * (pair[1].0 - pair[0].0)
+            };
             pairs.map(met).collect::<Vec<_>>()
         })
     }
@@ -260,7 +269,11 @@ impl Painter<'_> {
         let numbers = match row {
             Line::Words(words) => {
                 let text = Text::verbatim(words, LABEL);
-                return SetLine { width: text.width, of: vec![Word { width: text.width, text, from: 0.0, of: None }], colour: PUSH };
+                return SetLine {
+                    width: text.width,
+                    of: vec![Word { width: text.width, text, from: 0.0, of: None }],
+                    colour: PUSH,
+                };
             }
             Line::Numbers(numbers) => numbers,
         };

@@ -122,7 +122,10 @@ mod tests {
             let lean = 0.5 * slope.atan2(1.0 - centre);
             let (far, apex) = (found.far, found.surface[tip]);
             let flat = (-apex.1).atan2(far.0 - apex.0);
-            assert!((flat - (std::f64::consts::FRAC_PI_4 + angle / 2.0 - lean)).abs() < 1e-9, "{flat} {lean}");
+            assert!(
+                (flat - (std::f64::consts::FRAC_PI_4 + angle / 2.0 - lean)).abs() < 1e-9,
+                "{flat} {lean}"
+            );
             for pair in found.surface[tip..=end].windows(3) {
                 let middle = pair[1];
                 let along = (pair[2].0 - pair[0].0, pair[2].1 - pair[0].1);
