@@ -190,7 +190,7 @@ export function connectSection(app) {
       return;
     }
     const width = Math.max(280, place.parentElement.clientWidth);
-    const drawing = JSON.parse(app.explorer.section(width, Math.max(app.story ? 180 : 240, room(app, place, width, 0.66, 0.52))));
+    const drawing = JSON.parse(app.explorer.section(width, Math.max(app.story ? 180 : 240, room(app, place, width, 0.65, 0.52))));
     picture.innerHTML = drawing.svg;
     put(byId("body-hint"), drawing.body.some((side) => side !== 0) ? "type over a number, pull a ring" : "its positions: a body in pure numbers has no section");
     document.querySelector(".legend").hidden = drawing.words.length === 0;

@@ -281,7 +281,7 @@ pub fn section_on_screen(given: &Section<'_>, size: (f64, f64)) -> SectionPictur
 fn fitted(given: &Section<'_>, look: SectionLook, size: (f64, f64), least: f64) -> SectionPicture {
     const ROUNDS: u32 = 4;
     /// The least height of a body, in the width of all.
-    const FLATTEST: f64 = 0.2;
+    const FLATTEST: f64 = 0.15;
     let mut body = (size.0 / 2.0, size.1 / 2.0);
     // What stands beside the body takes about the same room whatever its size.
     for _ in 0..ROUNDS {

@@ -200,15 +200,30 @@ impl Painter<'_> {
         }
     }
 
+    /// Where rows of these heights begin, from the letters of the corners downwards and none across the bed; and where the last ends.
+    fn row_tops(&self, heights: &[f64]) -> (Vec<f64>, f64) {
+        let bed = self.bed_line();
+        let mut y = self.place(0.0, 0.0).1 + LETTERS;
+        let mut tops = Vec::new();
+        for height in heights {
+            if y < bed && bed < y + height {
+                y = bed + 1.0;
+            }
+            tops.push(y);
+            y += height;
+        }
+        (tops, y)
+    }
+
     /// What the rows take from the base downwards.
     fn rows_height(&self) -> f64 {
-        LETTERS + self.rows().iter().map(|row| self.row_height(row)).sum::<f64>()
+        let heights: Vec<f64> = self.rows().iter().map(|row| self.row_height(row)).collect();
+        self.row_tops(&heights).1 - self.place(0.0, 0.0).1
     }
 
     /// Draws the rows beside the reaction, on the side away from the failure or where there is more of the base; gives where they end.
     fn rows_beside(&mut self) -> f64 {
         let given = self.given;
-        let base = self.place(0.0, 0.0).1;
         let middle = (given.base.0 + given.base.1) / 2.0;
         let (out, start) = match &given.reaction {
             Some(reaction) => {
@@ -220,8 +235,9 @@ impl Painter<'_> {
         };
         let rows: Vec<(f64, SetLine)> =
             self.rows().iter().map(|row| (self.row_height(row), self.pieces(row))).collect();
-        let mut y = base + LETTERS;
-        for (height, pieces) in rows {
+        let heights: Vec<f64> = rows.iter().map(|(height, _)| *height).collect();
+        let (tops, end) = self.row_tops(&heights);
+        for ((height, pieces), y) in rows.into_iter().zip(tops) {
             let farther = |one: f64, two: f64| if (two - one) * out > 0.0 { two } else { one };
             let lines = self.crossings((y, y + height)).map(|x| x + out * BESIDE);
             let from = lines.fold(start, farther);
@@ -235,9 +251,8 @@ impl Painter<'_> {
                 self.hold(&field);
                 self.drawn.numbers.extend(of.map(|of| (of, field)));
             }
-            y += height;
         }
-        y
+        end
     }
 
     /// Where the line of the failure passes heights of the page.
