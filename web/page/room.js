@@ -3,9 +3,9 @@
 import { byId } from "dom";
 
 /** Tabs with their first row, below everything else: its heading with a line of words, or of a table with a line under it. */
-const FIRST = { words: 70, table: 84 };
+const FIRST = { words: 68, table: 84 };
 /** Margins between the parts of a plate. */
-const MARGINS = 18;
+const MARGINS = 27;
 /** What was left when something was begun to be dragged: a drawing keeps its size under the hand. */
 const held = new WeakMap();
 

@@ -178,7 +178,7 @@ export function connectSection(app) {
     const numbers = byKey(said);
     // A step of a story says which numbers may be changed in it.
     if (app.story?.hold) for (const key of numbers.keys()) if (!app.story.hold.includes(key)) numbers.delete(key);
-    document.querySelector(".legend").hidden = true;
+    if (shown !== "to-scale") document.querySelector(".legend").hidden = true;
     if (shown === "moves") {
       loose(new Map(), numbers);
       return;
