@@ -429,13 +429,13 @@ test("at 1280 by 800 the tabs and the first row of one are on the first screen, 
       await drawn(page);
     }
     const seen = await page.evaluate(() => {
-      // A row of a table, or the first line of a sentence.
+      // The line of a criterion with its value, without the words below it, or the first line of a sentence.
       const row = [...document.querySelectorAll("#panel-why :is(tbody tr, p)")].find((one) => one.checkVisibility() && one.textContent);
       const range = document.createRange();
-      range.selectNodeContents(row);
+      range.selectNodeContents(row.querySelector("td") ?? row);
       return {
         tabs: document.querySelector(".tabs").getBoundingClientRect().bottom,
-        row: row.matches("p") ? range.getClientRects()[0].bottom : row.getBoundingClientRect().bottom,
+        row: range.getClientRects()[0].bottom,
         plates: [...document.querySelectorAll("#section svg, #stage svg, #map .picture svg")].filter((one) => one.checkVisibility()).length,
       };
     });
