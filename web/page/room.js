@@ -2,13 +2,31 @@
 
 import { byId } from "dom";
 
+/** Tabs with their first row, below everything else: its heading with a line of words, or of a table with a line under it. */
+const FIRST = { words: 68, table: 84 };
+/** Margins between the parts of a plate. */
+const MARGINS = 27;
+/** What was left when something was begun to be dragged: a drawing keeps its size under the hand. */
+const held = new WeakMap();
+
 /** True where a drawing takes what is left of the screen. */
 export const isAlone = (app) => Boolean(app.story || app.only);
 
+/** What is left for a drawing so that the tabs and the first row of one are on the screen, where plates stand side by side. */
+function left(app, plate) {
+  if (plate.clientWidth > 0.6 * innerWidth) return Infinity;
+  if (app.held && held.has(plate)) return held.get(plate);
+  const above = plate.getBoundingClientRect().top + scrollY + plate.querySelector(".bar").offsetHeight;
+  const parts = [...plate.querySelectorAll(".moment, .loose, .legend > summary, #strengths"), byId("transport"), document.querySelector(".tabs")];
+  const found = innerHeight - above - MARGINS - parts.reduce((sum, one) => sum + one.offsetHeight, app.motion ? FIRST.words : FIRST.table);
+  held.set(plate, found);
+  return found;
+}
+
 /** The height of a drawing so wide in a place, at most a share of its width and of the screen. */
 export function room(app, place, width, ratio, share) {
-  if (!isAlone(app)) return Math.min(ratio * width, 620, share * innerHeight);
   const plate = place.closest(".plate");
+  if (!isAlone(app)) return Math.min(ratio * width, 620, share * innerHeight, left(app, plate));
   // One above the other they share a screen.
   if (app.story && !app.only && plate.clientWidth > 0.6 * innerWidth) {
     const left = innerHeight - plate.parentElement.getBoundingClientRect().top - scrollY - byId("loose").offsetHeight - byId("story-nav").offsetHeight - 24;

@@ -136,7 +136,7 @@ export function connectSection(app) {
     const placed = new Map();
     for (const { key, x, y } of drawing.numbers) if (!placed.has(key) && numbers.has(key)) placed.set(key, [x, y]);
     // What stands beside the body does not reach over it, nor the number of a force over its ring; on either side the plate has some room.
-    const [left, , right] = drawing.body.map((side) => side * scale);
+    const [left, , right, base] = drawing.body.map((side) => side * scale);
     const slack = Math.max(0, (place.clientWidth - width * scale) / 2) + GAP;
     const ringAt = new Map(drawing.forces.map(({ key, x }) => [key, x * scale]));
     for (const [key, { box, show }] of [...placed.keys()].map((key) => [key, field(key)])) {
@@ -147,7 +147,7 @@ export function connectSection(app) {
       const toLeft = Math.min(left - GAP, ringAt.get(key) - RING || left) - half;
       const toRight = Math.max(right + GAP, ringAt.get(key) + RING || right) + half;
       const across = x * scale;
-      const free = across < left ? Math.min(across, toLeft) : across > right ? Math.max(across, toRight) : across;
+      const free = y * scale > base ? across : across < left ? Math.min(across, toLeft) : across > right ? Math.max(across, toRight) : across;
       box.style.left = `${Math.min(Math.max(free, half - slack), width * scale + slack - half)}px`;
       box.style.top = `${y * scale}px`;
     }
@@ -178,7 +178,9 @@ export function connectSection(app) {
       const number = numbers.get(key);
       show(number);
       if (box.parentElement?.parentElement !== byId("loose")) {
-        const words = element("label", { className: "hint", htmlFor: box.querySelector("input").id }, number.symbol ? `${key.split(".").pop().replaceAll("_", " ")} ` : "");
+        // It may come from the drawing.
+        Object.assign(box.style, { left: "", top: "" });
+        const words = element("label", { className: "hint", htmlFor: box.querySelector("input").id }, `${number.label} `);
         if (number.symbol) words.append(symbolOf(number.symbol));
         byId("loose").append(element("span", { className: "number" }, words, box));
       }
@@ -212,7 +214,7 @@ export function connectSection(app) {
     const numbers = byKey(said);
     // A step of a story says which numbers may be changed in it.
     if (app.story?.hold) for (const key of numbers.keys()) if (!app.story.hold.includes(key)) numbers.delete(key);
-    document.querySelector(".legend").hidden = true;
+    if (shown !== "to-scale") document.querySelector(".legend").hidden = true;
     if (shown === "moves") {
       loose(new Map(), numbers);
       return;
@@ -224,7 +226,7 @@ export function connectSection(app) {
       return;
     }
     const width = Math.max(280, place.parentElement.clientWidth);
-    const drawing = JSON.parse(app.explorer.section(width, Math.max(app.story ? 180 : 240, room(app, place, width, 0.6, 0.5))));
+    const drawing = JSON.parse(app.explorer.section(width, Math.max(app.story ? 180 : 240, room(app, place, width, 0.65, 0.52))));
     picture.innerHTML = drawing.svg;
     put(byId("body-hint"), drawing.body.some((side) => side !== 0) ? "type over a number, pull a ring" : "its positions: a body in pure numbers has no section");
     document.querySelector(".legend").hidden = drawing.words.length === 0;

@@ -14,6 +14,8 @@ pub struct NumberField {
     /// Table and key.
     key: String,
     words: &'static str,
+    /// The same in a few words.
+    label: String,
     symbol: &'static str,
     digits: String,
     unit: String,
@@ -57,9 +59,14 @@ impl NumberField {
         Some(NumberField {
             key: id.to_string(),
             words: info.words,
+            label: id.words(),
             symbol: info.symbol,
             digits: digits(&written.digits, varied),
-            unit: written.unit,
+            unit: if written.unit.is_empty() && info.name.ends_with("_deg") {
+                "°".to_owned()
+            } else {
+                written.unit
+            },
             units: names.chain(units.gravity.then_some(GRAVITY_UNIT)).collect(),
             range: info.range().map_or("", standfast_inputs::key::Range::words),
         })

@@ -17,6 +17,18 @@ after(() => browser.close());
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 const example = (name) => readFileSync(path.join(root, "examples", name), "utf8");
 
+const choose = async (page, name) => {
+  await page.evaluate((one) => {
+    const app = window.standfast;
+    app.explorer.open_example(one);
+    app.plate = "";
+    app.showTab("why");
+    app.changed();
+  }, name);
+  await drawn(page);
+  await drawn(page);
+};
+
 const MODES = {
   RE: "g=0.8&kp=0.9&k=0.3&mu=0.6",
   SL: "g=1&kp=0.4&k=0.8&mu=0.4",
@@ -380,12 +392,90 @@ test("on a phone the answer, the body and the plane are on the first screen, and
     await page.evaluate(() => scrollTo(0, 0));
     const places = await page.evaluate(() => ["#answer", "#section svg", "#map .picture"].map((one) => document.querySelector(one).getBoundingClientRect().bottom));
     assert.ok(places.every((bottom, i) => bottom <= 844 && bottom > (places[i - 1] ?? 0)), `${name}: ${places}`);
-    // Labels are drawn 14.5 units high; what is scaled down keeps 12.
-    const scale = await page.evaluate(() => {
-      const svg = document.querySelector("#section svg");
-      return svg.getBoundingClientRect().width / svg.getAttribute("width");
+  }
+  await page.close();
+});
+
+/** Drawings that are seen, each with how much smaller or larger than the library drew it; it draws no letters under 12 units for a screen. */
+const scales = (page) => page.evaluate(() => {
+  const all = ["#section .picture svg", "#body svg", "#stage svg", "#map .picture svg", "#strengths svg"].flatMap((one) => [...document.querySelectorAll(one)]);
+  return all.filter((one) => one.checkVisibility()).map((svg) => [svg.querySelector("title").textContent, svg.getBoundingClientRect().width / svg.viewBox.baseVal.width]);
+});
+
+test("at the width of a phone no drawing of any example is made smaller: the library lays it out anew", async () => {
+  const page = await open(browser, { viewport: { width: 390, height: 844 }, reducedMotion: "reduce" });
+  const names = await page.$$eval("[data-case]", (all) => all.map((one) => one.dataset.case));
+  for (const name of names) {
+    await choose(page, name);
+    for (const view of ["moves", "to-scale"]) {
+      await page.evaluate((id) => document.getElementById(id).click(), view);
+      await drawn(page);
+      // A body in pure numbers has no section: there its positions stand, a figure for paper.
+      for (const [title, scale] of (await scales(page)).filter(([title]) => !title.endsWith(": positions"))) assert.ok(scale > 0.999, `${name}: ${title} is made ${scale} as large`);
+    }
+  }
+  await page.close();
+});
+
+test("at 1280 by 800 the tabs and the first row of one are on the first screen, for every example", async () => {
+  const page = await open(browser, { viewport: { width: 1280, height: 800 }, reducedMotion: "reduce" });
+  const names = await page.$$eval("[data-case]", (all) => all.map((one) => one.dataset.case));
+  assert.ok(names.length >= 22);
+  for (const name of names) {
+    await choose(page, name);
+    if (await page.evaluate(() => window.standfast.motion !== null)) {
+      await page.waitForSelector("#strengths:not([hidden]) svg", { timeout: 30_000 });
+      await drawn(page);
+      await drawn(page);
+    }
+    const seen = await page.evaluate(() => {
+      // The line of a criterion with its value, without the words below it, or the first line of a sentence.
+      const row = [...document.querySelectorAll("#panel-why :is(tbody tr, p)")].find((one) => one.checkVisibility() && one.textContent);
+      const range = document.createRange();
+      range.selectNodeContents(row.querySelector("td") ?? row);
+      return {
+        tabs: document.querySelector(".tabs").getBoundingClientRect().bottom,
+        row: range.getClientRects()[0].bottom,
+        plates: [...document.querySelectorAll("#section svg, #stage svg, #map .picture svg")].filter((one) => one.checkVisibility()).length,
+      };
     });
-    assert.ok(scale * 14.5 >= 12, `${name}: ${scale}`);
+    assert.ok(seen.tabs <= 800 && seen.row <= 800 && seen.row > seen.tabs, `${name}: ${JSON.stringify(seen)}`);
+    assert.ok(seen.plates >= 1, name);
+  }
+  await page.close();
+});
+
+test("friction and the ground’s angle are fields where they act, and what comes and what is borne is the program’s", async () => {
+  for (const width of [390, 1280]) {
+    const page = await open(browser, { viewport: { width, height: 844 } });
+    await choose(page, "Goda’s caisson on sand");
+    const boxes = await page.evaluate(() => ["svg", '.over input[data-key="body.friction"]', '.over input[data-key="ground.friction_angle_deg"]'].map((one) => document.querySelector(`#section ${one}`)?.getBoundingClientRect().toJSON()));
+    const [drawing, ...fields] = boxes;
+    for (const place of fields) assert.ok(place.left >= 0 && place.right <= width && place.top > drawing.top && place.bottom < drawing.bottom, `${width}: ${JSON.stringify(place)}`);
+    assert.equal(await page.locator('#loose input[data-key="ground.friction_angle_deg"], #loose input[data-key="body.friction"]').count(), 0);
+    await type(page, "ground.friction_angle_deg", "38");
+    assert.match(await text(page), /friction_angle_deg = 38 /);
+    await page.keyboard.press("Control+z");
+    await drawn(page);
+    const words = await page.$$eval("#legend li", (all) => all.map((one) => one.textContent).join(" "));
+    assert.match(words, /sketch of how the ground fails/);
+    await page.close();
+  }
+});
+
+test("numbers beside the drawing have their names in words, not those of keys", async () => {
+  const page = await open(browser, { viewport: { width: 1280, height: 800 }, reducedMotion: "reduce" });
+  for (const name of await page.$$eval("[data-case]", (all) => all.map((one) => one.dataset.case))) {
+    await choose(page, name);
+    const labels = await page.$$eval("#loose .number > label", (all) => all.map((one) => [one.firstChild.textContent.trim(), one.htmlFor]));
+    const said = await page.evaluate(() => window.standfast.said.tables.flatMap(({ numbers }) => numbers.map(({ key, label, words }) => [key, label, words])));
+    for (const [label, id] of labels) {
+      const key = await page.getAttribute(`#${id}`, "data-key");
+      const [, expected, words] = said.find(([one]) => one === key);
+      assert.equal(label, expected, `${name}: ${key}`);
+      assert.ok(words.startsWith(expected.split(",")[0]), `${key}: ${expected}`);
+      assert.ok(await page.isVisible(`#${id}`), `${name}: ${key} has its field`);
+    }
   }
   await page.close();
 });

@@ -122,7 +122,11 @@ fn the_reaction_lies_where_equilibrium_has_it() {
         };
         // e = 3 m × share; the numbers of both lengths stand in their middle.
         let wide = 8.0 - 6.0 * share;
-        (at("960 kN/m") - at("8 m"), at(&format!("B′ {} m", digits(wide))) - at("8 m"), fails)
+        let arrows = paths(&figure, &format!("stroke=\"{}\" stroke-width=\"2\"", colour("push")));
+        let [arrow] = &arrows[..] else { panic!("{arrows:?}") };
+        assert!(arrow[0].0 == arrow[1].0 && arrow[0].1 > arrow[1].1, "{arrow:?} points up");
+        assert!(texts(&figure).iter().any(|text| text == "960 kN/m comes,"), "{:?}", texts(&figure));
+        (arrow[0].0 - at("8 m"), at(&format!("B′ {} m", digits(wide))) - at("8 m"), fails)
     };
     // Ground that bears the body, and ground that fails under it.
     for (angle, weight) in [(45, 2e4), (20, 1e3)] {
@@ -133,6 +137,106 @@ fn the_reaction_lies_where_equilibrium_has_it() {
         assert!((far / near - 2.0).abs() < 0.05, "{far} {near}");
         let (other, _, _) = drawn(angle, weight, 0.2, "right");
         assert!((other + far).abs() < 1.0, "{other} {far}");
+    }
+}
+
+/// What comes and what is borne, of a block of 8 m by 6 m and 2 t/m³ on sand under a force at half its height, by the formulas of EN 1997-1 Annex D as
+/// the specification has them, worked out here: R = 2B² γ' N_γ (1−ε)² (1−η)³; 960 kN/m comes.
+#[test]
+fn what_comes_and_what_is_borne_stand_under_the_base() {
+    for (angle, weight, share, bears) in [(30.0_f64, 9e3, 0.2, "can be borne"), (24.0, 4e3, 0.3, "is borne")]
+    {
+        let text = sand(angle, weight, share * 960e3, "left");
+        let texts = texts(&section(&case("block.toml", &text)));
+        let tan = angle.to_radians().tan();
+        let n_q = (std::f64::consts::PI * tan).exp() * (45.0 + angle / 2.0).to_radians().tan().powi(2);
+        let n_gamma = 2.0 * (n_q - 1.0) * tan;
+        // e = 3 m × share of a half width of 4 m.
+        let borne =
+            2.0 * 16.0 * weight * n_gamma * (1.0 - 0.75 * share).powi(2) * (1.0 - share).powi(3) / 1e3;
+        assert_eq!(borne > 960.0, bears == "can be borne", "{borne}");
+        assert!(texts.iter().any(|text| text == "960 kN/m comes,"), "{texts:?}");
+        let found = texts.iter().find_map(|text| text.strip_suffix(&format!(" kN/m {bears}")));
+        let found: f64 = found.unwrap_or_else(|| panic!("{bears} in {texts:?}")).parse().unwrap();
+        assert!((found / borne - 1.0).abs() < 5e-4, "{found} {borne}");
+        for number in [format!("angle of friction φ = {angle}°"), "friction μ = 0.9".to_owned()] {
+            assert!(texts.contains(&number), "{number} in {texts:?}");
+        }
+    }
+}
+
+/// Block of 8 m by 6 m and 2 t/m³ on sand, pushed at half its height.
+fn sand(angle: f64, weight: f64, force: f64, towards: &str) -> String {
+    format!(
+        "gravity = 10\n[body]\nwidth = 8\nheight = 6\ndensity = 2e3\nfriction = 0.9\n[ground]\nfriction_angle_deg = {angle}\nunit_weight = {weight}\n\
+         [[load]]\nforce = {force}\nelevation = 3\ndirection = \"{towards}\"\n"
+    )
+}
+
+/// The dashed lines of a failure, the surface first.
+fn failure(figure: &Figure) -> Vec<Vec<(f64, f64)>> {
+    paths(figure, &format!("stroke=\"{}\" stroke-width=\"1.4\" stroke-dasharray=\"6 4\"", colour("mark")))
+}
+
+/// The sketch begins at the inner edge of the effective width, ends on the side of the push, and is mirrored with the load; its wedge has the angles of
+/// the inclined load: at the far edge 45° + φ/2 − ρ with 2ρ = δ + arcsin(sin δ/sin φ).
+#[test]
+fn the_failure_of_the_ground_is_sketched_where_the_load_pushes() {
+    let (angle, share) = (24.0_f64, 0.3);
+    let drawn = |towards: &str| {
+        let figure = section(&case("block.toml", &sand(angle, 4e3, share * 960e3, towards)));
+        let middle = figure.labels().iter().find(|label| label.text == "8 m").unwrap().rect.centre().0;
+        let walls = paths(&figure, &format!("fill=\"{}\"", colour("concrete")));
+        let [wall] = &walls[..] else { panic!("{walls:?}") };
+        let across = wall.iter().map(|at| at.0);
+        let scale = (across.clone().fold(0.0, f64::max) - across.fold(f64::INFINITY, f64::min)) / 8.0;
+        let lines = failure(&figure).into_iter().map(|line| {
+            line.into_iter()
+                .map(|(x, y)| ((x - middle) / scale, (y - height(wall).1) / scale))
+                .collect::<Vec<_>>()
+        });
+        (lines.collect::<Vec<_>>(), figure)
+    };
+    let (left, figure) = drawn("left");
+    assert!(texts(&figure).iter().any(|text| text == "ground fails this way (a sketch)"));
+    assert!(figure.svg().contains("Dashed: a sketch") || texts(&figure).join(" ").contains("sketch"));
+    // e = 0.9 m to the left: the effective width is from −4 m to 2.2 m.
+    let surface = &left[0];
+    assert!((surface[0].0 - 2.2).abs() < 0.03 && surface[0].1.abs() < 0.03, "{surface:?}");
+    let delta = share.atan();
+    let lean = (delta + (delta.sin() / angle.to_radians().sin()).asin()) / 2.0;
+    let flat = (45.0 + angle / 2.0).to_radians() - lean;
+    let tip = surface[1];
+    assert!((tip.1.atan2(surface[0].0 - tip.0) - flat).abs() < 0.01, "{tip:?} {flat}");
+    let end = surface.last().unwrap();
+    assert!(end.0 < -4.0, "{end:?}");
+    let (right, _) = drawn("right");
+    for (one, other) in surface.iter().zip(&right[0]) {
+        assert!((one.0 + other.0).abs() < 0.05 && (one.1 - other.1).abs() < 0.05, "{one:?} {other:?}");
+    }
+}
+
+/// The sketch stands where the ground limits the body, and nowhere else: it fails, or would first as the loads rise, or its factor governs.
+#[test]
+fn a_sketch_of_failure_is_drawn_where_the_ground_limits() {
+    let shows = |text: &str| {
+        let figure = section(&case("case.toml", text));
+        let words = texts(&figure).into_iter().find(|text| text.ends_with("(a sketch)"));
+        assert_eq!(words.is_some(), !failure(&figure).is_empty());
+        words
+    };
+    let fails = Some("ground fails this way (a sketch)".to_owned());
+    let would = Some("ground would fail this way (a sketch)".to_owned());
+    assert_eq!(shows(&example("goda-on-sand.toml")), fails);
+    // With little friction it slides long before; with much the ground is the first to go.
+    let weak = sand(30.0, 9e3, 192e3, "left");
+    assert_eq!(shows(&weak), would);
+    let slippery = weak.replace("friction = 0.9", "friction = 0.25");
+    assert_eq!(shows(&slippery), None);
+    // It slides first, but its ground is the criterion that is met worst.
+    assert_eq!(shows(&format!("{slippery}[criteria]\nground_factor = 9\nSF_sliding = 1\n")), would);
+    for name in ["goda-2000.toml", "caisson-on-stone.toml", "quay.toml"] {
+        assert_eq!(shows(&example(name)), None, "{name}");
     }
 }
 

@@ -484,7 +484,7 @@ pub struct DiagramArgs {
     /// Elevation k' of the force above the centre of mass, in half-heights; negative below
     #[arg(long, value_name = "KP", allow_hyphen_values = true, value_parser = k_prime)]
     pub k_prime: f64,
-    /// Share ω = V/(2B q_u) of a base that crushes, below 1; the map of a rigid base is drawn in grey behind
+    /// Share ω = V/(2B q_u) of a base that crushes, below 1; the map of a rigid base is drawn behind, dotted
     #[arg(long, value_name = "W", allow_hyphen_values = true, value_parser = omega, conflicts_with = "law")]
     pub omega: Option<f64>,
     /// The plane of ground that fails, by this law of its bearing resistance

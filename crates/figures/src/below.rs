@@ -3,7 +3,7 @@
 use standfast::{Mode, Verdict};
 
 use crate::Figure;
-use crate::caption::{SIZE, SMALL, shortened};
+use crate::caption::{READABLE, SIZE, SMALL, shortened};
 use crate::margins;
 use crate::palette::{FAINT, INK, symbol};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -11,6 +11,11 @@ use crate::text::Text;
 
 /// Size of a patch: wide enough to show stripes.
 const PATCH: (f64, f64) = (18.0, 12.0);
+
+/// Height of a row.
+const ROW: f64 = 17.0;
+/// What the longest words of a mode take, with patch and symbol.
+const ROOM: f64 = 450.0;
 
 /// A key in rows between two edges.
 pub(crate) struct Key {
@@ -27,7 +32,7 @@ impl Key {
     /// Place of an entry, on a new row where it does not fit; the next one is `apart` from it.
     pub(crate) fn entry(&mut self, width: f64, apart: f64) -> (f64, f64) {
         if self.x > self.edges.0 && self.x + width > self.edges.1 {
-            (self.x, self.y) = (self.edges.0, self.y + 17.0);
+            (self.x, self.y) = (self.edges.0, self.y + ROW);
         }
         let place = (self.x, self.y);
         self.x += width + apart;
@@ -51,28 +56,36 @@ impl Key {
 
     /// The y below its rows.
     pub(crate) fn below(&self) -> f64 {
-        if self.x > self.edges.0 { self.y + 17.0 } else { self.y }
+        if self.x > self.edges.0 { self.y + ROW } else { self.y }
     }
 }
 
 /// The modes with their tints and words, in rows between two edges; returns the y below.
 pub(crate) fn modes_key(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), top: f64) -> f64 {
-    keyed(scene, modes, edges, top, true)
+    keyed(scene, modes, edges, top, (SMALL, true))
 }
 
-/// The same, without words where the edges are too near for them.
+/// The same on a screen, without words where they would take much room.
 pub(crate) fn modes_key_within(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), top: f64) -> f64 {
-    /// What the longest words take, with patch and symbol.
-    const ROOM: f64 = 450.0;
-    keyed(scene, modes, edges, top, edges.1 - edges.0 >= ROOM)
+    /// Rows that words may take.
+    const ROWS: f64 = 2.0;
+    let below = keyed(&mut Scene::default(), modes, edges, top, (READABLE, true));
+    let has_room = below - top <= ROWS * ROW && edges.1 - edges.0 >= ROOM;
+    keyed(scene, modes, edges, top, (READABLE, has_room))
 }
 
-fn keyed(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), top: f64, with_words: bool) -> f64 {
+fn keyed(
+    scene: &mut Scene,
+    modes: &[Mode],
+    edges: (f64, f64),
+    top: f64,
+    (size, with_words): (f64, bool),
+) -> f64 {
     let mut key = Key::new(edges, top);
     for &mode in modes {
-        let words = Text::verbatim(&mode.words().replace('\'', "′"), SMALL);
+        let words = Text::verbatim(&mode.words().replace('\'', "′"), size);
         let paint = |scene: &mut Scene, patch: &Rect| scene.area(&patch.corners(), Verdict::Begins(mode));
-        let all = [Text::new(symbol(mode), SMALL), words];
+        let all = [Text::new(symbol(mode), size), words];
         key.patch(scene, paint, if with_words { &all } else { &all[..1] });
     }
     key.below()

@@ -17,6 +17,8 @@ pub(crate) const SIZE: f64 = 13.0;
 pub(crate) const SMALL: f64 = 11.7;
 /// The least type size of a label: 6 pt where a page-wide figure is printed 170 mm wide, or 128 mm high.
 pub(crate) const LEAST: f64 = 10.5;
+/// The least type size on a screen, of which a unit is a pixel.
+pub(crate) const READABLE: f64 = 12.0;
 /// Largest number of design points listed.
 const LISTED: usize = 12;
 

@@ -1,4 +1,4 @@
-//! The k–μ plane where the base gives way: a base that crushes, with the rigid map in grey behind it, or ground that fails.
+//! The k–μ plane where the base gives way: a base that crushes, with the rigid map dotted behind it, or ground that fails.
 //!
 //! All curves are lines between points that satisfy the library's equations to the last digit, so dense that no bend is seen.
 
@@ -12,7 +12,7 @@ use standfast::ground::strength::{CrushMap, CrushPoint};
 use standfast::{Diagram, Modes, Verdict};
 
 use self::shape::{Shape, through};
-use crate::axes::{COLUMN, FRAME, LEFT};
+use crate::axes::{COLUMN, FRAME, LEFT, NUMBER};
 use crate::below::Words;
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{self, SIZE, SMALL, Said, pair};
@@ -32,7 +32,12 @@ const DASHED: Pen = Pen { colour: INK, width: 0.9, dashes: "5 3.4" };
 const TOP: f64 = 30.0;
 /// The shortest line that carries its equation, in pixels.
 const SHORTEST: f64 = 20.0;
-const RIGID: Pen = Pen::solid(BEHIND, 1.1);
+/// Boundaries on rigid ground, behind those of a base that gives way.
+pub(crate) const RIGID: Pen = Pen { colour: BEHIND, width: 1.3, dashes: "1.5 3" };
+/// Their name.
+pub(crate) const ON_RIGID: &str = "on rigid ground";
+/// How their pen is told below a plane.
+pub(crate) const DOTTED: &str = " Dotted: on rigid ground.";
 
 /// The k–μ plane of a base that gives way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +48,7 @@ pub(crate) enum GroundPlane<'a> {
     Failing(&'a BearingPlane),
 }
 
-/// The figure of the plane, with the lines of the rigid map in grey behind.
+/// The figure of the plane, with the lines of the rigid map dotted behind.
 pub(crate) fn diagram(plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Figure {
     Draft::new(plane, content).figure(plane, content)
 }
@@ -192,7 +197,7 @@ impl Draft {
             self.shape.lines.push(line);
         }
         axes.border(&mut self.canvas.scene, FRAME);
-        let numbered = self.marks(content);
+        let numbered = self.marks(plane, content);
         self.finish(plane, content, &numbered)
     }
 
@@ -218,7 +223,7 @@ impl Draft {
     }
 
     /// Letters, points, names of regions and formulas. Gives the points that carry numbers.
-    fn marks(&mut self, content: &DiagramContent<'_>) -> Vec<usize> {
+    fn marks(&mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Vec<usize> {
         let axes = self.canvas.board.axes;
         self.canvas.cloud(content.cloud);
         for point in &self.shape.points {
@@ -235,7 +240,15 @@ impl Draft {
             self.formula(&line);
             self.shape.lines.push(line);
         }
+        self.name_rigid(plane);
         numbered
+    }
+
+    /// The name of the boundaries on rigid ground, beside the longest that has room for it.
+    fn name_rigid(&mut self, plane: GroundPlane<'_>) {
+        let mut arcs: Vec<Arc> = plane.rigid_lines(self.window).iter().flat_map(|part| arcs(part)).collect();
+        arcs.sort_by(|one, other| (other.to - other.from).total_cmp(&(one.to - one.from)));
+        self.canvas.beside_line(&arcs, &Text::inline(ON_RIGID, NUMBER));
     }
 
     /// A line's equation beside it, or near it with a leader, or in the caption.
@@ -284,7 +297,7 @@ impl Draft {
         let parts = shown.map(|point| format!("{}~{}", point.markup, pair(point.k, point.mu)));
         let parts: Vec<String> = parts.chain(std::mem::take(&mut self.legend)).collect();
         let stop = if parts.is_empty() { "" } else { "." };
-        let known = format!("{}{stop} Grey: on rigid ground. {}", parts.join(", "), self.remark(plane));
+        let known = format!("{}{stop}{DOTTED} {}", parts.join(", "), self.remark(plane));
         let mut details = margins::words(known.trim(), SMALL);
         let view = axes.view();
         let said = |point: &DesignPoint| plane.said(point);

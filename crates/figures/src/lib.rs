@@ -107,8 +107,9 @@ pub use scene::Label;
 pub use scene::Rect;
 pub use screen::{Map, Picture, tint_on_screen};
 pub use section::{
-    Arrow, Backfill, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, SectionArrow,
-    SectionFit, SectionNumber, SectionPicture, Side, section, section_as_fitted, section_on_screen,
+    Arrow, Backfill, BaseReaction, FailureSketch, Level, Material, Measure, Mound, Outline, Pressed, Section,
+    SectionArrow, SectionFit, SectionNumber, SectionPicture, Side, Stated, section, section_as_fitted,
+    section_on_screen,
 };
 
 /// A drawing with its caption.
@@ -245,7 +246,7 @@ impl From<Diagram> for KMuPlane {
     }
 }
 
-/// The k–μ plane of one body, one elevation of the force and one base. Where the base gives way, lines of the rigid plane lie behind in grey.
+/// The k–μ plane of one body, one elevation of the force and one base. Where the base gives way, lines of the rigid plane lie behind, dotted.
 ///
 /// The indeterminate set N, where several modes are consistent, is hatched if a point lies in it.
 ///
@@ -297,7 +298,7 @@ fn rigid_diagram(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
 pub struct LoadPlane<'a> {
     /// Regions of the modes on rigid ground.
     pub regions: &'a [Region],
-    /// The plane of a base that gives way, up to the same load factor: boundaries on rigid ground are then drawn in grey behind.
+    /// The plane of a base that gives way, up to the same load factor: boundaries on rigid ground are then drawn behind, dotted.
     pub base: Option<&'a GroundLoadPlane>,
     /// The load factors at which the ground fails at an angle of friction 2° less and more: a band, hatched; `None` where there is none.
     pub uncertain: Option<[f64; 2]>,

@@ -16,7 +16,7 @@ use standfast::{Mode, Verdict};
 use crate::Figure;
 use crate::axes::{Axes, Axis, NUMBER};
 use crate::below::{Words, modes_key};
-use crate::caption::{LEAST, SMALL};
+use crate::caption::{LEAST, READABLE, SMALL};
 use crate::palette::{INK, symbol, tint};
 use crate::scene::{Path, Rect, Scene};
 use crate::text::Text;
@@ -202,7 +202,8 @@ fn band(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) {
         let stretch = Rect { x0: x(from), x1: x(to), ..area };
         scene.area(&stretch.corners(), Verdict::Begins(mode));
         let room = stretch.x1 - stretch.x0 - 3.0;
-        let texts = [SMALL, LEAST].map(|size| Text::new(symbol(mode), size));
+        let sizes = if scene.is_themed() { [NUMBER, READABLE] } else { [SMALL, LEAST] };
+        let texts = sizes.map(|size| Text::new(symbol(mode), size));
         if let Some(text) = texts.iter().find(|text| text.width <= room) {
             let behind =
                 Rect::around(stretch.centre().0, stretch.centre().1, text.width + 2.0, text.height() + 1.0);

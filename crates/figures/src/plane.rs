@@ -2,24 +2,28 @@
 //!
 //! Nothing is known of the boundaries but the strips of the regions: they are drawn where neighbours differ in verdict. So
 //! there are no formulas here, and the axes have numbers. On a base that gives way the strips are those between points of its curves, and
-//! the boundaries on rigid ground lie behind in grey.
+//! the boundaries on rigid ground lie behind, dotted.
 
+mod boundaries;
 mod ground;
+mod path;
 
 use standfast::ground::load_plane::LoadEdge;
-use standfast::region::{Curve, Region, Strip};
+use standfast::region::{Region, Strip};
 use standfast::{Stage, Verdict};
 
+use self::boundaries::{boundaries, corners, edges};
+use self::path::LoadPath;
 use crate::axes::{Axes, COLUMN, FRAME, LEFT, NUMBER};
 use crate::below::{Words, verbatim};
 use crate::canvas::Canvas;
-use crate::caption::{SIZE, SMALL, also};
-use crate::labels::Lines;
+use crate::caption::{SIZE, SMALL};
+use crate::ground::{DOTTED, ON_RIGID, RIGID};
 use crate::margins::{self, Tab};
-use crate::number::{digits, distinct_digits};
+use crate::number::digits;
 use crate::outlines::Polyline;
-use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol};
-use crate::plot::{Arc, Fall, Piece, View, clip_strips, hatch, level};
+use crate::palette::{INK, MARK, verdict_symbol};
+use crate::plot::{Arc, Fall, Piece, View, clip_strips, hatch};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{Figure, LoadPlane, Picture, caption};
@@ -30,13 +34,6 @@ const TOP: f64 = 30.0;
 /// Room right of the plot for the friction of the path.
 const ROOM: f64 = 72.0;
 const BOUNDARY: Pen = Pen::solid(INK, 1.3);
-/// What counts as one load factor, as a share of the window: far below a pixel.
-const SAME: f64 = 1e-6;
-
-/// Lines of the plane on rigid ground, behind.
-const RIGID: Pen = Pen { colour: BEHIND, width: 1.3, dashes: "1.5 3" };
-/// The name of these lines in the picture.
-const ON_RIGID: &str = "on rigid ground";
 /// What is uncertain of the ground.
 const UNCERTAIN: Pen = Pen::solid(MARK, 0.6);
 
@@ -90,14 +87,6 @@ impl<'a> Plan<'a> {
             given.base.zip(given.uncertain).map_or_else(Vec::new, |(base, ends)| ground::between(base, ends));
         Plan { regions, corners, rigid, uncertain, up_to, friction, stages, title }
     }
-}
-
-/// A vertical boundary: load factor, and the μ it runs between.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Side {
-    at: f64,
-    low: f64,
-    high: f64,
 }
 
 /// Draws it.
@@ -161,7 +150,7 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     let width = (right.unwrap_or(axes.area.x1) + 12.0).max(axes.area.x1 + ROOM);
     let edges = (16.0, width - 16.0);
     let heading = if given.title.trim().is_empty() { "Load factor and friction" } else { given.title };
-    let behind = if given.rigid.is_empty() { "" } else { " Dotted: on rigid ground." };
+    let behind = if given.rigid.is_empty() { "" } else { DOTTED };
     let band = if uncertain.is_empty() { "" } else { " Hatched: where the ground fails at $φ ± 2°$." };
     let details = margins::words(&(path.caption() + behind + band), SMALL);
     let words = Words::new(verbatim(heading, SIZE), details);
@@ -217,243 +206,12 @@ fn drawable(friction: f64) -> Option<f64> {
     (0.0..f64::INFINITY).contains(&friction).then_some(friction)
 }
 
-/// The μ at which the edges of a region begin, end, or change from one curve to another, within the plane.
-fn corners(strips: &[Strip], up_to: f64) -> Vec<f64> {
-    let mut found = Vec::new();
-    let edges = |strip: &Strip| [Some(strip.lower), strip.upper];
-    let inner = |at: &f64| 0.0 < *at && *at < up_to;
-    for (i, strip) in strips.iter().enumerate() {
-        for (which, curve) in edges(strip).into_iter().enumerate() {
-            let Some(curve) = curve else { continue };
-            let follows =
-                |other: Option<&Strip>| other.is_some_and(|other| edges(other)[which] == Some(curve));
-            let before = i.checked_sub(1).and_then(|before| strips.get(before));
-            let ends = [(strip.from, follows(before)), (strip.to, follows(strips.get(i + 1)))];
-            let ends = ends.into_iter().filter(|(at, follows)| inner(at) && !follows);
-            found.extend(ends.map(|(at, _)| curve.at(at)));
-        }
-    }
-    found
-}
-
 fn areas(regions: &[Shaded], window: &View) -> Vec<Area> {
     let area = regions.iter().map(|region| {
         let pieces = clip_strips(&region.strips, window);
         Area { verdict: region.verdict, pieces }
     });
     area.filter(|area| !area.pieces.is_empty()).collect()
-}
-
-/// Draws lines between different verdicts, and keeps labels off them.
-fn boundaries(canvas: &mut Canvas, regions: &[Shaded], areas: &[Area], pen: Pen) {
-    let window = canvas.board.axes.view();
-    canvas.arcs(edges(areas, &window), pen);
-    let sides = sides(regions, areas, &window).into_iter();
-    canvas.verticals(sides.map(|side| (side.at, side.low, side.high)), pen);
-}
-
-/// The lower and upper edges of all areas, each once, as long as they run on.
-fn edges(areas: &[Area], window: &View) -> Vec<Arc> {
-    let mut arcs: Vec<Arc> = Vec::new();
-    let bare = |curve: &Curve| *curve == Curve::AXIS || *curve == level(window.mu_max);
-    for edge in [|piece: &Piece| piece.lower, |piece: &Piece| piece.upper] {
-        // What has been drawn from below need not be drawn from above.
-        let drawn = arcs.clone();
-        for piece in areas.iter().flat_map(|area| &area.pieces) {
-            let (curve, middle) = (edge(piece), (piece.from + piece.to) / 2.0);
-            let is_drawn = |arc: &Arc| arc.curve == curve && (arc.from..=arc.to).contains(&middle);
-            if bare(&curve) || drawn.iter().any(is_drawn) {
-                continue;
-            }
-            match arcs.iter_mut().find(|arc| arc.curve == curve && arc.to == piece.from) {
-                Some(arc) => arc.to = piece.to,
-                None => arcs.push(Arc { curve, from: piece.from, to: piece.to }),
-            }
-        }
-    }
-    arcs
-}
-
-/// The vertical stretches with different modes on their sides.
-fn sides(regions: &[Shaded], areas: &[Area], window: &View) -> Vec<Side> {
-    // Half a pixel.
-    const SHORT: f64 = 0.5 / HEIGHT;
-    let near = SAME * window.k_max;
-    let mut places: Vec<f64> = regions.iter().flat_map(|region| &region.strips).map(|s| s.from).collect();
-    places.retain(|at| near < *at && *at < window.k_max - near);
-    places.sort_by(f64::total_cmp);
-    places.dedup_by(|later, earlier| *later - *earlier <= near);
-
-    let spans = |is_there: &dyn Fn(&Piece) -> bool, end: fn(&Piece) -> f64| -> Vec<(f64, f64, Verdict)> {
-        let pieces = areas.iter().flat_map(|area| area.pieces.iter().map(|piece| (piece, area.verdict)));
-        let there = pieces.filter(|(piece, _)| is_there(piece));
-        there
-            .map(|(piece, verdict)| (piece.lower.at(end(piece)), piece.upper.at(end(piece)), verdict))
-            .collect()
-    };
-    let mut sides: Vec<Side> = Vec::new();
-    for at in places {
-        let left = spans(&|p| (p.to - at).abs() <= near && p.from < at - near, |p| p.to);
-        let right = spans(&|p| (p.from - at).abs() <= near && p.to > at + near, |p| p.from);
-        let verdict = |spans: &[(f64, f64, Verdict)], mu: f64| {
-            spans.iter().find(|(low, high, _)| (*low..=*high).contains(&mu)).map(|(.., verdict)| *verdict)
-        };
-        let mut cuts: Vec<f64> = left.iter().chain(&right).flat_map(|(low, high, _)| [*low, *high]).collect();
-        cuts.iter_mut().for_each(|mu| *mu = mu.clamp(0.0, window.mu_max));
-        cuts.sort_by(f64::total_cmp);
-        for pair in cuts.windows(2) {
-            let (low, high) = (pair[0], pair[1]);
-            let [before, after] = [&left, &right].map(|spans| verdict(spans, (low + high) / 2.0));
-            if before.is_none() || after.is_none() || before == after || low == high {
-                continue;
-            }
-            match sides.last_mut() {
-                Some(last) if (last.at, last.high) == (at, low) => last.high = high,
-                _ => sides.push(Side { at, low, high }),
-            }
-        }
-    }
-    sides.retain(|side| side.high - side.low > SHORT * window.mu_max);
-    sides
-}
-
-/// The way of a rising load: a line along the body's friction.
-struct LoadPath {
-    stages: Vec<Stage>,
-    up_to: f64,
-    friction: Option<f64>,
-}
-
-impl LoadPath {
-    fn of(given: &Plan<'_>, up_to: f64) -> LoadPath {
-        let stages = Stage::up_to(given.stages, given.up_to);
-        LoadPath { stages, up_to, friction: drawable(given.friction) }
-    }
-
-    /// The load factors at which stages change.
-    fn changes(&self) -> impl Iterator<Item = (f64, &[Stage])> {
-        self.stages.windows(2).map(|pair| (pair[0].to, pair))
-    }
-
-    /// A load factor among the ends of stages, in markup.
-    fn number(&self, factor: f64) -> String {
-        let ends = self.stages.iter().flat_map(|stage| [stage.from, stage.to]);
-        let at = |other: &f64| (other - factor).abs();
-        let mut others: Vec<f64> = ends.chain([1.0]).filter(|other| *other != factor).collect();
-        others.sort_by(|one, other| at(one).total_cmp(&at(other)));
-        format!("${}$", distinct_digits(factor, &others[..others.len().min(4)]))
-    }
-
-    /// The line with ticks, the diamond, load factors and the names of stages.
-    fn draw(&self, canvas: &mut Canvas) {
-        let Some(mu) = self.friction else { return };
-        let axes = canvas.board.axes;
-        let y = axes.y(mu);
-        let x = |factor: f64| axes.x(factor.clamp(0.0, axes.across.to));
-        let Rect { x0, x1, .. } = axes.area;
-        canvas.scene.line((x0, y), (x1, y), Pen::solid(PAPER, 4.0));
-        for stage in &self.stages {
-            let dashes = if stage.modes.len() > 1 { "6 3" } else { "" };
-            let pen = Pen { colour: MARK, width: 1.8, dashes };
-            canvas.scene.line((x(stage.from), y), (x(stage.to), y), pen);
-        }
-        canvas.board.reserve(Rect { x0, y0: y - 2.0, x1, y1: y + 2.0 });
-        for (at, pair) in self.changes() {
-            let (at, reach) = (x(at), reach(&axes, at, pair));
-            canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(PAPER, 3.6));
-            canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(MARK, 1.6));
-            canvas.board.reserve(Rect::around(at, y, 3.0, 2.0 * reach + 1.0));
-        }
-        if axes.shows(1.0, mu) {
-            canvas.diamond(axes.at(1.0, mu));
-        }
-        self.numbers(canvas, y);
-    }
-
-    /// Load factors at the ticks: those of changes of mode first.
-    fn numbers(&self, canvas: &mut Canvas, y: f64) {
-        let axes = canvas.board.axes;
-        let (lesser, greater): (Vec<_>, Vec<_>) =
-            self.changes().partition(|(_, pair)| pair[0].verdict == pair[1].verdict);
-        for (at, pair) in greater.into_iter().chain(lesser) {
-            let tip = reach(&axes, at, pair) + 3.0;
-            let text = Text::new(&self.number(at), NUMBER);
-            let (x, size) = (axes.x(at), (text.width, text.height()));
-            let ways = [0.0, 1.0, -1.0].into_iter().flat_map(|across| [-1.0, 1.0].map(|down| (across, down)));
-            let places = ways.map(|(across, down)| {
-                let centre = y + down * (tip + text.height() / 2.0);
-                Rect::around(x + across * (4.0 + text.width / 2.0), centre, size.0, size.1)
-            });
-            let clear = places.clone().find(|rect| canvas.board.clear(rect, 1.8));
-            if canvas.place(&text, clear, MARK) {
-                continue;
-            }
-            // From either end of the tick.
-            let tips = [-1.0, 1.0].map(|down| (x, y + down * tip));
-            let joined = tips.into_iter().find_map(|tip| canvas.board.near(tip, 0.0, size, 8, Lines::Cross));
-            if let Some((rect, leader)) = joined {
-                canvas.leader(&leader);
-                canvas.place(&text, Some(rect), MARK);
-            }
-        }
-    }
-
-    /// Symbols of modes along their stages, where there is room and no region is `named` by them.
-    fn names(&self, canvas: &mut Canvas, named: &[Verdict]) {
-        let axes = canvas.board.axes;
-        let Some(y) = self.friction.map(|mu| axes.y(mu)) else { return };
-        for stage in &self.stages {
-            let Some(verdict) = stage.verdict.filter(|verdict| !named.contains(verdict)) else { continue };
-            let text = Text::new(verdict_symbol(verdict), NUMBER);
-            let (from, to) = (axes.x(stage.from), axes.x(stage.to.min(axes.across.to)));
-            let shares = [0.5, 0.4, 0.6, 0.3, 0.7].into_iter();
-            let mut places =
-                shares.flat_map(|share| [-1.0, 1.0].map(|down| (share, down))).map(|(share, down)| {
-                    let centre = y + down * (7.0 + text.height() / 2.0);
-                    Rect::around(from + share * (to - from), centre, text.width, text.height())
-                });
-            let fits =
-                |rect: &Rect| rect.x0 > from + 3.0 && rect.x1 < to - 3.0 && canvas.board.clear(rect, 2.0);
-            let place = places.find(fits);
-            canvas.place(&text, place, MARK);
-        }
-    }
-
-    /// The stages in words, and the mode under the full load.
-    fn caption(&self) -> String {
-        let mode = |stage: &Stage| {
-            format!("{}{}", stage.verdict.map_or("none", verdict_symbol), also(stage.others()))
-        };
-        let stages = self
-            .stages
-            .iter()
-            .map(|stage| format!("{}–{} {}", self.number(stage.from), self.number(stage.to), mode(stage)));
-        let mut caption = format!("Rising load: {}.", stages.collect::<Vec<_>>().join(", "));
-        let full =
-            self.stages.iter().filter(|stage| stage.from <= 1.0 && 1.0 <= stage.to).collect::<Vec<_>>();
-        match full[..] {
-            [stage] => caption.push_str(&format!(" Full load ($λ = 1$, diamond): {}.", mode(stage))),
-            [before, after, ..] => caption.push_str(&format!(
-                " Full load ($λ = 1$, diamond): on the boundary of {} and {}.",
-                mode(before),
-                mode(after)
-            )),
-            [] => caption.push_str(&format!(" Full load, $λ = 1$, lies beyond {}.", self.number(self.up_to))),
-        }
-        if self.stages.iter().any(|stage| stage.modes.len() > 1) {
-            caption.push_str(" Dashed: several modes are consistent.");
-        }
-        caption
-    }
-}
-
-/// How far a tick reaches to either side of the path. A change of the modes beside the one reported is a smaller event;
-/// the diamond of the full load must not hide a tick.
-fn reach(axes: &Axes, at: f64, pair: &[Stage]) -> f64 {
-    const DIAMOND: f64 = 5.2;
-    let reach = if pair[0].verdict == pair[1].verdict { 3.5 } else { 6.5 };
-    let is_under = axes.across.to >= 1.0 && (axes.x(at) - axes.x(1.0)).abs() < DIAMOND + 2.0;
-    if is_under { reach + DIAMOND } else { reach }
 }
 
 /// The figure in words.
@@ -467,52 +225,4 @@ fn description(window: &View, areas: &[Area], caption: &str) -> String {
          {caption}",
         caption::chart("the load factor λ", window, shaded)
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use standfast::Wrench;
-    use standfast::contact::{Block, plane};
-
-    use super::*;
-
-    /// The report's γ = 3, k′ = 0.8 as a load plane: λ is k.
-    fn in_air() -> Vec<standfast::region::Region> {
-        let weight = Wrench { x: 0.0, p: 1.0, m: 0.0 };
-        let force = Wrench { x: -1.0, p: 0.0, m: 0.8 * 3.0 };
-        plane::regions(&Block::uniform(3.0, 0.3), &weight, &force, 2.0).expect("a valid block")
-    }
-
-    fn plane(regions: &[standfast::region::Region]) -> LoadPlane<'_> {
-        LoadPlane { regions, base: None, uncertain: None, up_to: 2.0, friction: 0.3, stages: &[], title: "" }
-    }
-
-    #[test]
-    fn in_air_the_one_vertical_is_the_report_s() {
-        let regions = in_air();
-        let given = plane(&regions);
-        let given = Plan::of(&given);
-        let window = window(&given);
-        let sides = sides(&given.regions, &areas(&given.regions, &window), &window);
-        let k_a = 1.0 / (3.0 * 1.8);
-        assert_eq!(sides.len(), 1, "{sides:?}");
-        assert!((sides[0].at - k_a).abs() < 1e-12 && (sides[0].low - k_a).abs() < 1e-9);
-        assert_eq!(sides[0].high, window.mu_max);
-    }
-
-    #[test]
-    fn lines_part_different_modes() {
-        let regions = in_air();
-        let given = plane(&regions);
-        let given = Plan::of(&given);
-        let window = window(&given);
-        let mode = |k: f64, mu: f64| regions.iter().find(|region| region.contains(k, mu)).map(|r| r.mode);
-        for arc in edges(&areas(&given.regions, &window), &window) {
-            for share in [0.1, 0.5, 0.9] {
-                let k = arc.from + share * (arc.to - arc.from);
-                let mu = arc.curve.at(k);
-                assert_ne!(mode(k, mu - 1e-6), mode(k, mu + 1e-6), "{arc:?}");
-            }
-        }
-    }
 }

@@ -151,6 +151,11 @@ impl Scene {
         Scene { themed: true, ..Scene::default() }
     }
 
+    /// True of a drawing for a screen.
+    pub(crate) fn is_themed(&self) -> bool {
+        self.themed
+    }
+
     /// A colour as it is written: itself, or in a themed drawing its property.
     pub(crate) fn paint<'a>(&self, colour: &'a str) -> Cow<'a, str> {
         if self.themed { palette::themed(colour) } else { Cow::Borrowed(colour) }

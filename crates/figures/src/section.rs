@@ -17,6 +17,7 @@ mod columns;
 mod paint;
 mod rows;
 mod surroundings;
+mod under;
 
 use standfast::loads::Face;
 
@@ -138,8 +139,38 @@ pub struct BaseReaction {
     pub pressed: (f64, f64),
     /// The point about which the body turns, if it does.
     pub neutral: Option<f64>,
-    /// Its size as it is written.
+    /// Its size as it is written, and what of it is borne, in lines.
+    pub labels: Vec<String>,
+    /// The width that bears it, with its name; none of an edge.
+    pub width: Option<String>,
+    /// The way in which the ground under it fails, where that is drawn.
+    pub failure: Option<FailureSketch>,
+}
+
+/// The way in which ground fails; m from mid-width and above the base.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FailureSketch {
+    /// Lines; the surface on which the ground slips first, from the edge inside the base to where it comes out.
+    pub lines: Vec<Vec<(f64, f64)>>,
+    /// The edge of what bears on the side where the ground comes out.
+    pub near: f64,
+    /// That side: −1 to the left, 1 to the right.
+    pub out: f64,
+    /// Its name.
     pub label: String,
+}
+
+/// A number that is written where it acts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stated {
+    /// Name with its symbol, in markup.
+    pub name: String,
+    /// The symbol alone, in markup.
+    pub symbol: String,
+    /// The number as it is written.
+    pub value: String,
+    /// Its unit behind it, with the space before it; may be empty.
+    pub unit: String,
 }
 
 /// Content of a section.
@@ -173,6 +204,10 @@ pub struct Section<'a> {
     pub wave_crest: Option<f64>,
     /// Reaction of the base.
     pub reaction: Option<BaseReaction>,
+    /// Friction of the base.
+    pub friction: Option<Stated>,
+    /// What the ground under it is known by.
+    pub ground: Option<Stated>,
     /// Sentences below the legend; not markup.
     pub notes: Vec<String>,
 }
@@ -202,6 +237,8 @@ pub struct Section<'a> {
 ///     backfills: Vec::new(),
 ///     wave_crest: None,
 ///     reaction: None,
+///     friction: None,
+///     ground: None,
 ///     notes: vec!["1 m by 2 m".to_owned()],
 /// });
 /// assert_eq!(figure.title(), "Section: Block");
@@ -216,33 +253,51 @@ const BODY: (f64, f64) = (230.0, 230.0);
 /// The largest pressure is drawn as long as this, and the largest force at most.
 const LONGEST: f64 = 56.0;
 
-/// A section for a screen, about as large as `size`: in colours of the page and without the words below it, which are its caption.
+/// A section for a screen, about as large as `size`: in colours of the page and without the words below it, which are its caption. It is no
+/// wider than asked where that can be, so that its letters keep their size.
 pub fn section_on_screen(given: &Section<'_>, size: (f64, f64)) -> SectionPicture {
     /// From some width on there is room for the names of levels.
     const NARROW: f64 = 450.0;
     let longest = (0.1 * size.0).clamp(32.0, 72.0);
-    let roomy = SectionLook { body: size, longest, names: size.0 >= NARROW, on_screen: true };
-    let picture = fitted(given, roomy, size);
-    if picture.figure.size.0 <= 1.08 * size.0 {
-        return picture;
+    let names = size.0 >= NARROW;
+    let roomy = SectionLook { body: size, longest, names, numbers: true, on_screen: true };
+    // Much that stands beside a body leaves it little room: then without names, with short arrows, and at last without the numbers of
+    // pressures.
+    let looks = [
+        (roomy, 60.0),
+        (SectionLook { longest: 32.0, names: false, ..roomy }, 60.0),
+        (SectionLook { longest: 16.0, names: false, numbers: false, ..roomy }, 36.0),
+    ];
+    let mut pictures = looks.into_iter().map(|(look, least)| fitted(given, look, size, least));
+    let mut picture = pictures.next();
+    while picture.as_ref().is_some_and(|picture| picture.figure.size.0 > size.0) {
+        let Some(next) = pictures.next() else { break };
+        picture = Some(next);
     }
-    // Much that stands beside a body leaves it little room: then without names, and with short arrows.
-    fitted(given, SectionLook { longest: 32.0, names: false, ..roomy }, size)
+    picture.unwrap_or_else(|| drawn(given, roomy))
 }
 
-/// A section whose body is as large as leaves room for what stands beside it.
-fn fitted(given: &Section<'_>, look: SectionLook, size: (f64, f64)) -> SectionPicture {
-    const LEAST: f64 = 60.0;
+/// A section whose body is as large as leaves room for what stands beside it, and no narrower than `least`.
+fn fitted(given: &Section<'_>, look: SectionLook, size: (f64, f64), least: f64) -> SectionPicture {
+    const ROUNDS: u32 = 4;
+    /// The least height of a body, in the width of all.
+    const FLATTEST: f64 = 0.15;
     let mut body = (size.0 / 2.0, size.1 / 2.0);
     // What stands beside the body takes about the same room whatever its size.
-    for _ in 0..2 {
+    for _ in 0..ROUNDS {
         let painter = Painter::new(given, SectionLook { body, ..look }, (0.0, 0.0), None);
         let is = (painter.scale * (painter.bounds.x1 - painter.bounds.x0), painter.scale * painter.bounds.y1);
         let Rect { x0, y0, x1, y1 } = painter.paint().extent.grown(MARGIN);
-        let room = |room: f64, taken: f64, body: f64| (room - (taken - body)).max(LEAST);
-        body = (room(size.0, x1 - x0, is.0), room(size.1, y1 - y0, is.1));
+        let room = |room: f64, taken: f64, body: f64, least: f64| (room - (taken - body)).max(least);
+        body = (room(size.0, x1 - x0 + 1.0, is.0, least), room(size.1, y1 - y0, is.1, FLATTEST * size.0));
     }
-    drawn(given, SectionLook { body, ..look })
+    let mut picture = drawn(given, SectionLook { body, ..look });
+    // Labels that move aside where they crowd may take more at the end.
+    while picture.figure.size.0 > size.0 && body.0 > least {
+        body.0 = (0.94 * body.0.min(picture.body.x1 - picture.body.x0)).max(least);
+        picture = drawn(given, SectionLook { body, ..look });
+    }
+    picture
 }
 
 /// The section of a body that has changed, at the scale and in the look that it had: for a screen, while a side of it is held.
@@ -264,13 +319,21 @@ struct SectionLook {
     longest: f64,
     /// True if there is room for the names of levels.
     names: bool,
+    /// True if there is room for the numbers of pressures beside the body.
+    numbers: bool,
     on_screen: bool,
 }
 
 impl SectionLook {
     /// A body `size` times as large as bodies are, at most, with loads this long.
     fn on_paper(size: f64, longest: f64) -> SectionLook {
-        SectionLook { body: (size * BODY.0, size * BODY.1), longest, names: true, on_screen: false }
+        SectionLook {
+            body: (size * BODY.0, size * BODY.1),
+            longest,
+            names: true,
+            numbers: true,
+            on_screen: false,
+        }
     }
 }
 
@@ -285,6 +348,10 @@ pub enum SectionNumber {
     Level(usize),
     /// The size of a force, by its place.
     Arrow(usize),
+    /// Friction of the base.
+    Friction,
+    /// What the ground is known by.
+    Ground,
 }
 
 /// A force as it is drawn on a face.

@@ -192,7 +192,26 @@ fn labels_keep_apart() {
     }
 }
 
-/// A base that hardly crushes shows the rigid map: the grey lines lie under the black ones.
+/// On rigid ground the boundaries are dotted, as in the plane of the load, and named where the ground fails.
+#[test]
+fn the_rigid_map_is_dotted_and_named() {
+    for plane in soils().map(KMuPlane::Failing) {
+        let figure = diagram_with(&plane, &DiagramContent::default());
+        assert!(figure.svg().contains("stroke-dasharray=\"1.5 3\""), "{:?}", figure.title());
+        assert!(figure.caption().contains("Dotted: on rigid ground."), "{}", figure.caption());
+    }
+    let map = CrushMap::new(3.0, 0.8, 0.2).expect("a map");
+    let planes = [KMuPlane::Crushing(map)].into_iter().chain(soils().map(KMuPlane::Failing));
+    let is_named = |plane: &KMuPlane| {
+        let figure = diagram_with(plane, &DiagramContent::default());
+        figure.labels().iter().any(|label| label.text == "on rigid ground")
+    };
+    let (named, all) =
+        planes.fold((0, 0), |(named, all), plane| (named + usize::from(is_named(&plane)), all + 1));
+    assert!(named * 4 >= all * 3, "{named} of {all}");
+}
+
+/// A base that hardly crushes shows the rigid map: the dotted lines lie under the black ones.
 #[test]
 fn the_rigid_map_lies_behind() {
     let window = Some(Window { k: 2.5, mu: 1.5 });

@@ -185,6 +185,8 @@ fn sections() -> Vec<Figure> {
             backfills: Vec::new(),
             wave_crest: None,
             reaction: None,
+            friction: None,
+            ground: None,
             notes: vec!["A note on all this, in a sentence that goes on for a while.".to_owned()],
         })
     };

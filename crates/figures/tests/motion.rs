@@ -3,7 +3,7 @@
 use standfast::Mode;
 use standfast_figures::{
     ChanceMark, Figure, MotionOutline, MotionPicture, MotionPose, SpectrumAxis, SpectrumLines,
-    motion_animation, spectrum_lines,
+    motion_animation, motion_histories, motion_histories_on_screen, spectrum_lines,
 };
 
 const OUTLINE: MotionOutline = MotionOutline { b1: 1.0, b2: 1.0, d: 2.0, height: 4.0 };
@@ -174,4 +174,80 @@ fn ends_before_what_has_no_bound_are_ringed() {
     let [one, four, six, _] = rings[..] else { panic!("{rings:?}") };
     assert!((four - one) - 1.5 * (six - four) < 0.03 && dots == [four], "{rings:?} {dots:?}");
     assert!(figure.labels().iter().any(|label| label.text == "this shaking"));
+}
+
+/// A motion of many states over 8 s, all of which occur.
+fn many_states() -> Vec<(f64, Mode)> {
+    Mode::ALL.into_iter().enumerate().map(|(i, mode)| (0.7 * i as f64, mode)).collect()
+}
+
+fn of_many<'a>(
+    states: &'a [(f64, Mode)],
+    slide: &'a [(f64, f64)],
+    theta: &'a [(f64, f64)],
+) -> MotionPicture<'a> {
+    MotionPicture {
+        title: "A block",
+        caption: "It moves.",
+        outline: OUTLINE,
+        begin: 1.0,
+        end: 9.0,
+        time_unit: "s",
+        length_unit: "m",
+        states,
+        loads: &[],
+        slide,
+        theta,
+        ground: &[],
+        balance: [0.4, -0.4],
+    }
+}
+
+/// A tick stands below the strip at each change of the state within what is shown: at (t − 1)/8 of the way.
+#[test]
+fn a_tick_marks_each_change_of_the_state() {
+    let (states, slide, theta) = (many_states(), [(1.0, 0.0), (9.0, 0.5)], [(1.0, 0.0), (9.0, 0.3)]);
+    let picture = of_many(&states, &slide, &theta);
+    let shown = motion_histories_on_screen(&picture, (600.0, 380.0));
+    let (left, width) = (shown.plot.x0, shown.plot.x1 - shown.plot.x0);
+    let expected: Vec<f64> =
+        states.iter().map(|(t, _)| (t - 1.0) / 8.0).filter(|share| *share > 0.0 && *share <= 1.0).collect();
+    assert!(expected.len() > 5);
+    let ticks = |svg: &str| -> Vec<Vec<(f64, f64)>> {
+        let paths = svg.split("d=\"M").skip(1).filter_map(|rest| rest.split_once('"')).map(|(data, _)| data);
+        let number =
+            |text: &str| text.split_once(' ').and_then(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?)));
+        let lines = paths.map(|data| data.split(['M', 'L']).filter_map(number).collect::<Vec<(f64, f64)>>());
+        // Pairs of points one above the other, all as long.
+        lines
+            .filter(|line| {
+                line.len() == 2 * expected.len()
+                    && line
+                        .chunks(2)
+                        .all(|pair| pair[0].0 == pair[1].0 && (pair[1].1 - pair[0].1 - 5.0).abs() < 0.02)
+            })
+            .collect()
+    };
+    let found = ticks(shown.figure.svg());
+    let [found] = &found[..] else { panic!("{found:?}") };
+    for (pair, share) in found.chunks(2).zip(&expected) {
+        assert!((pair[0].0 - (left + share * width)).abs() < 0.02, "{pair:?} {share}");
+    }
+    assert_eq!(ticks(motion_histories(&picture).svg()).len(), 1);
+}
+
+/// However narrow, no label of histories on a screen is smaller than twelve units, which are pixels there; and they are as wide as asked.
+#[test]
+fn histories_can_be_read_on_a_phone() {
+    let (states, slide, theta) = (many_states(), [(1.0, 0.0), (9.0, 0.5)], [(1.0, 0.0), (9.0, 0.3)]);
+    let picture = of_many(&states, &slide, &theta);
+    for size in [(296.0, 230.0), (366.0, 234.0), (598.0, 300.0), (900.0, 560.0)] {
+        let figure = motion_histories_on_screen(&picture, size).figure;
+        assert_eq!(figure.size().0, size.0);
+        let small = figure.labels().iter().find(|label| label.size < 12.0);
+        assert_eq!(small, None, "{size:?}");
+        let beyond = figure.labels().iter().find(|label| label.rect.x1 > size.0 || label.rect.x0 < 0.0);
+        assert_eq!(beyond, None, "{size:?}");
+        assert!(figure.labels().iter().any(|label| label.text == "balance"));
+    }
 }

@@ -2,8 +2,8 @@
 
 use standfast::loads::Face;
 use standfast_figures::{
-    Arrow, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Rect, Section, Side,
-    section,
+    Arrow, BaseReaction, FailureSketch, Figure, Level, Material, Measure, Mound, Outline, Pressed, Rect,
+    Section, Side, Stated, section,
 };
 
 /// Numbers from 0 to 1, the same in every run.
@@ -45,6 +45,8 @@ fn bare(parts: &[Outline], width: f64) -> Section<'_> {
         backfills: Vec::new(),
         wave_crest: None,
         reaction: None,
+        friction: None,
+        ground: None,
         notes: Vec::new(),
     }
 }
@@ -76,6 +78,20 @@ fn arrow(dice: &mut Dice, (width, height): (f64, f64)) -> Arrow {
         label: "1234 kN/m".to_owned(),
         words: "force, 1234 kN/m".to_owned(),
     }
+}
+
+fn stated(name: &str, value: &str, unit: &str) -> Stated {
+    let symbol = name.split_at(name.find('$').unwrap()).1.to_owned();
+    Stated { name: name.to_owned(), symbol, value: value.to_owned(), unit: unit.to_owned() }
+}
+
+/// A failure to the left, under a width and beyond it.
+fn failure(from: f64, to: f64) -> FailureSketch {
+    let width = to - from;
+    let tip = (from + width / 2.0, -width);
+    let surface = vec![(to, 0.0), tip, (from - width, -1.5 * width), (from - 4.0 * width, 0.0)];
+    let lines = vec![surface, vec![(from, 0.0), tip]];
+    FailureSketch { lines, near: from, out: -1.0, label: "ground fails this way (a sketch)".to_owned() }
 }
 
 /// A section of anything.
@@ -111,9 +127,14 @@ fn random(dice: &mut Dice, parts: &[Outline], (width, height): (f64, f64)) -> Fi
                 size: 1e6 * dice.roll(),
                 pressed: (one.min(other), one.max(other)),
                 neutral: (dice.roll() < 0.5).then_some(one.max(other)),
-                label: "2319 kN/m".to_owned(),
+                labels: vec!["2319 kN/m comes,".to_owned(), "2100 kN/m is borne".to_owned()],
+                width: Some("B′ 8.337 m".to_owned()),
+                failure: (dice.roll() < 0.5).then(|| failure(one.min(other), one.max(other))),
             }
         }),
+        friction: (dice.roll() < 0.7).then(|| stated("friction $μ$", "0.6", "")),
+        ground: (dice.roll() < 0.5).then(|| stated("strength $q_u$", "600", " kPa")),
+        is_on_soil: dice.roll() < 0.5,
         wave_crest: (dice.roll() < 0.3).then(|| 2.0 * height * dice.roll()),
         centroid: (0.3 * width * (dice.roll() - 0.5), height * (0.2 + 0.6 * dice.roll())),
         notes: vec!["A sentence below all.".to_owned()],

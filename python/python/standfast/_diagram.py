@@ -118,7 +118,7 @@ class Diagram:
     Args:
         gamma: slenderness H/B, above zero.
         k_prime: height of the force above the centre of mass in H.
-        omega: share ω = V/(2B q_u) of a base that crushes, below 1; the map of a rigid base is drawn in grey behind.
+        omega: share ω = V/(2B q_u) of a base that crushes, below 1; the map of a rigid base is drawn behind, dotted.
         law: the plane of ground that fails, by ``"ec7"``, ``"hansen"`` or ``"envelope"``, in place of ``omega``; it needs ``share``.
         share: share u = V/V₀ that the weight takes of what the ground bears centric and upright.
         window: largest k and μ to show, by :meth:`plot`, :meth:`svg` and the notebook alike; if it is not given, those that

@@ -51,7 +51,7 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
         files.push(File::drawn(path, figure));
     }
     page.push_str(
-        "\n## A base that gives way\n\nThe k–μ plane on a base that crushes and on ground that fails, the rigid map in grey behind; see\n\
+        "\n## A base that gives way\n\nThe k–μ plane on a base that crushes and on ground that fails, the rigid map dotted behind; see\n\
          [theory](theory/5-base.md): `standfast diagram --gamma 2 --k-prime 0.8 --omega 0.2 -o crush.svg`, and `--law ec7 --share 0.3`.\n",
     );
     for (path, figure) in bases() {

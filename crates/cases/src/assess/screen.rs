@@ -74,6 +74,8 @@ fn placed(
                     }
                 }
                 SectionNumber::Arrow(index) => force(*index).into_iter().collect(),
+                SectionNumber::Friction => vec![Key::Friction.into()],
+                SectionNumber::Ground => vec![Key::GroundAngle.into(), Key::Strength.into()],
                 _ => Vec::new(),
             };
             numbers.extend(ids.into_iter().map(|id| (id, *rect)));

@@ -1,15 +1,17 @@
 //! The section of a case: its body, levels and loads as the figure draws them.
 
+mod under;
+
 use standfast::loads::{Action, Face, Load, LoadId, LoadSource, PressureAt};
 use standfast::section::{Part, Vertex, WaterTable};
-use standfast::{BaseEdges, InputError, Mode, Situation, Verdict};
+use standfast::{BaseEdges, InputError, Situation};
 use standfast_figures::{
-    Arrow, Backfill, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
+    Arrow, Backfill, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
 };
 
 use standfast_model::load_words;
 
-use super::{Assessed, Assessment, BaseResponse};
+use super::Assessment;
 use crate::case::{Acting, Case, Limit, Waves};
 use crate::layout::digits;
 use crate::units::Extent;
@@ -37,18 +39,19 @@ pub(super) fn with_section<T>(
 ) -> Result<T, InputError> {
     let case = &assessment.case;
     let worst = assessment.governing();
-    let reaction = worst.ground.as_ref().and_then(|ground| reaction(case, worst, ground));
+    let reaction = worst.ground.as_ref().and_then(|ground| under::reaction(case, worst, ground));
     let situation = case.situation(Acting::All, None)?;
     let extent = case.extent;
     let BaseEdges { left, right } = case.body.base_edges();
-    let (mut widths, heights) = dimensions(case);
-    widths.splice(0..0, reaction.iter().filter_map(pressed_width).map(|measure| vec![measure]));
+    let (widths, heights) = dimensions(case);
     let backfills = backfills(situation.loads());
     let is_on_soil = matches!(worst.ground.as_ref().and_then(|ground| ground.limit), Some(Limit::Ground(_)));
     let mut notes = notes(case);
     notes.extend((!backfills.is_empty()).then(|| FILLED.to_owned()));
     notes.extend(is_on_soil.then(|| SOIL.to_owned()));
-    notes.extend(worst.ground.as_ref().map(|_| reaction_words(assessment, worst, reaction.as_ref())));
+    notes.extend(worst.ground.as_ref().map(|_| under::reaction_words(assessment, worst, reaction.as_ref())));
+    let failure = reaction.as_ref().and_then(|reaction| reaction.failure.as_ref());
+    notes.extend(failure.zip(worst.ground.as_ref()).map(|(_, ground)| under::failure_words(ground)));
     let arrows: Vec<_> = situation
         .loads()
         .iter()
@@ -70,65 +73,11 @@ pub(super) fn with_section<T>(
         is_on_soil,
         backfills,
         reaction,
+        friction: Some(under::friction(case)),
+        ground: under::ground(case),
         notes,
     };
     Ok(draw(&section, &of))
-}
-
-/// Reaction of the base as the mode under the full load begins; `None` if nothing presses, the resultant misses the base, or the body
-/// flies.
-fn reaction(case: &Case, assessed: &Assessed, ground: &BaseResponse) -> Option<BaseReaction> {
-    let body = &case.body;
-    let BaseEdges { left, right } = body.base_edges();
-    let (centre, middle) = (body.centroid_offset(), (right - left) / 2.0);
-    let standing = ground.reaction.filter(|reaction| reaction.effective_width() > 0.0);
-    let (at, force) = match assessed.motion() {
-        Some(motion) if motion.f_y > 0.0 => (centre + motion.xi, motion.f_y),
-        Some(_) => return None,
-        None => {
-            let reaction = standing?;
-            let length = body.plan().side(body.width());
-            (middle + reaction.e(), reaction.p() * length)
-        }
-    };
-    let crush = ground.crush.as_ref().filter(|crush| crush.neutral.is_some());
-    let pressed = match crush {
-        Some(crush) => (centre + crush.pressed.from, centre + crush.pressed.to),
-        None => {
-            let half = (body.base_width() / 2.0 - (at - middle).abs()).max(0.0);
-            (at - half, at + half)
-        }
-    };
-    let neutral = crush.and_then(|crush| crush.neutral).map(|neutral| centre + neutral);
-    Some(BaseReaction { at, size: force.abs(), pressed, neutral, label: case.extent.kilonewtons(force) })
-}
-
-/// The width that bears the reaction; none of an edge.
-fn pressed_width(reaction: &BaseReaction) -> Option<Measure> {
-    let (from, to) = reaction.pressed;
-    let name = if reaction.neutral.is_some() { "crushed" } else { "B′" };
-    (to > from).then(|| Measure { ends: (from, to), label: format!("{name} {}", metres(to - from)) })
-}
-
-/// Words on the reaction, below the drawing.
-fn reaction_words(assessment: &Assessment, assessed: &Assessed, reaction: Option<&BaseReaction>) -> String {
-    let of = assessment.name(assessed).map_or(String::new(), |name| format!(" of {name}"));
-    let Some(reaction) = reaction else {
-        return format!("Under the full load{of} no reaction of the base holds the body: none is drawn.");
-    };
-    let bears = match (reaction.neutral, reaction.pressed.1 > reaction.pressed.0) {
-        (Some(_), _) => {
-            ", the part of the base that it crushes, and as a circle the neutral point about which the body turns"
-        }
-        (None, true) => " and the effective width that has it in its middle",
-        (None, false) => ", at the edge about which the body turns",
-    };
-    let when = match assessed.verdict() {
-        Some(Verdict::BearingFailure) => "; the ground does not bear it",
-        Some(Verdict::Begins(Mode::Rest)) | None => "",
-        Some(Verdict::Begins(_)) => ", as the motion begins",
-    };
-    format!("Blue, under the base: the reaction to the full load{of}{bears}{when}.")
 }
 
 /// The outlines of the body, or of its parts.
@@ -220,7 +169,7 @@ fn backfills(loads: &[Load]) -> Vec<Backfill> {
     fills
 }
 
-fn metres(length: f64) -> String {
+pub(super) fn metres(length: f64) -> String {
     format!("{} m", digits(length))
 }
 

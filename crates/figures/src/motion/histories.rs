@@ -5,6 +5,7 @@ use standfast::Mode;
 use super::{Lengths, MotionPicture, band, finished, time_axis};
 use crate::axes::{Axes, Axis, FRAME, LEFT, NUMBER, PAGE, Tick, named, widest};
 use crate::below::modes_key_within;
+use crate::caption::READABLE;
 use crate::palette::{FAINT, INK, MARK, PUSH};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
@@ -74,7 +75,7 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
 /// time to the right.
 pub fn motion_histories_on_screen(picture: &MotionPicture<'_>, (width, height): (f64, f64)) -> Picture {
     /// The least height of a plot, and what the axis of the time and the key of the states take.
-    const LEAST: f64 = 56.0;
+    const LEAST: f64 = 40.0;
     const UNDER: f64 = 84.0;
     let mut scene = Scene::themed();
     let layout = |plots: usize, taken: f64| Layout {
@@ -149,6 +150,7 @@ fn laid(scene: &mut Scene, picture: &MotionPicture<'_>, layout: impl Fn(usize, f
     let left = axes.iter().fold(20.0, |most, (_, ticks)| widest(ticks, most)) + LEFT + 9.0;
     let strip = Rect { x0: left, y0: TOP, x1: right, y1: TOP + STRIP };
     band(scene, picture, strip);
+    ticks_of_events(scene, picture, strip);
     let mut top = TOP + STRIP;
     for (panel, (up, ticks)) in panels.iter().zip(&axes) {
         if let Some(words) = panel.flat {
@@ -178,8 +180,30 @@ fn laid(scene: &mut Scene, picture: &MotionPicture<'_>, layout: impl Fn(usize, f
             words.unwrap_or_else(|| Text::inline(&panel.name, NUMBER).plain)
         })
         .collect();
-    let description = format!("Over the time, from above: the states; {}.", quantities.join("; "));
+    let description = format!(
+        "Over the time, from above: the states, with a tick at each change; {}.",
+        quantities.join("; ")
+    );
     Laid { area, below, edges, description }
+}
+
+/// A tick below the strip at each moment at which the state changes; those that lie nearer than half a unit are one.
+fn ticks_of_events(scene: &mut Scene, picture: &MotionPicture<'_>, strip: Rect) {
+    const TICK: f64 = 5.0;
+    let share = |t: f64| (t - picture.begin) / (picture.end - picture.begin);
+    let shares = picture.states.iter().map(|(t, _)| share(*t)).filter(|share| *share > 0.0 && *share <= 1.0);
+    let mut ticks = Path::default();
+    let mut last = f64::NEG_INFINITY;
+    for x in shares.map(|share| strip.x0 + share * (strip.x1 - strip.x0)) {
+        if x >= last + 0.5 {
+            ticks.move_to(x, strip.y1);
+            ticks.line_to(x, strip.y1 + TICK);
+            last = x;
+        }
+    }
+    if !ticks.is_empty() {
+        scene.stroke(&ticks, Pen::solid(INK, 1.0));
+    }
 }
 
 fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes: &Axes, ticks: &[Tick]) {
@@ -195,7 +219,7 @@ fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes:
         across(scene, y, Pen { colour: MARK, width: 0.9, dashes: "5 3.4" });
         // Both are one angle: the first is named.
         if i == 0 {
-            let text = Text::verbatim("balance", 11.0);
+            let text = Text::verbatim("balance", READABLE);
             let place = if level > 0.0 { y + 11.0 } else { y - 4.0 };
             scene.text(&text, area.x1 - text.width - 5.0, place, MARK);
         }

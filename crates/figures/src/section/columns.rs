@@ -134,6 +134,8 @@ impl Painter<'_> {
         let text = |i: usize| Text::verbatim(&pressed.points[i].2, LABEL);
         // The numbers of both ends stand below and above the diagram, those between beside it.
         let is_end = |i: &usize| *i == 0 || *i == last;
+        let has_numbers = self.look.numbers;
+        let numbers = |pressed| numbers(pressed).filter(move |_| has_numbers);
         let widest =
             numbers(pressed).filter(is_end).map(|i| text(i).width).fold(inwards + outwards, f64::max);
         let line = column.end + (widest - inwards - outwards) / 2.0 + inwards;
@@ -187,7 +189,7 @@ impl Painter<'_> {
         let reaction = self.given.reaction.iter().map(|reaction| reaction.size);
         let largest = self.given.arrows.iter().map(|arrow| arrow.size).chain(reaction).fold(0.0, f64::max);
         let tall = (self.bounds.y1 - self.bounds.y0) * self.scale;
-        let longest = (0.4 * tall).clamp(2.0 * SHORTEST, self.look.longest);
+        let longest = (0.4 * tall).max(2.0 * SHORTEST).min(self.look.longest);
         if largest > 0.0 { (longest * size / largest).max(SHORTEST) } else { SHORTEST }
     }
 
@@ -298,7 +300,8 @@ impl Painter<'_> {
         let levels: Vec<_> = levels
             .map(|(index, level)| (index, level.clone(), look.names && !(look.on_screen && twin(level))))
             .collect();
-        let end = column.end + NEAR;
+        // Ground that fails comes out on a side.
+        let end = (column.end + NEAR).max(self.exit(column.out));
         let mut spots = Vec::new();
         for (index, Level { elevation, label, is_water, .. }, is_named) in levels {
             let (_, y) = self.place(0.0, self.shown(elevation));

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::axes::COLUMN;
 use crate::below::verbatim;
-use crate::caption::SMALL;
+use crate::caption::{READABLE, SMALL};
 use crate::margins;
 use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, PAPER};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -147,7 +147,7 @@ impl<'a> Painter<'a> {
         self.labels.iter().map(|(_, rect, _)| rect).filter(move |rect| rect.y0 - 2.0 < y && y < rect.y1 + 2.0)
     }
 
-    fn touches(&self, rect: &Rect) -> bool {
+    pub(super) fn touches(&self, rect: &Rect) -> bool {
         self.labels.iter().any(|(_, other, _)| other.overlaps(rect))
     }
 
@@ -314,7 +314,7 @@ impl<'a> Painter<'a> {
     /// Writes a part's name into it: near its middle, where it is clear of its edges and of all else.
     fn part_name(&mut self, part: &Outline, taken: &mut Vec<Rect>) {
         const STEPS: u32 = 16;
-        let text = Text::verbatim(&part.label, SMALL);
+        let text = Text::verbatim(&part.label, if self.look.on_screen { READABLE } else { SMALL });
         let corners: Vec<_> = part.vertices.iter().map(|&(x, y)| self.place(x, y)).collect();
         let ends = |of: fn(&(f64, f64)) -> f64| {
             let all = corners.iter().map(of);

@@ -1,13 +1,13 @@
-//! Rows above and below the body: forces and pressures on the top, pressures under the base, widths.
+//! Rows above and below the body: forces and pressures on the top, widths.
 
 use standfast::loads::Face;
 
-use super::columns::{ANYWHERE, APART, GAP, MOVED, Spot, Stalk, numbers};
+use super::columns::{ANYWHERE, APART, MOVED, Spot, Stalk, numbers};
 use super::paint::{Painter, THIN};
-use super::{Arrow, BaseReaction, LABEL, Pressed, SectionArrow, SectionNumber, tag};
+use super::{Arrow, LABEL, Measure, Pressed, SectionArrow, SectionNumber, tag};
 use crate::labels::spread;
-use crate::palette::{INK, MARK, PAPER, PUSH, WET};
-use crate::scene::{Path, Pen, Rect};
+use crate::palette::{INK, MARK};
+use crate::scene::Pen;
 use crate::text::Text;
 
 /// Room between the words of a row.
@@ -17,7 +17,7 @@ const NEAR: f64 = 4.0;
 
 /// Direction in which rows follow each other on the page, y down.
 const UP: f64 = -1.0;
-const DOWN: f64 = 1.0;
+pub(super) const DOWN: f64 = 1.0;
 
 impl Painter<'_> {
     /// Forces and pressures on the top. Labels keep above `roof`, the top of what stands beside the body.
@@ -56,49 +56,15 @@ impl Painter<'_> {
         }
     }
 
-    /// Pressures under the base. Labels keep below `cellar`; gives the bottom of all.
-    pub(super) fn below(&mut self, cellar: f64) -> f64 {
-        let base = self.place(0.0, 0.0).1;
-        let given = self.given;
-        // Under the bed, and not in the mound.
-        let bed = self.place(0.0, self.bed.unwrap_or(0.0).min(0.0)).1 + self.earth();
-        let cellar = cellar.max(if self.bed.is_some() { bed + APART } else { bed });
-        let mut y = if self.bed.is_some() { bed } else { bed.max(base + GAP - APART) };
-        if let Some(reaction) = &given.reaction {
-            y = self.reaction(reaction, cellar);
-        }
-        for (index, pressed) in given.pressures.iter().enumerate() {
-            if pressed.face == Face::Base {
-                y = self.pressure_along(index, pressed, y + APART, cellar, DOWN);
-            }
-        }
-        y.max(cellar)
-    }
-
-    /// The reaction with what bears it, and the neutral point; gives where its label ends.
-    fn reaction(&mut self, reaction: &BaseReaction, cellar: f64) -> f64 {
-        const BAND: f64 = 7.0;
-        let [(x, base), (from, _), (to, _)] =
-            [reaction.at, reaction.pressed.0, reaction.pressed.1].map(|x| self.place(x, 0.0));
-        if to > from {
-            let corners = [(from, base), (to, base), (to, base + BAND), (from, base + BAND)];
-            let mut band = Path::through(&corners);
-            band.close();
-            self.drawn.scene.fill(&band, WET);
-            self.drawn.scene.stroke(&band, Pen::solid(PUSH, 1.0));
-        }
-        let tail = (x, base + BAND + 1.5 + self.force_length(reaction.size));
-        self.drawn.scene.arrow(tail, (x, base + BAND + 1.5), Pen::solid(PUSH, 2.0));
-        self.hold(&Rect { x0: from.min(x - 6.0), y0: base, x1: to.max(x + 6.0), y1: tail.1 });
-        if let Some(neutral) = reaction.neutral {
-            self.drawn.scene.dot(self.place(neutral, 0.0), 3.4, PAPER, Some(Pen::solid(PUSH, 1.4)));
-        }
-        let text = Text::verbatim(&reaction.label, LABEL);
-        self.row(vec![Spot { at: tail, text, colour: PUSH, of: None, lower: 0.0 }], tail.1.max(cellar), DOWN)
-    }
-
     /// A pressure on the base or the top as a diagram on a line of its own, beginning at `start`; gives where it ends.
-    fn pressure_along(&mut self, index: usize, pressed: &Pressed, start: f64, limit: f64, way: f64) -> f64 {
+    pub(super) fn pressure_along(
+        &mut self,
+        index: usize,
+        pressed: &Pressed,
+        start: f64,
+        limit: f64,
+        way: f64,
+    ) -> f64 {
         let scale = self.pressure_scale();
         let reaches = |sign: f64| {
             pressed.points.iter().map(|(_, pressure, _)| sign * pressure * scale).fold(0.0, f64::max)
@@ -151,23 +117,34 @@ impl Painter<'_> {
     pub(super) fn widths(&mut self, start: f64) {
         let given = self.given;
         let mut y = start;
-        for (row, measures) in given.widths.iter().enumerate() {
-            y += 1.5 * APART;
-            let mut spots = Vec::new();
-            for (place, measure) in measures.iter().enumerate() {
-                let [from, to] = [measure.ends.0, measure.ends.1].map(|x| (self.place(x, 0.0).0, y));
-                self.dimension(from, to);
-                let (at, of) = (((from.0 + to.0) / 2.0, y), Some(SectionNumber::Width(row, place)));
-                self.drawn.ends.push((SectionNumber::Width(row, place), to));
-                spots.push(Spot {
-                    at,
-                    text: Text::verbatim(&measure.label, LABEL),
-                    colour: INK,
-                    of,
-                    lower: 0.0,
-                });
-            }
-            y = self.row(spots, y + NEAR, DOWN);
+        let bears = given.reaction.as_ref().filter(|_| !self.look.on_screen);
+        if let Some((ends, label)) =
+            bears.and_then(|reaction| Some((reaction.pressed, reaction.width.as_ref()?)))
+        {
+            let measures = [Measure { ends, label: label.clone() }];
+            y = self.row_of_widths(&measures, y, |_| None);
         }
+        for (row, measures) in given.widths.iter().enumerate() {
+            y = self.row_of_widths(measures, y, |place| Some(SectionNumber::Width(row, place)));
+        }
+    }
+
+    /// A row of widths below `start`; gives where it ends.
+    fn row_of_widths(
+        &mut self,
+        measures: &[Measure],
+        start: f64,
+        of: impl Fn(usize) -> Option<SectionNumber>,
+    ) -> f64 {
+        let y = start + 1.5 * APART;
+        let mut spots = Vec::new();
+        for (place, Measure { ends, label }) in measures.iter().enumerate() {
+            let [from, to] = [ends.0, ends.1].map(|x| (self.place(x, 0.0).0, y));
+            self.dimension(from, to);
+            let (at, text) = (((from.0 + to.0) / 2.0, y), Text::verbatim(label, LABEL));
+            self.drawn.ends.extend(of(place).map(|of| (of, to)));
+            spots.push(Spot { at, text, colour: INK, of: of(place), lower: 0.0 });
+        }
+        self.row(spots, y + NEAR, DOWN)
     }
 }

@@ -7,9 +7,9 @@ use crate::scene::{Path, Pen, Rect};
 use crate::texture;
 
 /// The ratio of slopes of the mound, which no case gives.
-const SLOPE: f64 = 1.5;
-/// Depth of a strip of soil under the bed or the floor.
-const EARTH: f64 = 22.0;
+pub(super) const SLOPE: f64 = 1.5;
+/// How far beyond the left edge of the base the mound is level, on the page.
+pub(super) const SHOULDER: f64 = 12.0;
 /// Lengths of a sketched wave, in those of the room at its wall; the surface is cut where the room ends.
 const WAVES: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 5.0, 8.0];
 
@@ -112,7 +112,7 @@ impl Painter<'_> {
 
     fn mound(&mut self, mound: &Mound, bed: f64, (west, east): (f64, f64)) {
         let (left, right) = self.given.base;
-        let shoulder = left - 12.0 / self.scale;
+        let shoulder = left - SHOULDER / self.scale;
         let end = right + self.berm_reach(mound);
         let top = mound.berm.max(bed);
         let toe = (shoulder + SLOPE * bed).max(west);
@@ -136,17 +136,12 @@ impl Painter<'_> {
         self.ground(bed, (west, east));
     }
 
-    /// Depth of soil drawn under the bed or the floor, on the page.
-    pub(super) fn earth(&self) -> f64 {
-        if self.given.is_on_soil { EARTH } else { 0.0 }
-    }
-
     /// A line at a level with soil under it, or else with hatching.
     fn ground(&mut self, level: f64, (left, right): (f64, f64)) {
         const STEP: f64 = 8.0;
         let (from, to) = (self.place(left, level), self.place(right, level));
         if self.given.is_on_soil {
-            let low = level - EARTH / self.scale;
+            let low = level - self.earth() / self.scale;
             self.soil(&[(left, low), (right, low), (right, level), (left, level)], MOUND);
             self.drawn.scene.line(from, to, Pen::solid(INK, 1.2));
             return;

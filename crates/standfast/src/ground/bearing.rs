@@ -57,11 +57,13 @@
 
 mod block;
 mod edges;
+mod mechanism;
 mod path;
 mod plane;
 mod situated;
 
 pub use block::BearingBlock;
+pub use mechanism::FailureShape;
 pub use path::{GroundPath, LoadFactors};
 pub use plane::{BearingPlane, BearingPoint};
 pub use situated::{BearingOutcome, outcome};
