@@ -5,7 +5,7 @@
 
 use standfast::initiation::NamedPoint;
 use standfast::region::Strip;
-use standfast::{Mode, Verdict};
+use standfast::{Diagram, Mode, Verdict};
 
 use crate::axes::{Axes, COLUMN, FRAME, LEFT, NUMBER, Names};
 use crate::below::Words;
@@ -140,10 +140,15 @@ impl Drawing<'_> {
     }
 
     fn stretch(&self, trace: &Trace) -> Vec<Arc> {
-        let chart = self.diagram.chart();
-        let curve = trace.line.curve(chart);
-        curve.map_or(Vec::new(), |curve| clip(curve, trace.from.k(chart), trace.to.k(chart), &self.window))
+        stretch(self.diagram, trace, &self.window)
     }
+}
+
+/// The parts of a line of a diagram that a window shows; none of an upright one.
+pub(crate) fn stretch(diagram: &Diagram, trace: &Trace, window: &View) -> Vec<Arc> {
+    let chart = diagram.chart();
+    let curve = trace.line.curve(chart);
+    curve.map_or(Vec::new(), |curve| clip(curve, trace.from.k(chart), trace.to.k(chart), window))
 }
 
 /// Place of a k–μ plane with numbers, from `top` on.
@@ -242,6 +247,9 @@ impl<'a> Draft<'a> {
     /// Draws the marks over the lines: letters, points, the lens, names, notes and formulas, the later where the
     /// earlier leave room.
     pub(crate) fn marks(&mut self) {
+        if let Some(pinned) = self.given.pinned {
+            pinned.draw(&mut self.canvas);
+        }
         self.canvas.cloud(self.given.cloud);
         self.letters();
         self.numbered = self.canvas.design_points(self.given.points);

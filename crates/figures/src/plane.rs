@@ -19,6 +19,7 @@ use crate::margins::{self, Tab};
 use crate::number::{digits, distinct_digits};
 use crate::outlines::Polyline;
 use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol};
+use crate::pinned::{self, PINNED, PinnedLoad, widened};
 use crate::plot::{Arc, Fall, Piece, View, clip_strips, hatch, level};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
@@ -41,24 +42,26 @@ const ON_RIGID: &str = "on rigid ground";
 const UNCERTAIN: Pen = Pen::solid(MARK, 0.6);
 
 /// What is drawn.
-struct Plan<'a> {
-    regions: Vec<Shaded>,
+pub(crate) struct Plan<'a> {
+    pub regions: Vec<Shaded>,
     /// The μ of corners of regions.
-    corners: Vec<f64>,
+    pub corners: Vec<f64>,
     /// The regions on rigid ground, to be drawn behind.
     rigid: Vec<Shaded>,
     /// Where a body rests on ground somewhat weaker, or stronger, and not on the other.
     uncertain: Vec<Strip>,
     up_to: f64,
-    friction: f64,
+    pub friction: f64,
     stages: &'a [Stage],
     title: &'a str,
+    /// The boundaries of another case, in dashes, in shares of this one's load; and its full load.
+    pinned: Option<(Vec<Shaded>, PinnedLoad<'a>)>,
 }
 
 /// Where a verdict holds.
-struct Shaded {
-    verdict: Verdict,
-    strips: Vec<Strip>,
+pub(crate) struct Shaded {
+    pub verdict: Verdict,
+    pub strips: Vec<Strip>,
 }
 
 /// A region as the window shows it.
@@ -74,7 +77,7 @@ fn shaded(regions: &[Region]) -> Vec<Shaded> {
 }
 
 impl<'a> Plan<'a> {
-    fn of(given: &LoadPlane<'a>) -> Plan<'a> {
+    pub(crate) fn of(given: &LoadPlane<'a>, pinned: Option<PinnedLoad<'a>>) -> Plan<'a> {
         let rigid = shaded(given.regions);
         let behind = given.regions.iter().flat_map(|region| corners(&region.strips, end(given.up_to)));
         let behind: Vec<f64> = behind.collect();
@@ -88,7 +91,15 @@ impl<'a> Plan<'a> {
         let LoadPlane { up_to, friction, stages, title, .. } = *given;
         let uncertain =
             given.base.zip(given.uncertain).map_or_else(Vec::new, |(base, ends)| ground::between(base, ends));
-        Plan { regions, corners, rigid, uncertain, up_to, friction, stages, title }
+        let pinned = pinned.filter(|pinned| pinned.share.is_finite() && pinned.share > 0.0).map(|pinned| {
+            let regions = pinned
+                .plane
+                .regions
+                .iter()
+                .map(|(verdict, strips)| Shaded { verdict: *verdict, strips: widened(strips, pinned.share) });
+            (regions.collect(), pinned)
+        });
+        Plan { regions, corners, rigid, uncertain, up_to, friction, stages, title, pinned }
     }
 }
 
@@ -101,8 +112,8 @@ struct Side {
 }
 
 /// Draws it.
-pub(crate) fn figure(given: &LoadPlane) -> Figure {
-    drawn(&Plan::of(given), None, Scene::default()).figure
+pub(crate) fn figure(given: &LoadPlane, pinned: Option<PinnedLoad<'_>>) -> Figure {
+    drawn(&Plan::of(given, pinned), None, Scene::default()).figure
 }
 
 /// Lines of the plane of a base that gives way.
@@ -111,8 +122,12 @@ pub(crate) fn lines(given: &LoadPlane) -> Vec<(LoadEdge, Polyline)> {
 }
 
 /// Draws it for a screen, with a plot of some width and height.
-pub(crate) fn figure_on_screen(given: &LoadPlane, plot: (f64, f64)) -> Picture {
-    drawn(&Plan::of(given), Some(plot), Scene::themed())
+pub(crate) fn figure_on_screen(
+    given: &LoadPlane,
+    pinned: Option<PinnedLoad<'_>>,
+    plot: (f64, f64),
+) -> Picture {
+    drawn(&Plan::of(given, pinned), Some(plot), Scene::themed())
 }
 
 fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
@@ -135,8 +150,15 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     let behind = self::areas(&given.rigid, &window);
     boundaries(&mut canvas, &given.rigid, &behind, RIGID);
     boundaries(&mut canvas, &given.regions, &areas, BOUNDARY);
+    if let Some((regions, _)) = &given.pinned {
+        let areas = self::areas(regions, &window);
+        boundaries(&mut canvas, regions, &areas, PINNED);
+    }
     axes.border(&mut canvas.scene, FRAME);
     let path = LoadPath::of(given, window.k_max);
+    if let Some((_, PinnedLoad { plane, share })) = &given.pinned {
+        pinned::design_point(&mut canvas, (*share, plane.friction));
+    }
     path.draw(&mut canvas);
     let mut named = Vec::new();
     for area in &areas {
@@ -163,7 +185,10 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     let heading = if given.title.trim().is_empty() { "Load factor and friction" } else { given.title };
     let behind = if given.rigid.is_empty() { "" } else { " Dotted: on rigid ground." };
     let band = if uncertain.is_empty() { "" } else { " Hatched: where the ground fails at $φ ± 2°$." };
-    let details = margins::words(&(path.caption() + behind + band), SMALL);
+    let mut details = margins::words(&(path.caption() + behind + band), SMALL);
+    if let Some((_, pinned)) = &given.pinned {
+        details.extend(verbatim(&(pinned.plane.words() + "."), SMALL));
+    }
     let words = Words::new(verbatim(heading, SIZE), details);
     let description = description(&window, &areas, &words.caption);
     let figure = words.figure(canvas.scene, edges, below + 14.0, 16.0, &description);
@@ -200,10 +225,13 @@ fn name_rigid(canvas: &mut Canvas, given: &Plan<'_>, behind: &[Area], window: &V
 /// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region
 /// that is not much farther up.
 fn window(given: &Plan) -> View {
+    let pinned = given.pinned.as_ref().map(|(_, pinned)| pinned);
     let k = end(given.up_to);
-    let friction = drawable(given.friction).unwrap_or(0.0);
+    let both = [Some(given.friction), pinned.map(|pinned| pinned.plane.friction)].into_iter().flatten();
+    let friction = both.filter_map(drawable).fold(0.0, f64::max);
     let limit = (2.5 * friction).max(1.2);
-    let seen = given.corners.iter().map(|mu| 1.15 * mu).filter(|mu| *mu > 0.0 && *mu <= limit);
+    let corners = given.corners.iter().chain(pinned.into_iter().flat_map(|pinned| &pinned.plane.corners));
+    let seen = corners.map(|mu| 1.15 * mu).filter(|mu| *mu > 0.0 && *mu <= limit);
     View::from_origin(k, seen.fold((2.0 * friction).max(0.4 * limit), f64::max))
 }
 
@@ -491,7 +519,7 @@ mod tests {
     fn in_air_the_one_vertical_is_the_report_s() {
         let regions = in_air();
         let given = plane(&regions);
-        let given = Plan::of(&given);
+        let given = Plan::of(&given, None);
         let window = window(&given);
         let sides = sides(&given.regions, &areas(&given.regions, &window), &window);
         let k_a = 1.0 / (3.0 * 1.8);
@@ -504,7 +532,7 @@ mod tests {
     fn lines_part_different_modes() {
         let regions = in_air();
         let given = plane(&regions);
-        let given = Plan::of(&given);
+        let given = Plan::of(&given, None);
         let window = window(&given);
         let mode = |k: f64, mu: f64| regions.iter().find(|region| region.contains(k, mu)).map(|r| r.mode);
         for arc in edges(&areas(&given.regions, &window), &window) {

@@ -1,9 +1,12 @@
 //! Drawings of a case for a screen, and where in them the numbers of the case lie: for a page on which they are fields and handles.
 
 use standfast::InputError;
-use standfast_figures::{Picture, Rect, SectionArrow, SectionNumber, SectionPicture, Side};
+use standfast_figures::{
+    Picture, PinnedBody, PinnedLoad, Rect, SectionArrow, SectionNumber, SectionPicture, Side,
+};
 
 use super::figures::with_load_plane;
+use super::pinned::with_room;
 use super::section::with_section;
 use super::{Assessed, Assessment};
 use crate::case::said_by;
@@ -28,8 +31,20 @@ pub struct SectionOnScreen {
 /// # Errors
 /// If a number is out of range.
 pub fn section_on_screen(assessment: &Assessment, size: (f64, f64)) -> Result<SectionOnScreen, InputError> {
+    section_on_screen_beside(assessment, None, size)
+}
+
+/// The same with another body in dashes.
+///
+/// # Errors
+/// If a number is out of range.
+pub fn section_on_screen_beside(
+    assessment: &Assessment,
+    pinned: Option<&PinnedBody>,
+    size: (f64, f64),
+) -> Result<SectionOnScreen, InputError> {
     with_section(assessment, |section, loads| {
-        let picture = standfast_figures::section_on_screen(section, size);
+        let picture = standfast_figures::section_on_screen_beside(section, pinned, size);
         let force = |index: usize| match said_by(*loads.get(index)?) {
             Place::Table(Table::Load, index) => Some(Id::new(Key::Force, index)),
             _ => None,
@@ -72,11 +87,25 @@ pub fn load_plane_on_screen(
     up_to: f64,
     plot: (f64, f64),
 ) -> Result<Option<Picture>, InputError> {
+    load_plane_on_screen_beside(assessed, title, None, up_to, plot)
+}
+
+/// The same with the boundaries of another situation in dashes; it goes as far as the full load of that.
+///
+/// # Errors
+/// If a number is out of range.
+pub fn load_plane_on_screen_beside(
+    assessed: &Assessed,
+    title: &str,
+    pinned: Option<PinnedLoad<'_>>,
+    up_to: f64,
+    plot: (f64, f64),
+) -> Result<Option<Picture>, InputError> {
     assessed
         .rises()
         .then(|| {
-            with_load_plane(assessed, title, up_to, |plane| {
-                standfast_figures::load_plane_on_screen(plane, plot)
+            with_load_plane(assessed, title, with_room(up_to, pinned), |plane| {
+                standfast_figures::load_plane_on_screen_beside(plane, pinned, plot)
             })
         })
         .transpose()
