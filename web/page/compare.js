@@ -8,6 +8,11 @@ const rows = (id, list) => byId(id).tBodies[0].replaceChildren(...list.map(({ wo
 
 export function connectCompare(app) {
   const button = byId("compare");
+  // A narrow head has no room for it.
+  const narrow = matchMedia("(max-width: 46rem)");
+  const move = () => (narrow.matches ? byId("more-menu").querySelector(".sheet").prepend(button) : byId("redo").after(button));
+  narrow.addEventListener("change", move);
+  move();
   let before = "why";
   const drop = () => {
     app.explorer.drop_pinned();

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use standfast_cases::compare::{Compared, Comparison};
 use standfast_cases::motion::number_rows;
-use standfast_cases::{Difference, Id};
+use standfast_cases::{Difference, Id, Summary};
 
 use crate::answered::Answered;
 use crate::page::Page;
@@ -42,14 +42,12 @@ impl ComparedRow {
 }
 
 impl ComparedSaid {
-    /// The case of a page beside the one that is pinned; `None` without one.
-    pub fn of(page: &Page, rulers: &[Ruler]) -> Option<ComparedSaid> {
+    /// The case of a page, with the top and the rulers of its answer, beside the one that is pinned; `None` without one.
+    pub fn of(page: &Page, summary: Option<&Summary>, rulers: &[Ruler]) -> Option<ComparedSaid> {
         let pinned = page.pinned.as_ref()?;
         let answered = page.answered();
         let differences = pinned.file.differences(page.file());
-        let summary = answered.summary();
-        let b =
-            Compared { rest: answered.rest.as_ref(), motions: &answered.motions, summary: summary.as_ref() };
+        let b = Compared { rest: answered.rest.as_ref(), motions: &answered.motions, summary };
         let sentences = match differences.iter().all(Difference::is_label) {
             true => Comparison::default(),
             false => Comparison::of(&pinned.compared(), &b, &differences),
@@ -134,11 +132,80 @@ fn factors(a: &[Ruler], b: &[Ruler]) -> Vec<ComparedRow> {
     let row = |ruler: &Ruler| {
         let ((one, one_bad), (two, two_bad)) = (of(a, ruler.name), of(b, ruler.name));
         ComparedRow {
-            words: ruler.words.clone(),
+            words: ruler.words.split_once(", ").map_or(&ruler.words[..], |(short, _)| short).to_owned(),
             name: String::new(),
             cells: [one, two],
             bad: [one_bad, two_bad],
         }
     };
     b.iter().chain(others).map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::said::json;
+
+    fn said(page: &Page) -> serde_json::Value {
+        serde_json::from_str(&json(page)).unwrap()
+    }
+
+    fn rows(list: &serde_json::Value) -> Vec<[&str; 3]> {
+        let all = list.as_array().unwrap().iter();
+        all.map(|row| {
+            let cell = |i: usize| row["cells"][i].as_str().unwrap();
+            [row["words"].as_str().unwrap(), cell(0), cell(1)]
+        })
+        .collect()
+    }
+
+    /// By hand, as the browser's tests have it: 0.6 · 2.1 · 9.81 · 12 b / 2700, and 2.1 · 9.81 · 12 b²/23 / 2700.
+    #[test]
+    fn the_table_has_what_differs_and_both_answers() {
+        let mut page = Page::default();
+        page.pin();
+        let same = said(&page);
+        assert_eq!((&same["compared"]["answer"], &same["rulers"][0]["before"]), (&"".into(), &().into()));
+        page.set("body.width", "17.6").unwrap();
+        let said = said(&page);
+        assert_eq!(rows(&said["compared"]["inputs"]), [["width of the body", "15 m", "17.6 m"]]);
+        assert_eq!(said["compared"]["inputs"][0]["name"], "body.width");
+        assert_eq!(
+            rows(&said["compared"]["answers"]),
+            [
+                ["mode", "SRO−", "SL"],
+                ["leaves rest at", "2225 kN/m", "2611 kN/m"],
+                ["safety factor against sliding", "0.8240", "0.9669"],
+                ["safety factor against overturning", "0.8957", "1.233"],
+            ]
+        );
+        let bad: Vec<_> = (2..4).map(|i| &said["compared"]["answers"][i]["bad"]).collect();
+        assert_eq!(bad, [&serde_json::json!([true, true]), &serde_json::json!([true, false])]);
+        assert_eq!(
+            (&said["rulers"][0]["before"], &said["rulers"][1]["before"]),
+            (&"0.8240".into(), &"0.8957".into())
+        );
+    }
+
+    /// A criterion that one of both has is told in both columns; numbers of motions where they differ.
+    #[test]
+    fn criteria_and_motions_are_told_side_by_side() {
+        let mut page = Page::default();
+        page.pin();
+        let text = format!("{}\n[criteria]\nSF_sliding = 0.5\n", page.text());
+        assert!(page.edit(&text));
+        let now = said(&page);
+        let answers = rows(&now["compared"]["answers"]);
+        assert_eq!(answers[2][1..], ["not asked", "0.8240"]);
+        assert_eq!(rows(&now["compared"]["inputs"])[0][1..], ["not given", "0.5"]);
+        let rack = crate::examples::find("server-rack-earthquake").unwrap();
+        assert!(page.open(&rack.file(), rack.text));
+        page.pin();
+        page.set("body.friction", "0.2").unwrap();
+        let now = said(&page);
+        let slide: Vec<_> =
+            rows(&now["compared"]["answers"]).into_iter().filter(|row| row[0] == "slide").collect();
+        assert!(slide.len() == 1 && slide[0][1] != slide[0][2], "{slide:?}");
+        assert!(now["compared"]["answer"].as_str().unwrap().contains(" B, with friction 0.2, "));
+    }
 }

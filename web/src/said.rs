@@ -68,7 +68,7 @@ pub struct Ruler {
     pub words: String,
     /// The value as it is read.
     pub value: String,
-    /// That of A, if a case is pinned that has it.
+    /// That of A, if a case is pinned that has another.
     before: Option<String>,
     /// The bound as it is read; empty of a factor of which nothing is asked.
     required: String,
@@ -104,12 +104,12 @@ impl<'a> Said<'a> {
         let worst = answered.worst();
         let chip = Chip::of(answered);
         let mut rulers = rulers_of(answered);
-        let compared = ComparedSaid::of(page, &rulers);
+        let compared = ComparedSaid::of(page, summary.as_ref(), &rulers);
         if let Some(pinned) = &page.pinned {
             let before = rulers_of(&pinned.answered);
             for ruler in &mut rulers {
                 let same = before.iter().find(|other| other.name == ruler.name);
-                ruler.before = same.map(|other| other.value.clone());
+                ruler.before = same.map(|other| other.value.clone()).filter(|value| *value != ruler.value);
             }
         }
         let title = match rest {

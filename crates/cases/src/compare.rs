@@ -131,7 +131,12 @@ fn criteria(a: &Compared<'_>, b: &Compared<'_>) -> String {
         None if of_b.is_some() => "A has no criteria.",
         None => "",
     };
-    let second = b.summary.and_then(|summary| summary.criteria.as_ref()).map(|words| format!("B: {words}"));
+    // "Of B not met: …", "Of B both criteria are met; …"
+    let second = b.summary.and_then(|summary| summary.criteria.as_deref()).map(|words| {
+        let mut letters = words.chars();
+        let first = letters.next().into_iter().flat_map(char::to_lowercase);
+        format!("Of B {}", first.chain(letters).collect::<String>())
+    });
     [Some(first.to_owned()).filter(|words| !words.is_empty()), second]
         .into_iter()
         .flatten()

@@ -224,7 +224,9 @@ impl<'a> Draft<'a> {
 
     pub(crate) fn traces(&mut self) {
         let axes = self.canvas.board.axes;
-        for trace in self.given.sheet.traces {
+        // With another diagram in dashes a line that bounds nothing here would look like one of it.
+        let bounds = |trace: &&Trace| self.given.pinned.is_none() || trace.style != Style::Dashed;
+        for trace in self.given.sheet.traces.iter().filter(bounds) {
             let pen = match trace.style {
                 Style::Solid => Pen::solid(INK, 1.5),
                 Style::Thin => Pen::solid(INK, 0.7),
@@ -274,7 +276,8 @@ impl<'a> Draft<'a> {
             let text = Text::new(&format!("${letter}$"), LETTER);
             self.at_edge(line, text);
         }
-        if self.given.numbered && self.given.sheet.mu_marks.contains(&Mark::Asymptote) {
+        let has_asymptote = self.given.sheet.mu_marks.contains(&Mark::Asymptote);
+        if self.given.numbered && self.given.pinned.is_none() && has_asymptote {
             let text = Text::new(Line::Asymptote.formula(self.given.diagram.chart()), FORMULA);
             self.at_edge(Line::Asymptote, text);
         }

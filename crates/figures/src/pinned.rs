@@ -5,18 +5,18 @@
 use standfast::region::{Curve, Strip};
 use standfast::{Diagram, Verdict};
 
-use crate::canvas::{Canvas, FORMULA};
+use crate::canvas::Canvas;
 use crate::chart::stretch;
+use crate::labels::Board;
 use crate::palette::{BEHIND, INK, MARK, PAPER};
 use crate::plane::Plan;
-use crate::plot::View;
+use crate::plot::{Arc, View};
 use crate::scene::{Path, Pen, Rect};
 use crate::sheet::Style;
-use crate::text::Text;
 use crate::{LoadPlane, MotionPicture, Outline, Section, map};
 
 /// The line in which A is drawn.
-pub(crate) const PINNED: Pen = Pen { colour: INK, width: 1.1, dashes: "6 4" };
+pub(crate) const PINNED: Pen = Pen { colour: INK, width: 1.2, dashes: "7 4" };
 /// The line of its histories, behind those of B.
 pub(crate) const PINNED_HISTORY: Pen = Pen { colour: BEHIND, width: 1.4, dashes: "6 3.4" };
 
@@ -26,6 +26,21 @@ fn words(title: &str) -> String {
         "" => "Dashed: A".to_owned(),
         title => format!("Dashed: A, {title}"),
     }
+}
+
+/// The same of a plane, in which it has a point.
+fn words_of_plane(title: &str) -> String {
+    words(title) + "; its full load is the hollow diamond"
+}
+
+/// Parts of a stretch that others leave.
+fn left_by(stretch: (f64, f64), others: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut left = vec![stretch];
+    for (from, to) in others {
+        let cut = |(one, two): (f64, f64)| [(one, two.min(from)), (one.max(to), two)];
+        left = left.into_iter().flat_map(cut).filter(|(one, two)| one < two).collect();
+    }
+    left
 }
 
 /// A body that is drawn in dashes in the section of another.
@@ -44,13 +59,14 @@ impl PinnedBody {
         PinnedBody { title: section.title.to_owned(), parts: section.parts.iter().map(moved).collect() }
     }
 
-    /// Outlines with their corner O in that of another section, without those that the section has as well.
-    pub(crate) fn beside(&self, other: &Section<'_>) -> Vec<Vec<(f64, f64)>> {
+    /// Edges with the corner O in that of another section, without what lies on edges of that.
+    pub(crate) fn beside(&self, other: &Section<'_>) -> Vec<[(f64, f64); 2]> {
+        let own: Vec<[(f64, f64); 2]> = other.parts.iter().flat_map(|part| edges(&part.vertices)).collect();
         let moved = |part: &Vec<(f64, f64)>| -> Vec<(f64, f64)> {
             part.iter().map(|(x, y)| (x + other.base.0, *y)).collect()
         };
-        let parts = self.parts.iter().map(moved);
-        parts.filter(|part| !other.parts.iter().any(|own| is_same(&own.vertices, part))).collect()
+        let all = self.parts.iter().flat_map(|part| edges(&moved(part)));
+        all.flat_map(|edge| without(edge, &own)).collect()
     }
 
     pub(crate) fn words(&self) -> String {
@@ -58,12 +74,57 @@ impl PinnedBody {
     }
 }
 
-/// True of outlines that no eye tells apart.
-fn is_same(one: &[(f64, f64)], other: &[(f64, f64)]) -> bool {
-    let size = one.iter().fold(0.0, |size: f64, (x, y)| size.max(x.abs()).max(y.abs()));
-    let near = |one: f64, other: f64| (one - other).abs() <= 1e-9 * size;
-    one.len() == other.len()
-        && one.iter().zip(other).all(|(one, other)| near(one.0, other.0) && near(one.1, other.1))
+/// The edges of an outline.
+fn edges(corners: &[(f64, f64)]) -> Vec<[(f64, f64); 2]> {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(from, to)| [*from, *to]).collect()
+}
+
+/// Parts of an edge that lie on none of others.
+fn without([from, to]: [(f64, f64); 2], others: &[[(f64, f64); 2]]) -> Vec<[(f64, f64); 2]> {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let length = dx.hypot(dy);
+    // Along the edge as a share of it, and across in its unit.
+    let place = |(x, y): (f64, f64)| {
+        let (x, y) = (x - from.0, y - from.1);
+        ((x * dx + y * dy) / length.powi(2), (x * dy - y * dx) / length.powi(2))
+    };
+    let on = others.iter().filter_map(|[one, two]| {
+        let (one, two) = (place(*one), place(*two));
+        let is_on = one.1.abs().max(two.1.abs()) < 1e-9;
+        is_on.then(|| (one.0.min(two.0) - 1e-9, one.0.max(two.0) + 1e-9))
+    });
+    let at = |share: f64| (from.0 + share * dx, from.1 + share * dy);
+    left_by((0.0, 1.0), on).into_iter().map(|(one, two)| [at(one), at(two)]).collect()
+}
+
+/// Arcs without what lies on lines that are drawn.
+pub(crate) fn arcs_beside(board: &Board, arcs: Vec<Arc>) -> Vec<Arc> {
+    let height = board.axes.up.to - board.axes.up.from;
+    let is_on = |own: &Arc, arc: &Arc| {
+        let (from, to) = (own.from.max(arc.from), own.to.min(arc.to));
+        let apart = |k: f64| (own.curve.at(k) - arc.curve.at(k)).abs();
+        from < to && [from, (from + to) / 2.0, to].into_iter().all(|k| apart(k) < 1e-9 * height)
+    };
+    let left = |arc: Arc| {
+        let on = board.arcs.iter().filter(|own| is_on(own, &arc)).map(|own| (own.from, own.to));
+        let parts = left_by((arc.from, arc.to), on).into_iter();
+        parts.map(|(from, to)| Arc { from, to, ..arc }).collect::<Vec<_>>()
+    };
+    arcs.into_iter().flat_map(left).collect()
+}
+
+/// Upright lines, each a value and the two between which it runs, without what lies on lines that are drawn.
+pub(crate) fn verticals_beside(board: &Board, lines: Vec<(f64, f64, f64)>) -> Vec<(f64, f64, f64)> {
+    let axes = board.axes;
+    let left = |(at, low, high): (f64, f64, f64)| {
+        let on = board.verticals.iter().filter(|(x, ..)| (x - axes.x(at)).abs() < 1e-6);
+        let on = on.map(|(_, top, bottom)| (axes.up_at(*bottom), axes.up_at(*top)));
+        let parts =
+            left_by((low, high), on).into_iter().filter(|(low, high)| axes.y(*low) - axes.y(*high) > 0.5);
+        parts.map(|(low, high)| (at, low, high)).collect::<Vec<_>>()
+    };
+    lines.into_iter().flat_map(left).collect()
 }
 
 /// The boundaries of a plane of load and friction, to be drawn in dashes in the plane of another case.
@@ -84,7 +145,7 @@ impl PinnedPlane {
     }
 
     pub(crate) fn words(&self) -> String {
-        words(&self.title)
+        words_of_plane(&self.title)
     }
 }
 
@@ -133,7 +194,7 @@ impl PinnedDiagram {
     }
 
     pub(crate) fn words(&self) -> String {
-        words(&self.title)
+        words_of_plane(&self.title)
     }
 
     /// Draws the boundaries between its regions and its design point, which labels keep off.
@@ -147,16 +208,20 @@ impl PinnedDiagram {
                 Some((k, from)) => {
                     let from = from.max(axes.up.from);
                     let shown = axes.shows(k, from).then_some((k, from, axes.up.to));
-                    canvas.verticals(shown.into_iter(), PINNED);
+                    let lines = verticals_beside(&canvas.board, shown.into_iter().collect());
+                    canvas.verticals(lines.into_iter(), PINNED);
                 }
-                None => canvas.arcs(stretch(&self.diagram, trace, &view), PINNED),
+                None => {
+                    let arcs = arcs_beside(&canvas.board, stretch(&self.diagram, trace, &view));
+                    canvas.arcs(arcs, PINNED);
+                }
             }
         }
         design_point(canvas, (self.k, self.mu));
     }
 }
 
-/// Draws the design point of A, hollow, where it is seen, with its letter.
+/// Draws the design point of A, hollow, where it is seen.
 pub(crate) fn design_point(canvas: &mut Canvas, (across, up): (f64, f64)) {
     let axes = canvas.board.axes;
     if !axes.shows(across, up) {
@@ -168,7 +233,6 @@ pub(crate) fn design_point(canvas: &mut Canvas, (across, up): (f64, f64)) {
     canvas.scene.fill(&diamond, PAPER);
     canvas.scene.stroke(&diamond, Pen::solid(MARK, 1.6));
     canvas.board.reserve(Rect::around(x, y, 14.0, 14.0));
-    canvas.design_label(&Text::verbatim("A", FORMULA), (x, y));
 }
 
 /// The histories of a motion, to be drawn in dashes behind those of another.
@@ -204,5 +268,57 @@ impl PinnedMotion {
 
     pub(crate) fn words(&self) -> String {
         words(&self.title)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_others_leave_of_a_stretch() {
+        let left = |others: &[(f64, f64)]| left_by((1.0, 4.0), others.iter().copied());
+        assert_eq!(left(&[]), [(1.0, 4.0)]);
+        assert_eq!(left(&[(2.0, 3.0)]), [(1.0, 2.0), (3.0, 4.0)]);
+        assert_eq!(left(&[(0.0, 2.0), (3.5, 9.0)]), [(2.0, 3.5)]);
+        assert_eq!(left(&[(0.0, 2.0), (1.5, 5.0)]), []);
+        assert_eq!(left(&[(5.0, 6.0)]), [(1.0, 4.0)]);
+    }
+
+    /// A body 15 m wide in one of 17.6 m, as high, corner O on corner O: its right edge alone is drawn. In one that is lower the top as well,
+    /// and of the left edge what stands out.
+    #[test]
+    fn edges_that_both_have_are_not_drawn_twice() {
+        let block =
+            |left: f64, right: f64, top: f64| vec![(left, 0.0), (right, 0.0), (right, top), (left, top)];
+        let narrow = block(-8.8, 6.2, 12.0);
+        let beside = |other: Vec<(f64, f64)>| -> Vec<[(f64, f64); 2]> {
+            edges(&narrow).into_iter().flat_map(|edge| without(edge, &edges(&other))).collect()
+        };
+        assert_eq!(beside(block(-8.8, 8.8, 12.0)), [[(6.2, 0.0), (6.2, 12.0)]]);
+        assert!(beside(narrow.clone()).is_empty());
+        let lower = beside(block(-8.8, 8.8, 9.0));
+        assert_eq!(lower.len(), 3);
+        assert_eq!(lower[..2], [[(6.2, 0.0), (6.2, 12.0)], [(6.2, 12.0), (-8.8, 12.0)]]);
+        let [from, to] = lower[2];
+        assert!((from.1 - 12.0).abs() < 1e-6 && (to.1 - 9.0).abs() < 1e-6 && from.0 == -8.8, "{lower:?}");
+    }
+
+    /// The boundary of a load half as large lies at half the share: at twice the value it has what it had.
+    #[test]
+    fn strips_are_widened_with_their_curves() {
+        let strip = Strip {
+            from: 0.2,
+            to: 0.8,
+            lower: Curve::Line { slope: 0.5, intercept: 0.1 },
+            upper: Some(Curve::Hyperbola { a: 2.0, b: 1.0, c: 3.0, d: 4.0 }),
+        };
+        let [wide] = widened(&[strip], 2.0)[..] else { panic!("one strip") };
+        assert_eq!((wide.from, wide.to), (0.4, 1.6));
+        for k in [0.2, 0.5, 0.8] {
+            assert!((wide.lower.at(2.0 * k) - (0.5 * k + 0.1)).abs() < 1e-15);
+            let upper = wide.upper.map_or(f64::NAN, |curve| curve.at(2.0 * k));
+            assert!((upper - (2.0 * k + 1.0) / (3.0 * k + 4.0)).abs() < 1e-15);
+        }
     }
 }

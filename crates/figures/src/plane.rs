@@ -19,7 +19,7 @@ use crate::margins::{self, Tab};
 use crate::number::{digits, distinct_digits};
 use crate::outlines::Polyline;
 use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol};
-use crate::pinned::{self, PINNED, PinnedLoad, widened};
+use crate::pinned::{self, PINNED, PinnedLoad, arcs_beside, verticals_beside, widened};
 use crate::plot::{Arc, Fall, Piece, View, clip_strips, hatch, level};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
@@ -152,7 +152,7 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     boundaries(&mut canvas, &given.regions, &areas, BOUNDARY);
     if let Some((regions, _)) = &given.pinned {
         let areas = self::areas(regions, &window);
-        boundaries(&mut canvas, regions, &areas, PINNED);
+        pinned_boundaries(&mut canvas, regions, &areas);
     }
     axes.border(&mut canvas.scene, FRAME);
     let path = LoadPath::of(given, window.k_max);
@@ -278,6 +278,16 @@ fn boundaries(canvas: &mut Canvas, regions: &[Shaded], areas: &[Area], pen: Pen)
     canvas.arcs(edges(areas, &window), pen);
     let sides = sides(regions, areas, &window).into_iter();
     canvas.verticals(sides.map(|side| (side.at, side.low, side.high)), pen);
+}
+
+/// Draws those of another case, where they do not lie on lines that are drawn.
+fn pinned_boundaries(canvas: &mut Canvas, regions: &[Shaded], areas: &[Area]) {
+    let window = canvas.board.axes.view();
+    let arcs = arcs_beside(&canvas.board, edges(areas, &window));
+    let sides = sides(regions, areas, &window).into_iter().map(|side| (side.at, side.low, side.high));
+    let sides = verticals_beside(&canvas.board, sides.collect());
+    canvas.arcs(arcs, PINNED);
+    canvas.verticals(sides.into_iter(), PINNED);
 }
 
 /// The lower and upper edges of all areas, each once, as long as they run on.

@@ -39,8 +39,8 @@ pub(super) struct Painter<'a> {
     pub bounds: Rect,
     /// The body's own, m.
     pub own: Rect,
-    /// Outlines that are drawn in dashes.
-    pinned: Vec<Vec<(f64, f64)>>,
+    /// Edges that are drawn in dashes.
+    pinned: Vec<[(f64, f64); 2]>,
     /// The bed, m above the base as it is drawn.
     pub bed: Option<f64>,
     /// Labels with their places, to be laid over all lines.
@@ -270,9 +270,8 @@ impl<'a> Painter<'a> {
 
     /// The body behind, in dashes.
     fn pinned_body(&mut self) {
-        for outline in &self.pinned {
-            let path = self.polygon(outline);
-            self.drawn.scene.stroke(&path, PINNED);
+        for [from, to] in self.pinned.clone() {
+            self.line(self.place(from.0, from.1), self.place(to.0, to.1), PINNED);
         }
     }
 
