@@ -176,7 +176,7 @@ mod tests {
                 ["mode", "SRO−", "SL"],
                 ["leaves rest at", "2225 kN/m", "2611 kN/m"],
                 ["safety factor against sliding", "0.8240", "0.9669"],
-                ["safety factor against overturning", "0.8957", "1.233"],
+                ["net safety factor against overturning", "0.8957", "1.233"],
             ]
         );
         let bad: Vec<_> = (2..4).map(|i| &said["compared"]["answers"][i]["bad"]).collect();

@@ -139,6 +139,12 @@ impl Drawing<'_> {
         self.sheet.points.iter().filter_map(|&name| self.diagram.chart().point(name))
     }
 
+    /// The lines that are drawn: with another diagram in dashes one that bounds nothing here would look like one of it.
+    fn traces(&self) -> impl Iterator<Item = &'static Trace> {
+        let alone = self.pinned.is_none();
+        self.sheet.traces.iter().filter(move |trace| alone || trace.style != Style::Dashed)
+    }
+
     fn stretch(&self, trace: &Trace) -> Vec<Arc> {
         stretch(self.diagram, trace, &self.window)
     }
@@ -224,9 +230,7 @@ impl<'a> Draft<'a> {
 
     pub(crate) fn traces(&mut self) {
         let axes = self.canvas.board.axes;
-        // With another diagram in dashes a line that bounds nothing here would look like one of it.
-        let bounds = |trace: &&Trace| self.given.pinned.is_none() || trace.style != Style::Dashed;
-        for trace in self.given.sheet.traces.iter().filter(bounds) {
+        for trace in self.given.traces() {
             let pen = match trace.style {
                 Style::Solid => Pen::solid(INK, 1.5),
                 Style::Thin => Pen::solid(INK, 0.7),
@@ -303,7 +307,7 @@ impl<'a> Draft<'a> {
         if let Some((k, from)) = line.vertical(self.given.diagram.chart()) {
             return axes.shows(k, from.max(axes.up.from)).then(|| (axes.x(k), axes.area.y0));
         }
-        let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
+        let traces = self.given.traces().filter(|trace| trace.line == line);
         let arc = traces.flat_map(|trace| self.given.stretch(trace)).max_by(|a, b| a.to.total_cmp(&b.to))?;
         Some(axes.at(arc.to, arc.curve.at(arc.to)))
     }
@@ -335,7 +339,7 @@ impl<'a> Draft<'a> {
 
     fn formulas(&mut self) {
         for &line in self.given.sheet.formulas {
-            let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
+            let traces = self.given.traces().filter(|trace| trace.line == line);
             let mut arcs: Vec<_> = traces.flat_map(|trace| self.given.stretch(trace)).collect();
             arcs.sort_by(|one, other| (other.to - other.from).total_cmp(&(one.to - one.from)));
             if !arcs.is_empty() {
