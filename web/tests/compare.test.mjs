@@ -185,7 +185,7 @@ test("a ring is dragged beside A as before, and a frame is short", async () => {
   assert.ok(spans[15] < 16, `${spans[15]} ms`);
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
-  await page.mouse.move(box.x - 20, box.y + 60, { steps: 5 });
+  await page.mouse.move(box.x + 4, box.y + 60, { steps: 5 });
   await drawn(page);
   assert.match(await page.textContent("#answer"), /^A slides and rocks about O \(SRO-\)\. B /);
   await page.mouse.up();
@@ -248,8 +248,10 @@ test("all of it by keys: pinned, swapped, dropped, and through the tabs", async 
   await page.keyboard.press("ArrowRight");
   assert.equal(await page.evaluate(() => document.activeElement.id), "tab-why");
   await page.keyboard.press("ArrowLeft");
+  await drawn(page);
   await page.keyboard.press("Tab");
   for (let i = 0; i < 6 && (await page.evaluate(() => document.activeElement.id)) !== "swap"; i += 1) await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "swap");
   await page.keyboard.press("Enter");
   await drawn(page);
   assert.match(await page.textContent("#answer"), /B, 15 m wide,/);
