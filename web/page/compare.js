@@ -2,9 +2,12 @@
 
 import { byId, element, whenChanged } from "dom";
 
+/** A text of more letters goes on in the next line. */
+const LONG = 14;
+
 const rows = (id, list) => byId(id).tBodies[0].replaceChildren(...list.map(({ words, name, cells, bad }) => element("tr", {},
   element("th", { scope: "row" }, words, ...(name ? [element("small", {}, name)] : [])),
-  ...cells.map((cell, i) => element("td", { className: bad[i] ? "bad" : "" }, cell)))));
+  ...cells.map((cell, i) => element("td", { className: `${bad[i] ? "bad" : ""} ${cell.length > LONG ? "long" : ""}`.trim() }, cell)))));
 
 export function connectCompare(app) {
   const button = byId("compare");

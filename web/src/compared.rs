@@ -66,7 +66,11 @@ impl ComparedSaid {
 /// A key with its values.
 fn input(difference: &Difference) -> ComparedRow {
     let cell = |i: usize| match &difference.written[i] {
-        Some(written) => written.replace('-', "−"),
+        // A number below zero has a true minus sign; words keep their hyphens.
+        Some(written) => match written.strip_prefix('-') {
+            Some(digits) if digits.starts_with(|c: char| c.is_ascii_digit()) => format!("−{digits}"),
+            _ => written.clone(),
+        },
         None => "not given".to_owned(),
     };
     let words = difference.id.as_ref().map_or_else(|| "random number, its law".to_owned(), Id::words);
@@ -76,7 +80,8 @@ fn input(difference: &Difference) -> ComparedRow {
 /// The answers: what begins, where the body leaves rest, criteria or else factors, and numbers of motions.
 fn answers(pinned: &Pinned, b: &Answered, compared: &Compared<'_>, rulers: &[Ruler]) -> Vec<ComparedRow> {
     let a = &pinned.answered;
-    let mut rows = vec![ComparedRow::plain("mode", [mode(a), mode(b)])];
+    let begins = if a.is_in_time() && b.is_in_time() { "in the end" } else { "mode" };
+    let mut rows = vec![ComparedRow::plain(begins, [mode(a), mode(b)])];
     let leaves = [pinned.compared().leaves_rest(), compared.leaves_rest()];
     if leaves.iter().any(Option::is_some) {
         rows.push(ComparedRow::plain(

@@ -158,7 +158,11 @@ fn near(a: &Compared<'_>, b: &Compared<'_>) -> String {
     {
         let (of_one, of_two) = (of(0), of(1));
         let of_two = if of_one == of_two { String::new() } else { of_two };
-        return format!("A rests up to {}{of_one}, B up to {}{of_two}.", at(one, first), at(two, second));
+        let (first, second) = (at(one, first), at(two, second));
+        if first == second && of_two.is_empty() {
+            return format!("Both rest up to {first}{of_one}.");
+        }
+        return format!("A rests up to {first}{of_one}, B up to {second}{of_two}.");
     }
     let said = both.iter().zip(&loads).enumerate().filter_map(|(i, ((who, assessed), loads))| {
         let (assessed, loads) = ((*assessed)?, loads.as_ref()?);

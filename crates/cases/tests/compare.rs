@@ -97,6 +97,8 @@ fn the_second_line_tells_up_to_which_load_each_rests() {
     assert!(criteria.starts_with("A meets its criteria. Of B not met: SF_sliding is 1.165"), "{criteria}");
     assert!(told(GODA, &strict).criteria.starts_with("A has no criteria. Of B not met: "));
 
+    let stronger = AIR.replace("2700", "4000");
+    assert_eq!(told(AIR, &stronger).near, "Both rest up to 2225 kN/m.");
     let slope = AIR.replace("= 0.6", "= 0");
     assert_eq!(told(AIR, &slope).near, "A rests up to 2225 kN/m. Any share of the breaking wave moves B.");
 }

@@ -217,6 +217,7 @@ impl PinnedDiagram {
                 }
             }
         }
+        reserve(canvas, (self.k, self.mu));
         design_point(canvas, (self.k, self.mu));
     }
 }
@@ -232,7 +233,15 @@ pub(crate) fn design_point(canvas: &mut Canvas, (across, up): (f64, f64)) {
     diamond.close();
     canvas.scene.fill(&diamond, PAPER);
     canvas.scene.stroke(&diamond, Pen::solid(MARK, 1.6));
-    canvas.board.reserve(Rect::around(x, y, 14.0, 14.0));
+}
+
+/// Keeps labels off the design point of A.
+pub(crate) fn reserve(canvas: &mut Canvas, (across, up): (f64, f64)) {
+    let axes = canvas.board.axes;
+    if axes.shows(across, up) {
+        let (x, y) = axes.at(across, up);
+        canvas.board.reserve(Rect::around(x, y, 14.0, 14.0));
+    }
 }
 
 /// The histories of a motion, to be drawn in dashes behind those of another.

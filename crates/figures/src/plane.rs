@@ -156,10 +156,11 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     }
     axes.border(&mut canvas.scene, FRAME);
     let path = LoadPath::of(given, window.k_max);
-    if let Some((_, PinnedLoad { plane, share })) = &given.pinned {
-        pinned::design_point(&mut canvas, (*share, plane.friction));
-    }
+    // The path and its numbers leave the design point of the other case free.
+    let point = given.pinned.as_ref().map(|(_, PinnedLoad { plane, share })| (*share, plane.friction));
+    point.into_iter().for_each(|point| pinned::reserve(&mut canvas, point));
     path.draw(&mut canvas);
+    point.into_iter().for_each(|point| pinned::design_point(&mut canvas, point));
     let mut named = Vec::new();
     for area in &areas {
         if canvas.name(&area.pieces, verdict_symbol(area.verdict), 15.5, None) {
