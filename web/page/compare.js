@@ -3,7 +3,7 @@
 import { byId, element, whenChanged } from "dom";
 
 /** A text of more letters goes on in the next line. */
-const LONG = 14;
+const LONG = 12;
 
 const rows = (id, list) => byId(id).tBodies[0].replaceChildren(...list.map(({ words, name, cells, bad }) => element("tr", {},
   element("th", { scope: "row" }, words, ...(name ? [element("small", {}, name)] : [])),
