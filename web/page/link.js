@@ -1,4 +1,5 @@
-// The address: `#c=` the text of the case, deflated, in letters of base64 for addresses; `&n=` its name, `&v=` plate, tab and moment. Or `#teach=` a
+// The address: `#c=` the text of the case, deflated, in letters of base64 for addresses; `&n=` its name; `&a=` and `&an=` those of A, if a case is
+// pinned; `&v=` plate, tab and moment. Or `#teach=` a
 // story, `&step=` its step. `&only=` shows one part alone.
 
 import { byId, copy, say } from "dom";
@@ -33,8 +34,17 @@ async function unpacked(letters) {
   return new TextDecoder("utf-8", { fatal: true }).decode(await piped(bytes, new DecompressionStream("deflate-raw"), MOST));
 }
 
+/** The name of a file from an address. */
+const fileName = (name) => (name ?? "").replace(/[^\p{L}\p{N}._ -]+/gu, "").slice(0, 80) || "link.toml";
+
 export async function connectLink(app) {
   let written = "";
+  /** Pins the case that the address names as A; where it names none, one that is pinned stays. */
+  const readPinned = async (parts) => {
+    if (!parts.has("a")) return;
+    const text = await unpacked(parts.get("a")).catch(() => "");
+    if (!app.explorer.pin_text(fileName(parts.get("an")), text)) say("The address names a second case that has no answer here.");
+  };
   const read = async () => {
     const fragment = location.hash.slice(1);
     if (fragment && fragment === written && fragment.startsWith("teach=") === Boolean(app.story)) return;
@@ -54,8 +64,9 @@ export async function connectLink(app) {
         const [plate, tab, t] = (parts.get("v") ?? "").split(",");
         app.startAt = /^\d+(\.\d+)?$/.test(t) ? Number(t) : undefined;
         app.plate = ["load", "k-mu", "time"].includes(plate) ? plate : "";
+        app.explorer.open(fileName(parts.get("n")), text);
+        await readPinned(parts);
         app.showTab(tab);
-        app.explorer.open((parts.get("n") ?? "").replace(/[^\p{L}\p{N}._ -]+/gu, "").slice(0, 80) || "link.toml", text);
       } catch {
         say("The address does not hold a case: it may have been cut.");
       }
@@ -74,7 +85,9 @@ export async function connectLink(app) {
     const name = app.explorer.name();
     const t = app.motion && app.time.t > 0 ? [app.time.t.toFixed(3)] : [];
     const view = [app.shownPlate, app.tab, ...t].join(",");
-    return `c=${await packed(app.explorer.text())}&n=${encodeURIComponent(name)}&v=${view}${part}`;
+    const [pinnedName, pinnedText] = app.explorer.pinned();
+    const pinned = pinnedText === undefined ? "" : `&a=${await packed(pinnedText)}&an=${encodeURIComponent(pinnedName)}`;
+    return `c=${await packed(app.explorer.text())}&n=${encodeURIComponent(name)}${pinned}&v=${view}${part}`;
   };
   byId("link").addEventListener("click", async () => {
     app.settleText();

@@ -23,6 +23,7 @@ import { connectMenus } from "menus";
 import { connectFiles } from "files";
 import { connectLink } from "link";
 import { connectUndo } from "undo";
+import { connectCompare } from "compare";
 import { connectTheme } from "theme";
 import { connectTeach } from "teach";
 import { connectEmbed } from "embed";
@@ -65,7 +66,7 @@ async function connect(compiled) {
   connectAsking(app);
   for (const connectPart of [
     connectVerdict, connectTabs, connectSection, connectStage, connectPlate, connectTransport, connectStrengths, connectHistories, connectForm, connectPane,
-    connectWhy, connectHelp, connectLikely, connectTerms, connectMenus, connectFiles, connectUndo, connectTeach,
+    connectWhy, connectHelp, connectLikely, connectTerms, connectMenus, connectFiles, connectUndo, connectCompare, connectTeach,
   ]) {
     parts.push(connectPart(app));
   }

@@ -16,7 +16,7 @@ export function connectVerdict(app) {
   const live = byId("live");
   let timer = 0;
   const rulers = whenChanged((list) => {
-    byId("rulers").replaceChildren(...list.flatMap(({ name, words, value, required, at, bound, good }) => {
+    byId("rulers").replaceChildren(...list.flatMap(({ name, words, value, before, required, at, bound, good }) => {
       const line = element("span", { className: good ? "ruler" : "ruler bad" });
       // Of a factor 1 is where the body moves; a bound lies in the middle of its line.
       const tick = element("i", { className: bound === null ? "" : "asked" });
@@ -26,7 +26,8 @@ export function connectVerdict(app) {
       line.append(tick, dot);
       line.setAttribute("aria-hidden", "true");
       const said = required ? `${value} ${good ? "" : "not "}${required}` : good ? value : `${value} below 1`;
-      return [element("dt", { title: words }, name), element("dd", {}, line), element("dd", { className: good ? "" : "bad" }, said)];
+      const of_a = before === null ? [] : [element("span", { className: "before" }, `${before} → `)];
+      return [element("dt", { title: words }, name), element("dd", {}, line), element("dd", { className: good ? "" : "bad" }, ...of_a, said)];
     }));
   });
   return (said) => {
@@ -41,9 +42,12 @@ export function connectVerdict(app) {
     const shown = chances?.percent ?? said.symbol;
     if (symbol.innerHTML !== shown) symbol.innerHTML = shown;
     section.classList.toggle("not-met", summary?.met === false || chances?.summary.met === false);
-    const answer = chances?.summary.answer ?? summary?.answer ?? "";
-    const criteria = [chances?.criteria, said.criteria].filter(Boolean).join(" ");
-    const near = [chances && [said.standing, summary?.answer], summary?.near].flat().filter(Boolean).join(" ");
+    // Two that differ are told in one sentence.
+    const both = said.compared?.answer ? said.compared : null;
+    const answer = both?.answer ?? chances?.summary.answer ?? summary?.answer ?? "";
+    const criteria = [chances?.criteria, both?.criteria ?? said.criteria].filter(Boolean).join(" ");
+    const alone = [chances && [said.standing, summary?.answer], summary?.near];
+    const near = (both ? [both.near, chances?.summary.answer] : alone).flat().filter(Boolean).join(" ");
     put(byId("answer"), answer);
     put(byId("criteria"), criteria);
     put(byId("near"), near);

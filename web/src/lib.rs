@@ -13,6 +13,7 @@
 //! |---|---|
 //! | Which case is it, and which were before? | `page` |
 //! | What is its answer? | `answered`; as the page shows it: `said`, `text` |
+//! | Which case is beside it, and what do they differ in? | `pinned`, `compared` |
 //! | Which numbers can be typed or dragged? | `numbers`, `drag` |
 //! | How do loads go with time? | `histories`; drawn by hand: `by_hand` |
 //! | What is drawn? | `plane`; of a motion `time` |
@@ -28,6 +29,7 @@
 mod answered;
 mod asked;
 mod by_hand;
+mod compared;
 mod drag;
 mod examples;
 mod help;
@@ -36,6 +38,7 @@ mod likely;
 mod numbers;
 mod old_link;
 mod page;
+mod pinned;
 mod plane;
 mod said;
 mod sheet;
@@ -118,6 +121,31 @@ impl Explorer {
     /// Takes back what was undone.
     pub fn redo(&mut self) {
         self.page.redo();
+    }
+
+    /// Pins the case as A.
+    pub fn pin(&mut self) {
+        self.page.pin();
+    }
+
+    /// Pins a case file as A; says whether it has an answer.
+    pub fn pin_text(&mut self, name: &str, text: &str) -> bool {
+        self.page.pin_text(name, text)
+    }
+
+    /// Drops A.
+    pub fn drop_pinned(&mut self) {
+        self.page.drop_pinned();
+    }
+
+    /// A and the case change places, as one step.
+    pub fn swap(&mut self) {
+        self.page.swap();
+    }
+
+    /// The name of the file of A, and its text; empty without one.
+    pub fn pinned(&self) -> Vec<String> {
+        self.page.pinned_version().map_or_else(Vec::new, |a| vec![a.name.clone(), a.text.clone()])
     }
 
     /// Takes what was typed for a number. Returns what is wrong with it, if anything is.

@@ -51,38 +51,21 @@ pub fn tables(file: &CaseFile) -> Vec<NumberTable> {
 
 impl NumberField {
     fn of(file: &CaseFile, id: Id) -> Option<NumberField> {
-        let written = file.written_number(id)?;
+        let (digits, unit) = file.shown_number(id)?;
         let units = file.units_of(id);
         let names = units.dimension.into_iter().flat_map(standfast_inputs::units::Dimension::names);
         let info = id.key.info();
-        let varied = file.inputs().number(id).and_then(|si| file.from_si(id, si, &written.unit));
         Some(NumberField {
             key: id.to_string(),
             words: info.words,
             label: id.words(),
             symbol: info.symbol,
-            digits: digits(&written.digits, varied),
-            unit: if written.unit.is_empty() && info.name.ends_with("_deg") {
-                "°".to_owned()
-            } else {
-                written.unit
-            },
+            digits: digits.replace('-', "−"),
+            unit: if unit.is_empty() && info.name.ends_with("_deg") { "°".to_owned() } else { unit },
             units: names.chain(units.gravity.then_some(GRAVITY_UNIT)).collect(),
             range: info.range().map_or("", standfast_inputs::key::Range::words),
         })
     }
-}
-
-/// The digits of a number: as they are written, or while it varies those of its value.
-fn digits(written: &str, value: Option<f64>) -> String {
-    let is_as_written = |value: &f64| {
-        written.parse::<f64>().is_ok_and(|written| (written - value).abs() <= 1e-12 * written.abs())
-    };
-    match value.filter(|value| !is_as_written(value)) {
-        Some(value) => standfast_cases::layout::significant(value, 7),
-        None => written.to_owned(),
-    }
-    .replace('-', "−")
 }
 
 /// The number of a case under a key by its name.

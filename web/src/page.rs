@@ -9,6 +9,7 @@ use standfast_figures::View;
 use crate::answered::Answered;
 use crate::drag::Held;
 use crate::examples;
+use crate::pinned::Pinned;
 use crate::plane::Drawn;
 
 /// So many texts are kept to go back to.
@@ -23,12 +24,20 @@ pub struct Version {
     pub text: String,
 }
 
+/// A text that may be gone back or forward to.
+#[derive(Debug)]
+struct Step {
+    version: Version,
+    /// True if between it and the text that stands A and B changed places.
+    swaps: bool,
+}
+
 /// The state of the page.
 #[derive(Debug)]
 pub struct Page {
     now: Version,
-    past: Vec<Version>,
-    future: Vec<Version>,
+    past: Vec<Step>,
+    future: Vec<Step>,
     /// Files that cases name, by their own names.
     files: BTreeMap<String, String>,
     /// The last text that has an answer, and the answer.
@@ -37,6 +46,8 @@ pub struct Page {
     fault: Option<CaseError>,
     /// How many answers there were, this one too.
     answers: u32,
+    /// A, if a case is pinned.
+    pub(crate) pinned: Option<Pinned>,
     /// What is dragged.
     pub(crate) held: Option<Held>,
     /// The part of the k–μ plane shown; without one, what shows all.
@@ -59,6 +70,7 @@ impl Default for Page {
             answered,
             fault: None,
             answers: 1,
+            pinned: None,
             held: None,
             view: None,
             drawn: Drawn::default(),
@@ -78,7 +90,10 @@ pub(crate) fn read(version: &Version, files: &BTreeMap<String, String>) -> Resul
 }
 
 /// The case of a text with its answer.
-fn answer(version: &Version, files: &BTreeMap<String, String>) -> Result<(CaseFile, Answered), CaseError> {
+pub(crate) fn answer(
+    version: &Version,
+    files: &BTreeMap<String, String>,
+) -> Result<(CaseFile, Answered), CaseError> {
     let file = read(version, files)?;
     let answered = Answered::of(&file)?;
     Ok((file, answered))
@@ -124,6 +139,11 @@ impl Page {
         self.answered.rest.as_ref().map(|rest| &rest.case)
     }
 
+    /// Its answer.
+    pub(crate) fn settled_answer(&self) -> &Answered {
+        &self.answered
+    }
+
     /// A motion of the last text that has an answer, by its place from the worst on.
     pub(crate) fn settled_motion(&mut self, place: usize) -> Option<&mut FollowedMotion> {
         self.answered.motions.get_mut(place)
@@ -160,9 +180,12 @@ impl Page {
         self.step_to(Version { name: name.to_owned(), text: text.to_owned() })
     }
 
-    /// Takes a file that cases name. A case that waits for it is read again.
+    /// Takes a file that cases name. A case that waits for it is read again, and so is the one that is pinned.
     pub fn add_file(&mut self, name: &str, text: &str) {
         self.files.insert(name.to_owned(), text.to_owned());
+        if let Some(version) = self.pinned_version().cloned() {
+            self.pin_version(&version);
+        }
         self.settle();
     }
 
@@ -182,18 +205,30 @@ impl Page {
 
     /// Goes back to the text before.
     pub fn undo(&mut self) {
-        if let Some(before) = self.past.pop() {
-            self.future.push(std::mem::replace(&mut self.now, before));
+        if let Some(Step { version, swaps }) = self.past.pop() {
+            let version = self.leave_for(version, swaps);
+            self.future.push(Step { version, swaps });
             self.settle();
         }
     }
 
     /// Takes back what was undone.
     pub fn redo(&mut self) {
-        if let Some(after) = self.future.pop() {
-            self.past.push(std::mem::replace(&mut self.now, after));
+        if let Some(Step { version, swaps }) = self.future.pop() {
+            let version = self.leave_for(version, swaps);
+            self.past.push(Step { version, swaps });
             self.settle();
         }
+    }
+
+    /// Takes the text of another step, and gives the one that stood; where A and B change places between both, that is pinned, unless another
+    /// case was in the meantime.
+    fn leave_for(&mut self, version: Version, swaps: bool) -> Version {
+        let left = std::mem::replace(&mut self.now, version);
+        if swaps && self.pinned_version() == Some(&self.now) {
+            self.pin_version(&left);
+        }
+        left
     }
 
     /// Makes the text as it stands the first.
@@ -202,9 +237,19 @@ impl Page {
         self.future.clear();
     }
 
+    /// Takes the text of A, after B was pinned in its place.
+    pub(crate) fn swap_to(&mut self, a: Version) {
+        self.take_step(a, true);
+    }
+
     fn step_to(&mut self, next: Version) -> bool {
+        self.take_step(next, false)
+    }
+
+    fn take_step(&mut self, next: Version, swaps: bool) -> bool {
         if next != self.now {
-            self.past.push(std::mem::replace(&mut self.now, next));
+            let version = std::mem::replace(&mut self.now, next);
+            self.past.push(Step { version, swaps });
             self.future.clear();
             if self.past.len() > KEPT {
                 self.past.remove(0);

@@ -3,13 +3,17 @@
 use serde::Serialize;
 use standfast::Diagram;
 use standfast_cases::assess::UP_TO;
-use standfast_cases::assess::screen::{load_plane_on_screen, section_as_fitted, section_on_screen};
+use standfast_cases::assess::pinned::{self, share_of};
+use standfast_cases::assess::screen::{
+    load_plane_on_screen_beside, section_as_fitted, section_on_screen_beside,
+};
 use standfast_cases::motion::screen::MotionOnScreen;
+use standfast_cases::motion::screen::histories_on_paper;
 use standfast_cases::motion::{MotionView, Tried};
-use standfast_cases::{AnswerFigure, Assessment, AssessmentView, Document};
+use standfast_cases::{AnswerFigure, Assessed, Assessment, AssessmentView, Document};
 use standfast_figures::{
-    DesignPoint, Figure, FreeBody, Map, Picture, Pose, Rect, SectionArrow, SectionFit, View, cases_on_screen,
-    free_body,
+    DesignPoint, Figure, FreeBody, Map, Picture, PinnedDiagram, PinnedLoad, Pose, Rect, SectionArrow,
+    SectionFit, View, cases_on_screen, free_body,
 };
 use standfast_inputs::key::{Id, Table};
 
@@ -93,10 +97,11 @@ impl Page {
     /// The section, about as large as `size`, as JSON; without a drawing of a body in pure numbers.
     pub fn section(&mut self, size: (f64, f64)) -> String {
         let fit = self.drawn.fit.filter(|_| self.held.as_ref().is_some_and(|held| held.is_sized));
+        let pinned = self.pinned.as_ref().and_then(|pinned| pinned.body.as_ref());
         let draw = |rest: &Assessment| match fit {
             // A side that is held stays under the hand.
-            Some(fit) => section_as_fitted(rest, fit).ok(),
-            None => section_on_screen(rest, size).ok(),
+            Some(fit) => section_as_fitted(rest, pinned, fit).ok(),
+            None => section_on_screen_beside(rest, pinned, size).ok(),
         };
         let drawn = self.answered().rest.as_ref().and_then(draw);
         let Some(section) = drawn else {
@@ -184,7 +189,7 @@ impl Page {
         self.drawn.which = which.to_owned();
         let (svg, plane) = match which {
             LOAD => self.load_plane(size),
-            K_MU => self.with_map(size, |map| map.on_screen()),
+            K_MU => self.with_map(size, |map| map.on_screen_beside(self.pinned_diagram())),
             _ => None,
         }
         .map_or((String::new(), None), |picture| (picture.figure.svg().to_owned(), Some(picture)));
@@ -201,7 +206,24 @@ impl Page {
         let name = rest.name(worst).filter(|_| rest.all.len() > 1);
         let title: Vec<String> = rest.case.title.iter().cloned().chain(name).collect();
         let plot = ((width - AROUND.0).max(120.0), (height - AROUND.1).max(120.0));
-        load_plane_on_screen(worst, &title.join(", "), UP_TO, plot).ok().flatten()
+        let title = title.join(", ");
+        self.with_pinned_load(worst, |pinned| {
+            load_plane_on_screen_beside(worst, &title, pinned, UP_TO, plot).ok().flatten()
+        })
+    }
+
+    /// Does something with the plane of the load of A, if a case is pinned that has one.
+    fn with_pinned_load<T>(&self, worst: &Assessed, draw: impl FnOnce(Option<PinnedLoad<'_>>) -> T) -> T {
+        let found = self.pinned.as_ref().and_then(|pinned| {
+            let share = share_of(pinned.answered.worst()?, worst);
+            Some((pinned.plane(share)?, share))
+        });
+        draw(found.as_ref().map(|(plane, share)| PinnedLoad { plane, share: *share }))
+    }
+
+    /// The report's plane of A, if a case is pinned that has one.
+    fn pinned_diagram(&self) -> Option<&PinnedDiagram> {
+        self.pinned.as_ref()?.diagram.as_ref()
     }
 
     /// The k–μ plane of the case, and the part of it that is seen.
@@ -210,6 +232,7 @@ impl Page {
         let diagram = Diagram::of(reduced.point.chart());
         let view = self.view.filter(View::is_drawable).unwrap_or_else(|| {
             let view = View::of(&diagram, reduced.point.k(), reduced.point.mu());
+            let view = self.pinned_diagram().map_or(view, |pinned| pinned.with_room(view));
             if view.is_drawable() { view } else { View { k_min: 0.0, k_max: 1.0, mu_min: 0.0, mu_max: 1.0 } }
         });
         Some((diagram, view))
@@ -282,6 +305,9 @@ impl Page {
 
     /// A plate of the right side in fixed colours, for a file.
     pub fn plane_on_paper(&self, which: &str, size: (f64, f64)) -> String {
+        if let Some(figure) = self.pinned_on_paper(which) {
+            return figure.svg_on_paper();
+        }
         let answered = self.answered();
         let of_rest = |is_it: fn(&AnswerFigure) -> bool| {
             let figures = answered.rest.as_ref()?.figures(&AssessmentView::default()).ok()?;
@@ -294,7 +320,7 @@ impl Page {
             K_MU => answered.point().and_then(|reduced| {
                 let (k, mu, mirrored) = (reduced.point.k(), reduced.point.mu(), reduced.mirrored);
                 let point = DesignPoint { k, mu, label: self.title().to_owned(), mirrored };
-                self.with_map(size, |map| map.on_paper(&point))
+                self.with_map(size, |map| map.on_paper_beside(&point, self.pinned_diagram()))
             }),
             _ => {
                 let figures = answered.motions[..].figures(&MotionView::default()).ok();
@@ -304,8 +330,35 @@ impl Page {
         figure.map_or(String::new(), |figure| figure.svg_on_paper())
     }
 
+    /// A plate in fixed colours with A in dashes; `None` where nothing of A is drawn in it, or a part of the report's plane is seen.
+    fn pinned_on_paper(&self, which: &str) -> Option<Figure> {
+        let (answered, a) = (self.answered(), self.pinned.as_ref()?);
+        let rest = || answered.rest.as_ref().zip(answered.worst());
+        match which {
+            LOAD => {
+                let (rest, worst) = rest()?;
+                self.with_pinned_load(worst, |load| {
+                    pinned::load_plane_on_paper(rest, worst, UP_TO, load?).ok().flatten()
+                })
+            }
+            K_MU if self.view.is_none() => {
+                let (rest, worst) = rest()?;
+                pinned::diagram_on_paper(rest, worst, a.diagram.as_ref()?)
+            }
+            K_MU => None,
+            _ => histories_on_paper(answered.motions.first()?, a.motion()?),
+        }
+    }
+
     /// The section in fixed colours, for a file.
     pub fn section_on_paper(&self) -> String {
+        let body = self.pinned.as_ref().and_then(|pinned| pinned.body.as_ref());
+        let rest = self.answered().rest.as_ref();
+        if let Some(figure) =
+            rest.zip(body).and_then(|(rest, body)| pinned::section_on_paper(rest, body).ok())
+        {
+            return figure.svg_on_paper();
+        }
         let figures =
             self.answered().rest.as_ref().and_then(|rest| rest.figures(&AssessmentView::default()).ok());
         let section = figures.and_then(|figures| figures.into_iter().find(AnswerFigure::is_section));

@@ -11,18 +11,19 @@ use standfast_cases::results::ResultName;
 use standfast_cases::{Assessed, Assessment, CaseError, Explained, Summary};
 
 use crate::answered::Answered;
+use crate::compared::ComparedSaid;
 use crate::numbers::{NumberTable, tables};
 use crate::page::Page;
 use crate::text::{mathematics, symbol};
 
 /// A criterion with its value.
 #[derive(Debug, Serialize)]
-struct CheckRow {
-    name: &'static str,
-    words: &'static str,
+pub struct CheckRow {
+    pub name: &'static str,
+    pub words: &'static str,
     required: String,
-    value: String,
-    met: bool,
+    pub value: String,
+    pub met: bool,
     met_words: String,
     /// The loads under which it is met worst.
     place: Option<String>,
@@ -42,6 +43,8 @@ struct Said<'a> {
     tint: String,
     unique: bool,
     rulers: Vec<Ruler>,
+    /// The case beside the one that is pinned.
+    compared: Option<ComparedSaid>,
     checks: Vec<CheckRow>,
     warnings: Vec<[String; 2]>,
     sentences: Vec<String>,
@@ -60,18 +63,20 @@ struct Said<'a> {
 
 /// A number on a line from 0 to 2, on which 1 is where the body moves or a bound is reached.
 #[derive(Debug, Serialize)]
-struct Ruler {
-    name: &'static str,
-    words: String,
+pub struct Ruler {
+    pub name: &'static str,
+    pub words: String,
     /// The value as it is read.
-    value: String,
+    pub value: String,
+    /// That of A, if a case is pinned that has another.
+    before: Option<String>,
     /// The bound as it is read; empty of a factor of which nothing is asked.
     required: String,
     /// Share of the line, up to 1.
     at: f64,
     /// Share of the line at which the bound lies.
     bound: Option<f64>,
-    good: bool,
+    pub good: bool,
 }
 
 /// What is wrong with the text, and where.
@@ -98,6 +103,15 @@ impl<'a> Said<'a> {
         let rest = answered.rest.as_ref();
         let worst = answered.worst();
         let chip = Chip::of(answered);
+        let mut rulers = rulers_of(answered);
+        let compared = ComparedSaid::of(page, summary.as_ref(), &rulers);
+        if let Some(pinned) = &page.pinned {
+            let before = rulers_of(&pinned.answered);
+            for ruler in &mut rulers {
+                let same = before.iter().find(|other| other.name == ruler.name);
+                ruler.before = same.map(|other| other.value.clone()).filter(|value| *value != ruler.value);
+            }
+        }
         let title = match rest {
             Some(rest) => rest.case.title.as_deref(),
             None => answered.motions.first().and_then(|worst| worst.case.title.as_deref()),
@@ -111,9 +125,9 @@ impl<'a> Said<'a> {
             symbol: chip.symbol,
             tint: chip.tint,
             unique: chip.unique,
-            // What is not asked of a motion is told by its sentences, and not by factors of its first instant.
-            rulers: rest.map_or_else(Vec::new, |rest| rulers(rest, !answered.is_in_time())),
-            checks: rest.map_or_else(|| motion_checks(answered), checks),
+            rulers,
+            compared,
+            checks: checks_of(answered),
             warnings: warnings(page),
             sentences: worst
                 .map_or_else(|| answered.motions.iter().take(1).map(uniqueness).collect(), full_load),
@@ -205,7 +219,22 @@ fn stages(assessed: &Assessed) -> Vec<[String; 2]> {
     assessed.path_up_to(standfast_cases::assess::UP_TO).iter().map(said).collect()
 }
 
+/// The criteria on a line each, or else the safety factors.
+pub fn rulers_of(answered: &Answered) -> Vec<Ruler> {
+    // What is not asked of a motion is told by its sentences, and not by factors of its first instant.
+    answered.rest.as_ref().map_or_else(Vec::new, |rest| rulers(rest, !answered.is_in_time()))
+}
+
 /// The criteria, the governing one first.
+pub fn checks_of(answered: &Answered) -> Vec<CheckRow> {
+    answered.rest.as_ref().map_or_else(|| motion_checks(answered), checks)
+}
+
+/// The symbol of what begins, or in a word how a motion ends.
+pub fn mode(answered: &Answered) -> String {
+    Chip::of(answered).mode.replace('-', "−").replace('\'', "′")
+}
+
 fn checks(rest: &Assessment) -> Vec<CheckRow> {
     let row = |check: &standfast_cases::assess::AnyCheck<'_>| {
         let [required, value, _, met_words] = check.cells();
@@ -256,6 +285,7 @@ fn rulers(rest: &Assessment, with_factors: bool) -> Vec<Ruler> {
             name: check.in_short(),
             words: check.words().to_owned(),
             value,
+            before: None,
             required,
             at: (ratio / 2.0).clamp(0.0, 1.0),
             bound: Some(0.5),
@@ -301,6 +331,7 @@ fn factors(assessed: &Assessed) -> Vec<Ruler> {
         name: name.in_short(),
         words: name.info().words.to_owned(),
         value: factor(value),
+        before: None,
         required: String::new(),
         at: (value / 2.0).clamp(0.0, 1.0),
         bound: None,

@@ -2,12 +2,13 @@
 
 use serde::Serialize;
 use standfast_cases::motion::screen::{
-    MotionOnScreen, histories_on_screen, is_shaken, moment, motion_on_screen, strengths_on_screen,
+    MotionOnScreen, histories_on_screen_beside, is_shaken, moment, motion_on_screen, strengths_on_screen,
 };
 use standfast_cases::motion::{Factors, Strength, Tried};
 use standfast_figures::Picture;
 
 use crate::page::Page;
+use crate::pinned::Pinned;
 
 /// What moves, as the page takes it; the poses are apart.
 #[derive(Serialize)]
@@ -117,7 +118,8 @@ impl Page {
 
     /// The histories, of about a size.
     pub(crate) fn histories(&self, size: (f64, f64)) -> Option<Picture> {
-        histories_on_screen(self.answered().motions.first()?, size)
+        let pinned = self.pinned.as_ref().and_then(Pinned::motion);
+        histories_on_screen_beside(self.answered().motions.first()?, pinned, size)
     }
 
     /// Left, top, right and bottom of the histories last drawn; empty if another plate is.

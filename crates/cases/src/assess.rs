@@ -7,6 +7,7 @@ mod figures;
 pub mod ground;
 mod json;
 mod loads;
+pub mod pinned;
 pub mod screen;
 mod sea;
 mod section;
@@ -16,7 +17,7 @@ pub mod verdict;
 
 use std::ops::RangeInclusive;
 
-use standfast::InputError;
+use standfast::{InputError, Verdict};
 
 use crate::document::{AnswerFigure, Document};
 use crate::interface::Interface;
@@ -76,6 +77,18 @@ pub fn shown<'a>(assessment: &'a Assessment, view: &AssessmentView) -> Vec<&'a A
         shown.truncate(GOVERNING);
     }
     shown
+}
+
+/// What `who` does under the full load of a case, in a sentence that has verdicts in short.
+pub(crate) fn happens(assessment: &Assessment, who: &str) -> String {
+    summary::happens(assessment, who, in_short)
+}
+
+/// Verdict on a body up to where its words go into detail, with its symbol: `slides and rocks about O (SRO-)`.
+fn in_short(verdict: Option<Verdict>) -> String {
+    let words = verdict.map(|verdict| (verdict, verdict.words()));
+    let short = words.and_then(|(verdict, words)| Some((verdict, words.split_once(", ")?.0)));
+    short.map_or_else(|| predicate(verdict), |(verdict, words)| format!("{words} ({verdict})"))
 }
 
 /// The figures of some situations, loads followed up to a multiple of the full load, and the section of the case.

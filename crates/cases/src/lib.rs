@@ -15,6 +15,7 @@
 //! | What does a file say, and where? | [`CaseFile`], [`Inputs`] |
 //! | What is the answer to a case? | [`Assessment`]; its results by name: [`results`]; its criteria: [`criteria`] |
 //! | How is an answer written? | [`Document`] |
+//! | What do two cases differ in, and their answers? | [`CaseText::differences`], [`compare`] |
 //! | What to change for a case to be safe? | [`design`]; what goes with a change: [`couple`] |
 //! | What is the answer for many values of some numbers? | [`sweep`] |
 //! | What becomes of a block in time? | [`motion`] |
@@ -29,6 +30,7 @@
 
 pub mod assess;
 pub mod beginnings;
+pub mod compare;
 pub mod describe;
 pub mod design;
 mod document;
@@ -48,8 +50,8 @@ pub use json::RequiredBound;
 pub use report::{coloured, report};
 pub use standfast_answers::{CaseCheck, Check, criteria, results, sweep};
 pub use standfast_inputs::{
-    CaseError, CaseText, Entry, Excerpt, Explained, Fault, GRAVITY, Id, Inputs, Key, Place, Problem,
-    ReadFile, RecordFile, Value, key, suggest, units,
+    CaseError, CaseText, Difference, Entry, Excerpt, Explained, Fault, GRAVITY, Id, Inputs, Key, Place,
+    Problem, ReadFile, RecordFile, Value, key, suggest, units,
 };
 pub use standfast_model::{Acting, Bound, Case, CaseFile, Criterion, Warning, case, couple};
 pub use standfast_watch::{Portion, Stopped, Watch};

@@ -3,6 +3,7 @@
 use standfast::diagram::Unresolved;
 use standfast::{Modes, Point, Verdict};
 
+use crate::below::verbatim;
 use crate::drawing::Drawing;
 use crate::margins;
 use crate::number::digits;
@@ -45,6 +46,9 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
         Some(Said { verdict: Verdict::Begins(at.mode()), others: at.others() })
     };
     words.extend(of_points(drawing.points, drawing.cloud, &drawing.window, numbered, said));
+    if let Some(pinned) = drawing.pinned {
+        words.extend(verbatim(&(pinned.words() + "."), SMALL));
+    }
     words
 }
 

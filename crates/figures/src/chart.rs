@@ -5,7 +5,7 @@
 
 use standfast::initiation::NamedPoint;
 use standfast::region::Strip;
-use standfast::{Mode, Verdict};
+use standfast::{Diagram, Mode, Verdict};
 
 use crate::axes::{Axes, COLUMN, FRAME, LEFT, NUMBER, Names};
 use crate::below::Words;
@@ -139,11 +139,22 @@ impl Drawing<'_> {
         self.sheet.points.iter().filter_map(|&name| self.diagram.chart().point(name))
     }
 
-    fn stretch(&self, trace: &Trace) -> Vec<Arc> {
-        let chart = self.diagram.chart();
-        let curve = trace.line.curve(chart);
-        curve.map_or(Vec::new(), |curve| clip(curve, trace.from.k(chart), trace.to.k(chart), &self.window))
+    /// The lines that are drawn: with another diagram in dashes one that bounds nothing here would look like one of it.
+    fn traces(&self) -> impl Iterator<Item = &'static Trace> {
+        let alone = self.pinned.is_none();
+        self.sheet.traces.iter().filter(move |trace| alone || trace.style != Style::Dashed)
     }
+
+    fn stretch(&self, trace: &Trace) -> Vec<Arc> {
+        stretch(self.diagram, trace, &self.window)
+    }
+}
+
+/// The parts of a line of a diagram that a window shows; none of an upright one.
+pub(crate) fn stretch(diagram: &Diagram, trace: &Trace, window: &View) -> Vec<Arc> {
+    let chart = diagram.chart();
+    let curve = trace.line.curve(chart);
+    curve.map_or(Vec::new(), |curve| clip(curve, trace.from.k(chart), trace.to.k(chart), window))
 }
 
 /// Place of a k–μ plane with numbers, from `top` on.
@@ -219,7 +230,7 @@ impl<'a> Draft<'a> {
 
     pub(crate) fn traces(&mut self) {
         let axes = self.canvas.board.axes;
-        for trace in self.given.sheet.traces {
+        for trace in self.given.traces() {
             let pen = match trace.style {
                 Style::Solid => Pen::solid(INK, 1.5),
                 Style::Thin => Pen::solid(INK, 0.7),
@@ -242,6 +253,9 @@ impl<'a> Draft<'a> {
     /// Draws the marks over the lines: letters, points, the lens, names, notes and formulas, the later where the
     /// earlier leave room.
     pub(crate) fn marks(&mut self) {
+        if let Some(pinned) = self.given.pinned {
+            pinned.draw(&mut self.canvas);
+        }
         self.canvas.cloud(self.given.cloud);
         self.letters();
         self.numbered = self.canvas.design_points(self.given.points);
@@ -266,7 +280,8 @@ impl<'a> Draft<'a> {
             let text = Text::new(&format!("${letter}$"), LETTER);
             self.at_edge(line, text);
         }
-        if self.given.numbered && self.given.sheet.mu_marks.contains(&Mark::Asymptote) {
+        let has_asymptote = self.given.sheet.mu_marks.contains(&Mark::Asymptote);
+        if self.given.numbered && self.given.pinned.is_none() && has_asymptote {
             let text = Text::new(Line::Asymptote.formula(self.given.diagram.chart()), FORMULA);
             self.at_edge(Line::Asymptote, text);
         }
@@ -292,7 +307,7 @@ impl<'a> Draft<'a> {
         if let Some((k, from)) = line.vertical(self.given.diagram.chart()) {
             return axes.shows(k, from.max(axes.up.from)).then(|| (axes.x(k), axes.area.y0));
         }
-        let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
+        let traces = self.given.traces().filter(|trace| trace.line == line);
         let arc = traces.flat_map(|trace| self.given.stretch(trace)).max_by(|a, b| a.to.total_cmp(&b.to))?;
         Some(axes.at(arc.to, arc.curve.at(arc.to)))
     }
@@ -324,7 +339,7 @@ impl<'a> Draft<'a> {
 
     fn formulas(&mut self) {
         for &line in self.given.sheet.formulas {
-            let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
+            let traces = self.given.traces().filter(|trace| trace.line == line);
             let mut arcs: Vec<_> = traces.flat_map(|trace| self.given.stretch(trace)).collect();
             arcs.sort_by(|one, other| (other.to - other.from).total_cmp(&(one.to - one.from)));
             if !arcs.is_empty() {

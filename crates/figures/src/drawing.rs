@@ -4,6 +4,7 @@ use standfast::Diagram;
 use standfast::diagram::Unresolved;
 
 use crate::DesignPoint;
+use crate::pinned::PinnedDiagram;
 use crate::plot::View;
 use crate::sheet::Sheet;
 
@@ -23,6 +24,8 @@ pub(crate) struct Drawing<'a> {
     pub cloud: &'a [(f64, f64)],
     /// Parts of the indeterminate set to be hatched lightly over the modes they are resolved to.
     pub hatched: &'a [Unresolved],
+    /// Another diagram, in dashes.
+    pub pinned: Option<&'a PinnedDiagram>,
     /// True if the axes carry round numbers; if not, the sheet's named values.
     pub numbered: bool,
 }

@@ -54,6 +54,7 @@ pub mod outlines;
 mod palette;
 #[cfg(feature = "render")]
 mod pdf;
+mod pinned;
 mod plane;
 mod plot;
 #[cfg(feature = "render")]
@@ -90,13 +91,15 @@ pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
 pub use motion::{
     Course, MotionLoad, MotionOutline, MotionPicture, MotionPose, MotionStage, SpectrumAxis, SpectrumLines,
-    SpectrumMap, StageLines, course_on_screen, motion_animation, motion_histories,
-    motion_histories_on_screen, motion_positions, motion_stage, spectrum_lines, spectrum_map, strength_strip,
+    SpectrumMap, StageLines, course_on_screen, motion_animation, motion_histories, motion_histories_beside,
+    motion_histories_on_screen, motion_histories_on_screen_beside, motion_positions, motion_stage,
+    spectrum_lines, spectrum_map, strength_strip,
 };
 pub use number::significant;
 pub use outlines::outlines;
 #[doc(hidden)]
 pub use palette::colours;
+pub use pinned::{PinnedBody, PinnedDiagram, PinnedLoad, PinnedMotion, PinnedPlane};
 pub use plot::View;
 #[cfg(feature = "render")]
 pub use render::RenderError;
@@ -109,7 +112,7 @@ pub use screen::{Map, Picture, tint_on_screen};
 pub use section::{
     Arrow, Backfill, BaseReaction, FailureSketch, Level, Material, Measure, Mound, Outline, Pressed, Section,
     SectionArrow, SectionFit, SectionNumber, SectionPicture, Side, Stated, section, section_as_fitted,
-    section_on_screen,
+    section_beside, section_on_screen, section_on_screen_beside,
 };
 
 /// A drawing with its caption.
@@ -269,22 +272,37 @@ pub fn diagram_with(plane: &KMuPlane, content: &DiagramContent<'_>) -> Figure {
     }
 }
 
+/// The map of all modes with that of another case in dashes, and the design point of that, hollow; the window holds both.
+pub fn diagram_beside(diagram: &Diagram, content: &DiagramContent<'_>, pinned: &PinnedDiagram) -> Figure {
+    rigid_diagram_beside(diagram, content, Some(pinned))
+}
+
 fn rigid_diagram(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
+    rigid_diagram_beside(diagram, content, None)
+}
+
+fn rigid_diagram_beside(
+    diagram: &Diagram,
+    content: &DiagramContent<'_>,
+    pinned: Option<&PinnedDiagram>,
+) -> Figure {
     let (sheet, condition) = map::sheet(diagram.chart().case());
     let unresolved = diagram.unresolved();
     let within = |&(k, mu): &(f64, f64)| unresolved.iter().any(|part| part.contains(k, mu));
     let undecided = content.marked().iter().any(within);
     let window = content.window_of(diagram);
+    let window = View::from_origin(window.k, window.mu);
     drawing::Drawing {
         diagram,
         sheet,
-        window: View::from_origin(window.k, window.mu),
+        window: pinned.map_or(window, |pinned| pinned.with_room(window)),
         heading: map::HEADING,
         caption: &number::body(diagram.chart()),
         preface: condition,
         points: content.points,
         cloud: content.cloud,
         hatched: if undecided { &unresolved } else { &[] },
+        pinned,
         numbered: true,
     }
     .figure()
@@ -351,7 +369,12 @@ pub struct LoadPlane<'a> {
 /// # Ok::<(), standfast::InputError>(())
 /// ```
 pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
-    plane::figure(plane)
+    plane::figure(plane, None)
+}
+
+/// The same with the boundaries of another case in dashes, and its full load hollow; the window holds both.
+pub fn load_plane_beside(plane: &LoadPlane<'_>, pinned: Option<PinnedLoad<'_>>) -> Figure {
+    plane::figure(plane, pinned)
 }
 
 /// The lines between different verdicts that [`load_plane`] draws of a base that gives way, through points of their curves; verticals
@@ -363,7 +386,16 @@ pub fn load_lines(plane: &LoadPlane<'_>) -> Vec<(LoadEdge, outlines::Polyline)> 
 
 /// Figure of [`load_plane`] for a screen, with a plot of some width and height and colours as custom properties of CSS.
 pub fn load_plane_on_screen(plane: &LoadPlane<'_>, plot: (f64, f64)) -> Picture {
-    plane::figure_on_screen(plane, plot)
+    plane::figure_on_screen(plane, None, plot)
+}
+
+/// The same with the boundaries of another case in dashes, and its full load hollow; the window holds both.
+pub fn load_plane_on_screen_beside(
+    plane: &LoadPlane<'_>,
+    pinned: Option<PinnedLoad<'_>>,
+    plot: (f64, f64),
+) -> Picture {
+    plane::figure_on_screen(plane, pinned, plot)
 }
 
 /// The examples of the README are tests.

@@ -18,12 +18,15 @@ use crate::axes::{Axes, Axis, NUMBER};
 use crate::below::{Words, modes_key};
 use crate::caption::{LEAST, READABLE, SMALL};
 use crate::palette::{INK, symbol, tint};
+use crate::pinned::PinnedMotion;
 use crate::scene::{Path, Rect, Scene};
 use crate::text::Text;
 
 pub use animation::motion_animation;
 pub use course::{Course, course_on_screen};
-pub use histories::{motion_histories, motion_histories_on_screen};
+pub use histories::{
+    motion_histories, motion_histories_beside, motion_histories_on_screen, motion_histories_on_screen_beside,
+};
 pub use positions::motion_positions;
 pub use spectra::{SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map};
 pub use stage::{MotionStage, StageLines, motion_stage};
@@ -255,8 +258,9 @@ struct Lengths {
 }
 
 impl Lengths {
-    fn of(picture: &MotionPicture<'_>) -> Lengths {
-        let farthest = picture.slide.iter().map(|(_, slide)| slide.abs()).filter(|slide| slide.is_finite());
+    fn of(picture: &MotionPicture<'_>, pinned: Option<&PinnedMotion>) -> Lengths {
+        let slides = picture.slide.iter().chain(pinned.into_iter().flat_map(|pinned| &pinned.slide));
+        let farthest = slides.map(|(_, slide)| slide.abs()).filter(|slide| slide.is_finite());
         match picture.length_unit {
             "m" if farthest.fold(0.0, f64::max) < 1.0 => Lengths { factor: 1e3, unit: "mm" },
             "m" => Lengths { factor: 1.0, unit: "m" },

@@ -12,7 +12,7 @@ use standfast::ground::load_plane::LoadEdge;
 use standfast::region::{Region, Strip};
 use standfast::{Stage, Verdict};
 
-use self::boundaries::{boundaries, corners, edges};
+use self::boundaries::{boundaries, corners, edges, pinned_boundaries};
 use self::path::LoadPath;
 use crate::axes::{Axes, COLUMN, FRAME, LEFT, NUMBER};
 use crate::below::{Words, verbatim};
@@ -23,6 +23,7 @@ use crate::margins::{self, Tab};
 use crate::number::digits;
 use crate::outlines::Polyline;
 use crate::palette::{INK, MARK, verdict_symbol};
+use crate::pinned::{self, PinnedLoad, widened};
 use crate::plot::{Arc, Fall, Piece, View, clip_strips, hatch};
 use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
@@ -38,24 +39,26 @@ const BOUNDARY: Pen = Pen::solid(INK, 1.3);
 const UNCERTAIN: Pen = Pen::solid(MARK, 0.6);
 
 /// What is drawn.
-struct Plan<'a> {
-    regions: Vec<Shaded>,
+pub(crate) struct Plan<'a> {
+    pub regions: Vec<Shaded>,
     /// The μ of corners of regions.
-    corners: Vec<f64>,
+    pub corners: Vec<f64>,
     /// The regions on rigid ground, to be drawn behind.
     rigid: Vec<Shaded>,
     /// Where a body rests on ground somewhat weaker, or stronger, and not on the other.
     uncertain: Vec<Strip>,
     up_to: f64,
-    friction: f64,
+    pub friction: f64,
     stages: &'a [Stage],
     title: &'a str,
+    /// The boundaries of another case, in dashes, in shares of this one's load; and its full load.
+    pinned: Option<(Vec<Shaded>, PinnedLoad<'a>)>,
 }
 
 /// Where a verdict holds.
-struct Shaded {
-    verdict: Verdict,
-    strips: Vec<Strip>,
+pub(crate) struct Shaded {
+    pub verdict: Verdict,
+    pub strips: Vec<Strip>,
 }
 
 /// A region as the window shows it.
@@ -71,7 +74,7 @@ fn shaded(regions: &[Region]) -> Vec<Shaded> {
 }
 
 impl<'a> Plan<'a> {
-    fn of(given: &LoadPlane<'a>) -> Plan<'a> {
+    pub(crate) fn of(given: &LoadPlane<'a>, pinned: Option<PinnedLoad<'a>>) -> Plan<'a> {
         let rigid = shaded(given.regions);
         let behind = given.regions.iter().flat_map(|region| corners(&region.strips, end(given.up_to)));
         let behind: Vec<f64> = behind.collect();
@@ -85,13 +88,21 @@ impl<'a> Plan<'a> {
         let LoadPlane { up_to, friction, stages, title, .. } = *given;
         let uncertain =
             given.base.zip(given.uncertain).map_or_else(Vec::new, |(base, ends)| ground::between(base, ends));
-        Plan { regions, corners, rigid, uncertain, up_to, friction, stages, title }
+        let pinned = pinned.filter(|pinned| pinned.share.is_finite() && pinned.share > 0.0).map(|pinned| {
+            let regions = pinned
+                .plane
+                .regions
+                .iter()
+                .map(|(verdict, strips)| Shaded { verdict: *verdict, strips: widened(strips, pinned.share) });
+            (regions.collect(), pinned)
+        });
+        Plan { regions, corners, rigid, uncertain, up_to, friction, stages, title, pinned }
     }
 }
 
 /// Draws it.
-pub(crate) fn figure(given: &LoadPlane) -> Figure {
-    drawn(&Plan::of(given), None, Scene::default()).figure
+pub(crate) fn figure(given: &LoadPlane, pinned: Option<PinnedLoad<'_>>) -> Figure {
+    drawn(&Plan::of(given, pinned), None, Scene::default()).figure
 }
 
 /// Lines of the plane of a base that gives way.
@@ -100,8 +111,12 @@ pub(crate) fn lines(given: &LoadPlane) -> Vec<(LoadEdge, Polyline)> {
 }
 
 /// Draws it for a screen, with a plot of some width and height.
-pub(crate) fn figure_on_screen(given: &LoadPlane, plot: (f64, f64)) -> Picture {
-    drawn(&Plan::of(given), Some(plot), Scene::themed())
+pub(crate) fn figure_on_screen(
+    given: &LoadPlane,
+    pinned: Option<PinnedLoad<'_>>,
+    plot: (f64, f64),
+) -> Picture {
+    drawn(&Plan::of(given, pinned), Some(plot), Scene::themed())
 }
 
 fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
@@ -124,9 +139,17 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     let behind = self::areas(&given.rigid, &window);
     boundaries(&mut canvas, &given.rigid, &behind, RIGID);
     boundaries(&mut canvas, &given.regions, &areas, BOUNDARY);
+    if let Some((regions, _)) = &given.pinned {
+        let areas = self::areas(regions, &window);
+        pinned_boundaries(&mut canvas, regions, &areas);
+    }
     axes.border(&mut canvas.scene, FRAME);
     let path = LoadPath::of(given, window.k_max);
+    // The path and its numbers leave the design point of the other case free.
+    let point = given.pinned.as_ref().map(|(_, PinnedLoad { plane, share })| (*share, plane.friction));
+    point.into_iter().for_each(|point| pinned::reserve(&mut canvas, point));
     path.draw(&mut canvas);
+    point.into_iter().for_each(|point| pinned::design_point(&mut canvas, point));
     let mut named = Vec::new();
     for area in &areas {
         if canvas.name(&area.pieces, verdict_symbol(area.verdict), 15.5, None) {
@@ -152,7 +175,10 @@ fn drawn(given: &Plan, plot: Option<(f64, f64)>, scene: Scene) -> Picture {
     let heading = if given.title.trim().is_empty() { "Load factor and friction" } else { given.title };
     let behind = if given.rigid.is_empty() { "" } else { DOTTED };
     let band = if uncertain.is_empty() { "" } else { " Hatched: where the ground fails at $φ ± 2°$." };
-    let details = margins::words(&(path.caption() + behind + band), SMALL);
+    let mut details = margins::words(&(path.caption() + behind + band), SMALL);
+    if let Some((_, pinned)) = &given.pinned {
+        details.extend(verbatim(&(pinned.plane.words() + "."), SMALL));
+    }
     let words = Words::new(verbatim(heading, SIZE), details);
     let description = description(&window, &areas, &words.caption);
     let figure = words.figure(canvas.scene, edges, below + 14.0, 16.0, &description);
@@ -189,10 +215,13 @@ fn name_rigid(canvas: &mut Canvas, given: &Plan<'_>, behind: &[Area], window: &V
 /// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region
 /// that is not much farther up.
 fn window(given: &Plan) -> View {
+    let pinned = given.pinned.as_ref().map(|(_, pinned)| pinned);
     let k = end(given.up_to);
-    let friction = drawable(given.friction).unwrap_or(0.0);
+    let both = [Some(given.friction), pinned.map(|pinned| pinned.plane.friction)].into_iter().flatten();
+    let friction = both.filter_map(drawable).fold(0.0, f64::max);
     let limit = (2.5 * friction).max(1.2);
-    let seen = given.corners.iter().map(|mu| 1.15 * mu).filter(|mu| *mu > 0.0 && *mu <= limit);
+    let corners = given.corners.iter().chain(pinned.into_iter().flat_map(|pinned| &pinned.plane.corners));
+    let seen = corners.map(|mu| 1.15 * mu).filter(|mu| *mu > 0.0 && *mu <= limit);
     View::from_origin(k, seen.fold((2.0 * friction).max(0.4 * limit), f64::max))
 }
 

@@ -150,6 +150,7 @@ pub fn report_figure(id: FigureId) -> Figure {
                 preface: &format!("{}:", number::body(diagram.chart())),
                 points: &[],
                 cloud: &[],
+                pinned: None,
                 hatched: &[],
                 numbered: false,
             }

@@ -14,6 +14,7 @@ use crate::drawing::Drawing;
 use crate::margins;
 use crate::number;
 use crate::palette::INK;
+use crate::pinned::PinnedDiagram;
 use crate::plot::{View, clip};
 use crate::scene::{Rect, Scene};
 use crate::sheet::Sheet;
@@ -130,6 +131,9 @@ pub struct Map<'a> {
     pub size: (f64, f64),
 }
 
+/// Height of a line of words below a map.
+const LINE: f64 = 20.0;
+
 /// Content of a map.
 struct Content {
     sheet: &'static Sheet,
@@ -141,12 +145,22 @@ struct Content {
 impl Map<'_> {
     /// The map for a screen.
     pub fn on_screen(&self) -> Picture {
-        self.draw(Scene::themed(), None)
+        self.draw(Scene::themed(), None, None)
+    }
+
+    /// The same with another diagram in dashes.
+    pub fn on_screen_beside(&self, pinned: Option<&PinnedDiagram>) -> Picture {
+        self.draw(Scene::themed(), None, pinned)
     }
 
     /// Picture for paper: colours are fixed, and the design point is marked.
     pub fn on_paper(&self, point: &DesignPoint) -> Figure {
-        self.draw(Scene::default(), Some(point)).figure
+        self.on_paper_beside(point, None)
+    }
+
+    /// The same with another diagram in dashes, and a line of words on it.
+    pub fn on_paper_beside(&self, point: &DesignPoint, pinned: Option<&PinnedDiagram>) -> Figure {
+        self.draw(Scene::default(), Some(point), pinned).figure
     }
 
     /// Every curve of the map within the window, by its equation in plain characters: `count` points on each stretch.
@@ -189,7 +203,7 @@ impl Map<'_> {
         }
     }
 
-    fn draw(&self, scene: Scene, point: Option<&DesignPoint>) -> Picture {
+    fn draw(&self, scene: Scene, point: Option<&DesignPoint>, pinned: Option<&PinnedDiagram>) -> Picture {
         let Map { diagram, view, size: (width, height), .. } = *self;
         let Content { sheet, heading, caption, unresolved } = self.content();
         let drawing = Drawing {
@@ -202,6 +216,7 @@ impl Map<'_> {
             points: point.map_or(&[], std::slice::from_ref),
             cloud: &[],
             hatched: &unresolved,
+            pinned,
             numbered: true,
         };
         let area = Rect {
@@ -230,8 +245,17 @@ impl Map<'_> {
         margins::right_of(scene, &axes, right);
         margins::above(scene, &axes, std::mem::take(&mut draft.above), area.x0);
 
+        let words = pinned.map(|pinned| format!("{}.", pinned.words()));
+        let height = match words.as_ref().filter(|_| point.is_some()) {
+            Some(words) => {
+                scene.text(&Text::verbatim(words, caption::SMALL), area.x0, height + 8.0, INK);
+                height + LINE
+            }
+            None => height,
+        };
         let title = caption::title(&drawing);
-        let description = caption::description(&drawing, &named_points(&drawing));
+        let named = [Some(named_points(&drawing)), words].into_iter().flatten().collect::<Vec<_>>();
+        let description = caption::description(&drawing, &named.join(" "));
         let (svg, labels) = draft.canvas.scene.finish(width, height, &title, &description);
         let (across, up) = view.axes();
         let figure = Figure { svg, title, caption: String::new(), labels, size: (width, height) };

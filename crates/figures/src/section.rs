@@ -23,6 +23,7 @@ use standfast::loads::Face;
 
 use crate::Figure;
 use crate::axes::{COLUMN, NUMBER, PAGE};
+use crate::pinned::PinnedBody;
 use crate::scene::{Rect, Scene};
 use paint::Painter;
 use surroundings::Room;
@@ -244,7 +245,12 @@ pub struct Section<'a> {
 /// assert_eq!(figure.title(), "Section: Block");
 /// ```
 pub fn section(given: &Section<'_>) -> Figure {
-    drawn(given, on_paper(given)).figure
+    section_beside(given, None)
+}
+
+/// The same with a body in dashes behind it, its corner O in the same place.
+pub fn section_beside(given: &Section<'_>, pinned: Option<&PinnedBody>) -> Figure {
+    drawn(given, on_paper(given, pinned)).figure
 }
 
 /// The body is about as large as this on paper.
@@ -256,11 +262,20 @@ const LONGEST: f64 = 56.0;
 /// A section for a screen, about as large as `size`: in colours of the page and without the words below it, which are its caption. It is no
 /// wider than asked where that can be, so that its letters keep their size.
 pub fn section_on_screen(given: &Section<'_>, size: (f64, f64)) -> SectionPicture {
+    section_on_screen_beside(given, None, size)
+}
+
+/// The same with a body in dashes behind it, its corner O in the same place; both have room.
+pub fn section_on_screen_beside(
+    given: &Section<'_>,
+    pinned: Option<&PinnedBody>,
+    size: (f64, f64),
+) -> SectionPicture {
     /// From some width on there is room for the names of levels.
     const NARROW: f64 = 450.0;
     let longest = (0.1 * size.0).clamp(32.0, 72.0);
     let names = size.0 >= NARROW;
-    let roomy = SectionLook { body: size, longest, names, numbers: true, on_screen: true };
+    let roomy = SectionLook { body: size, longest, names, numbers: true, on_screen: true, pinned };
     // Much that stands beside a body leaves it little room: then without names, with short arrows, and at last without the numbers of
     // pressures.
     let looks = [
@@ -278,7 +293,7 @@ pub fn section_on_screen(given: &Section<'_>, size: (f64, f64)) -> SectionPictur
 }
 
 /// A section whose body is as large as leaves room for what stands beside it, and no narrower than `least`.
-fn fitted(given: &Section<'_>, look: SectionLook, size: (f64, f64), least: f64) -> SectionPicture {
+fn fitted(given: &Section<'_>, look: SectionLook<'_>, size: (f64, f64), least: f64) -> SectionPicture {
     const ROUNDS: u32 = 4;
     /// The least height of a body, in the width of all.
     const FLATTEST: f64 = 0.15;
@@ -300,20 +315,31 @@ fn fitted(given: &Section<'_>, look: SectionLook, size: (f64, f64), least: f64) 
     picture
 }
 
-/// The section of a body that has changed, at the scale and in the look that it had: for a screen, while a side of it is held.
-pub fn section_as_fitted(given: &Section<'_>, fit: SectionFit) -> SectionPicture {
-    let bounds = Painter::new(given, fit.0, (0.0, 0.0), None).bounds;
-    let body = (fit.1 * (bounds.x1 - bounds.x0), fit.1 * bounds.y1);
-    drawn(given, SectionLook { body, ..fit.0 })
+/// The section of a body that has changed, with another in dashes, at the scale and in the look that it had: for a screen, while a side of it is
+/// held.
+pub fn section_as_fitted(
+    given: &Section<'_>,
+    pinned: Option<&PinnedBody>,
+    fit: SectionFit,
+) -> SectionPicture {
+    let SectionFit { scale, longest, names, numbers } = fit;
+    let look = SectionLook { body: BODY, longest, names, numbers, on_screen: true, pinned };
+    let bounds = Painter::new(given, look, (0.0, 0.0), None).bounds;
+    drawn(given, SectionLook { body: (scale * (bounds.x1 - bounds.x0), scale * bounds.y1), ..look })
 }
 
 /// Scale and look of a section that was drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SectionFit(SectionLook, f64);
+pub struct SectionFit {
+    scale: f64,
+    longest: f64,
+    names: bool,
+    numbers: bool,
+}
 
 /// Look of a section.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct SectionLook {
+#[derive(Debug, Clone, Copy)]
+struct SectionLook<'a> {
     /// The largest width and height of the body on the page.
     body: (f64, f64),
     longest: f64,
@@ -322,17 +348,20 @@ struct SectionLook {
     /// True if there is room for the numbers of pressures beside the body.
     numbers: bool,
     on_screen: bool,
+    /// Another body, in dashes.
+    pinned: Option<&'a PinnedBody>,
 }
 
-impl SectionLook {
+impl<'a> SectionLook<'a> {
     /// A body `size` times as large as bodies are, at most, with loads this long.
-    fn on_paper(size: f64, longest: f64) -> SectionLook {
+    fn on_paper(size: f64, longest: f64, pinned: Option<&'a PinnedBody>) -> SectionLook<'a> {
         SectionLook {
             body: (size * BODY.0, size * BODY.1),
             longest,
             names: true,
             numbers: true,
             on_screen: false,
+            pinned,
         }
     }
 }
@@ -384,7 +413,7 @@ pub struct SectionPicture {
     pub fit: SectionFit,
 }
 
-fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
+fn drawn(given: &Section<'_>, look: SectionLook<'_>) -> SectionPicture {
     // Items that reach across the page are drawn when it is known how large the page is.
     let wide = |painting: &Painting| painting.extent.x1 - painting.extent.x0 + 2.0 * MARGIN;
     let measured = Painter::new(given, look, (0.0, 0.0), None).paint();
@@ -405,10 +434,8 @@ fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
     };
     let painter = Painter::new(given, look, (-page.x0, -page.y0), Some(room));
     let scale = painter.scale;
-    let (low, high) = (
-        painter.place(painter.bounds.x0, painter.bounds.y0),
-        painter.place(painter.bounds.x1, painter.bounds.y1),
-    );
+    let own = painter.own;
+    let (low, high) = (painter.place(own.x0, own.y0), painter.place(own.x1, own.y1));
     let body = Rect { x0: low.0, y0: high.1, x1: high.0, y1: low.1 };
     let drawn = painter.paint();
     let title = match given.title {
@@ -416,8 +443,10 @@ fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
         title => format!("Section: {title}"),
     };
     let (svg, labels) = drawn.scene.finish(size.0, size.1, &title, &description(given));
-    let figure = Figure { svg, title, caption: legend(given).join(". "), labels, size };
-    let fit = SectionFit(look, scale);
+    let caption = legend(given).into_iter().chain(look.pinned.map(PinnedBody::words));
+    let caption = caption.collect::<Vec<_>>().join(". ");
+    let figure = Figure { svg, title, caption, labels, size };
+    let SectionLook { longest, names, numbers, .. } = look;
     SectionPicture {
         figure,
         numbers: drawn.numbers,
@@ -425,19 +454,19 @@ fn drawn(given: &Section<'_>, look: SectionLook) -> SectionPicture {
         arrows: drawn.arrows,
         body,
         scale,
-        fit,
+        fit: SectionFit { scale, longest, names, numbers },
     }
 }
 
 /// How large the body and its loads are drawn on paper, so that all has room in a column or a page.
-fn on_paper(given: &Section<'_>) -> SectionLook {
+fn on_paper<'a>(given: &Section<'_>, pinned: Option<&'a PinnedBody>) -> SectionLook<'a> {
     const STEP: f64 = 0.96;
-    let look = SectionLook::on_paper;
-    let width = |look: SectionLook| {
+    let look = |size, longest| SectionLook::on_paper(size, longest, pinned);
+    let width = |look: SectionLook<'_>| {
         let Rect { x0, x1, .. } = Painter::new(given, look, (0.0, 0.0), None).paint().extent;
         x1 - x0 + 2.0 * MARGIN
     };
-    let body = |look: SectionLook| Painter::new(given, look, (0.0, 0.0), None).width();
+    let body = |look: SectionLook<'_>| Painter::new(given, look, (0.0, 0.0), None).width();
     // A little smaller for a column; for a page as small as it takes, then with shorter loads. What stands beside the body keeps its
     // width, but for labels that move aside where they crowd: so sizes are tried.
     let tries = [

@@ -20,6 +20,7 @@
 
 #![forbid(unsafe_code)]
 
+mod differences;
 pub mod digits;
 mod edit;
 pub mod error;
@@ -34,6 +35,7 @@ pub mod suggest;
 pub mod typed;
 pub mod units;
 
+pub use differences::Difference;
 pub use edit::WrittenNumber;
 pub use error::{CaseError, Cure, Fault, Place, Problem};
 pub use explained::{Excerpt, Explained};

@@ -136,7 +136,7 @@ impl Plane {
 }
 
 /// The name of the case and of a situation.
-fn title(assessment: &Assessment, assessed: &Assessed) -> String {
+pub(super) fn title(assessment: &Assessment, assessed: &Assessed) -> String {
     let parts: Vec<_> = assessment.case.title.iter().cloned().chain(assessment.name(assessed)).collect();
     parts.join(", ")
 }

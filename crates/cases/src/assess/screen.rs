@@ -2,10 +2,12 @@
 
 use standfast::InputError;
 use standfast_figures::{
-    Picture, Rect, Section, SectionArrow, SectionFit, SectionNumber, SectionPicture, Side,
+    Picture, PinnedBody, PinnedLoad, Rect, Section, SectionArrow, SectionFit, SectionNumber, SectionPicture,
+    Side,
 };
 
 use super::figures::with_load_plane;
+use super::pinned::with_room;
 use super::section::with_section;
 use super::{Assessed, Assessment};
 use crate::case::said_by;
@@ -32,15 +34,31 @@ pub struct SectionOnScreen {
 /// # Errors
 /// If a number is out of range.
 pub fn section_on_screen(assessment: &Assessment, size: (f64, f64)) -> Result<SectionOnScreen, InputError> {
-    placed(assessment, |section| standfast_figures::section_on_screen(section, size))
+    section_on_screen_beside(assessment, None, size)
 }
 
-/// The section of a case whose body has changed, at the scale and in the look that one of it had.
+/// The same with another body in dashes.
 ///
 /// # Errors
 /// If a number is out of range.
-pub fn section_as_fitted(assessment: &Assessment, fit: SectionFit) -> Result<SectionOnScreen, InputError> {
-    placed(assessment, |section| standfast_figures::section_as_fitted(section, fit))
+pub fn section_on_screen_beside(
+    assessment: &Assessment,
+    pinned: Option<&PinnedBody>,
+    size: (f64, f64),
+) -> Result<SectionOnScreen, InputError> {
+    placed(assessment, |section| standfast_figures::section_on_screen_beside(section, pinned, size))
+}
+
+/// The section of a case whose body has changed, with another in dashes, at the scale and in the look that it had.
+///
+/// # Errors
+/// If a number is out of range.
+pub fn section_as_fitted(
+    assessment: &Assessment,
+    pinned: Option<&PinnedBody>,
+    fit: SectionFit,
+) -> Result<SectionOnScreen, InputError> {
+    placed(assessment, |section| standfast_figures::section_as_fitted(section, pinned, fit))
 }
 
 fn placed(
@@ -98,11 +116,25 @@ pub fn load_plane_on_screen(
     up_to: f64,
     plot: (f64, f64),
 ) -> Result<Option<Picture>, InputError> {
+    load_plane_on_screen_beside(assessed, title, None, up_to, plot)
+}
+
+/// The same with the boundaries of another situation in dashes; it goes as far as the full load of that.
+///
+/// # Errors
+/// If a number is out of range.
+pub fn load_plane_on_screen_beside(
+    assessed: &Assessed,
+    title: &str,
+    pinned: Option<PinnedLoad<'_>>,
+    up_to: f64,
+    plot: (f64, f64),
+) -> Result<Option<Picture>, InputError> {
     assessed
         .rises()
         .then(|| {
-            with_load_plane(assessed, title, up_to, |plane| {
-                standfast_figures::load_plane_on_screen(plane, plot)
+            with_load_plane(assessed, title, with_room(up_to, pinned), |plane| {
+                standfast_figures::load_plane_on_screen_beside(plane, pinned, plot)
             })
         })
         .transpose()

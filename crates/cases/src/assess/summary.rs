@@ -22,7 +22,7 @@ pub(super) fn summary(assessment: &Assessment) -> Summary {
     let told: Vec<ToldCriterion> = checks.iter().map(told).collect();
     Summary {
         criteria: criteria(&told),
-        answer: happens(assessment),
+        answer: happens(assessment, "the body", predicate),
         met: assessment.met(),
         governing: checks.first().map(|check| {
             GoverningCriterion::of(CheckEntry::of(check), place(assessment, check.assessed(assessment)))
@@ -50,17 +50,18 @@ fn is_held(assessed: &Assessed) -> bool {
         && assessed.mode() == Some(Mode::Rest)
 }
 
-/// What the body does under the full load; of several situations where it moves, and in how many it rests.
-fn happens(assessment: &Assessment) -> String {
+/// What `who` does, the body, under the full load, each verdict told by `does`; of several situations where it moves, and in how many it
+/// rests.
+pub(super) fn happens(assessment: &Assessment, who: &str, does: fn(Option<Verdict>) -> String) -> String {
     let rests = |assessed: &Assessed| assessed.mode() == Some(Mode::Rest);
     let word = if assessment.case.combinations.is_empty() { "loads" } else { "combinations" };
     let count = assessment.all.len();
     let moving: Vec<&Assessed> = assessment.worst_first().into_iter().filter(|one| !rests(one)).collect();
     let springs = assessment.all.iter().any(|assessed| ground::first_event(assessed).is_some());
     let place = match assessment.in_time {
-        None if springs => "Under loads raised slowly the",
-        Some(_) => "With all loads held at their peaks the",
-        None => "The",
+        None if springs => format!("Under loads raised slowly {who}"),
+        Some(_) => format!("With all loads held at their peaks {who}"),
+        None => sentence(who),
     };
     let each = match (count, assessment.case.combinations.is_empty()) {
         (1, _) => String::new(),
@@ -70,16 +71,13 @@ fn happens(assessment: &Assessment) -> String {
     let is_exact = |assessed: &Assessed| assessed.outcome.full.boundary == Some(Boundary::Exact);
     match moving.as_slice() {
         [] if assessment.all.iter().any(is_held) => {
-            format!("{place} body {}{each}, but only while the variable loads act.", predicate(REST))
+            format!("{place} {}{each}, but only while the variable loads act.", does(REST))
         }
         [] if assessment.all.iter().any(is_exact) => {
-            format!(
-                "{place} body {}{each}, exactly on the boundary: the least more load moves it.",
-                predicate(REST)
-            )
+            format!("{place} {}{each}, exactly on the boundary: the least more load moves it.", does(REST))
         }
-        [] => format!("{place} body {}{each}.", predicate(REST)),
-        [one] if count == 1 => format!("{place} body {}.", predicate(one.verdict())),
+        [] => format!("{place} {}{each}.", does(REST)),
+        [one] if count == 1 => format!("{place} {}.", does(one.verdict())),
         [one, rest @ ..] => {
             let name = quoted(&assessment.name(one).unwrap_or_default());
             let more = match (rest.len(), count - moving.len()) {
@@ -90,7 +88,7 @@ fn happens(assessment: &Assessment) -> String {
                     format!("; it moves under {more} more of the {count} {word}, and rests under {others}")
                 }
             };
-            format!("{place} body {} under {name}{more}.", predicate(one.verdict()))
+            format!("{place} {} under {name}{more}.", does(one.verdict()))
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use standfast::{History, Mode};
 use standfast_figures::{
-    Figure, MotionOutline, MotionPose, MotionStage, Picture, StageLines, motion_histories_on_screen,
-    motion_stage, strength_strip,
+    Figure, MotionOutline, MotionPicture, MotionPose, MotionStage, Picture, PinnedMotion, StageLines,
+    motion_histories_beside, motion_histories_on_screen_beside, motion_stage, strength_strip,
 };
 use standfast_motion::ground::displacements;
 
@@ -78,8 +78,31 @@ pub fn motion_on_screen(
 
 /// Histories of a motion on a screen; `None` if the motion was not kept.
 pub fn histories_on_screen(followed: &FollowedMotion, size: (f64, f64)) -> Option<Picture> {
+    histories_on_screen_beside(followed, None, size)
+}
+
+/// The same with those of another motion in dashes behind.
+pub fn histories_on_screen_beside(
+    followed: &FollowedMotion,
+    pinned: Option<&PinnedMotion>,
+    size: (f64, f64),
+) -> Option<Picture> {
     followed.outcome.steps.first()?;
-    Some(Samples::of(followed).with_picture(followed, |picture| motion_histories_on_screen(picture, size)))
+    let draw = |picture: &MotionPicture<'_>| motion_histories_on_screen_beside(picture, pinned, size);
+    Some(Samples::of(followed).with_picture(followed, draw))
+}
+
+/// The histories of a motion, to be drawn in dashes behind those of another; `None` if the motion was not kept.
+pub fn pinned_motion(followed: &FollowedMotion) -> Option<PinnedMotion> {
+    followed.outcome.steps.first()?;
+    Some(Samples::of(followed).with_picture(followed, PinnedMotion::of))
+}
+
+/// Histories of a motion on paper, with those of another in dashes behind; `None` if the motion was not kept.
+pub fn histories_on_paper(followed: &FollowedMotion, pinned: &PinnedMotion) -> Option<Figure> {
+    followed.outcome.steps.first()?;
+    let draw = |picture: &MotionPicture<'_>| motion_histories_beside(picture, Some(pinned));
+    Some(Samples::of(followed).with_picture(followed, draw))
 }
 
 /// What is said at a moment of a motion, and the lines of its drawing.

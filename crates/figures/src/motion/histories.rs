@@ -7,6 +7,7 @@ use crate::axes::{Axes, Axis, FRAME, LEFT, NUMBER, PAGE, Tick, named, widest};
 use crate::below::modes_key_within;
 use crate::caption::READABLE;
 use crate::palette::{FAINT, INK, MARK, PUSH};
+use crate::pinned::{PINNED_HISTORY, PinnedMotion};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{Figure, Picture};
@@ -23,6 +24,8 @@ const LINES: [Pen; 2] = [Pen::solid(INK, 1.2), Pen { colour: PUSH, width: 1.2, d
 struct Panel<'a> {
     name: String,
     lines: Vec<&'a [(f64, f64)]>,
+    /// The same of another motion, in dashes behind.
+    pinned: Option<&'a [(f64, f64)]>,
     /// Values that are marked across the panel, where they come near.
     levels: Vec<f64>,
     /// The least range that is shown.
@@ -38,7 +41,8 @@ const FLAT: f64 = 24.0;
 
 impl Panel<'_> {
     fn axis(&self) -> Axis {
-        let values = self.lines.iter().flat_map(|line| line.iter().map(|point| point.1));
+        let lines = self.lines.iter().chain(self.pinned.iter());
+        let values = lines.flat_map(|line| line.iter().map(|point| point.1));
         let (mut low, mut high) = values
             .filter(|value| value.is_finite())
             .fold((0.0_f64, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
@@ -65,24 +69,44 @@ struct Layout {
 
 /// Histories of the loads, the slide and the rotation, under the band of states. What is zero throughout is a line of words.
 pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
+    motion_histories_beside(picture, None)
+}
+
+/// The same with the histories of another motion in dashes behind, up to the end of this one, where its lengths are in the same unit.
+pub fn motion_histories_beside(picture: &MotionPicture<'_>, pinned: Option<&PinnedMotion>) -> Figure {
+    let pinned = pinned.filter(|pinned| pinned.is_like(picture));
+    let caption = pinned.map(|pinned| format!("{} {}.", picture.caption, pinned.words()));
+    let picture =
+        &MotionPicture { caption: caption.as_deref().unwrap_or(picture.caption), ..picture.clone() };
     let mut scene = Scene::default();
     let layout = |_: usize, _: f64| Layout { right: PAGE - RIGHT, height: HEIGHT };
-    let Laid { below, edges, description, .. } = laid(&mut scene, picture, layout);
+    let Laid { below, edges, description, .. } = laid(&mut scene, picture, pinned, layout);
     finished(scene, picture, "histories", edges, below + 12.0, RIGHT, &description)
 }
 
 /// The same for a screen, about as large as `size`: without words below the key of the states. Its plot is that of all histories, with the
 /// time to the right.
-pub fn motion_histories_on_screen(picture: &MotionPicture<'_>, (width, height): (f64, f64)) -> Picture {
+pub fn motion_histories_on_screen(picture: &MotionPicture<'_>, size: (f64, f64)) -> Picture {
+    motion_histories_on_screen_beside(picture, None, size)
+}
+
+/// The same with the histories of another motion in dashes behind, up to the end of this one, where its lengths are in the same unit.
+pub fn motion_histories_on_screen_beside(
+    picture: &MotionPicture<'_>,
+    pinned: Option<&PinnedMotion>,
+    (width, height): (f64, f64),
+) -> Picture {
     /// The least height of a plot, and what the axis of the time and the key of the states take.
     const LEAST: f64 = 40.0;
     const UNDER: f64 = 84.0;
+    let pinned = pinned.filter(|pinned| pinned.is_like(picture));
     let mut scene = Scene::themed();
     let layout = |plots: usize, taken: f64| Layout {
         right: width - RIGHT,
         height: ((height - taken - UNDER) / plots.max(1) as f64).max(LEAST),
     };
-    let Laid { area, below, edges, description } = laid(&mut scene, picture, layout);
+    let Laid { area, below, edges, mut description } = laid(&mut scene, picture, pinned, layout);
+    description += &pinned.map_or(String::new(), |pinned| format!(" {}.", pinned.words()));
     let occurs = |mode: &Mode| picture.states.iter().any(|(_, state)| state == mode);
     let modes: Vec<Mode> = Mode::ALL.into_iter().filter(occurs).collect();
     let below = modes_key_within(&mut scene, &modes, edges, below + 8.0);
@@ -102,20 +126,31 @@ struct Laid {
     description: String,
 }
 
-fn laid(scene: &mut Scene, picture: &MotionPicture<'_>, layout: impl Fn(usize, f64) -> Layout) -> Laid {
+fn laid(
+    scene: &mut Scene,
+    picture: &MotionPicture<'_>,
+    pinned: Option<&PinnedMotion>,
+    layout: impl Fn(usize, f64) -> Layout,
+) -> Laid {
     let size = picture.outline.b1.max(picture.outline.b2);
     let names: Vec<&str> = picture.loads.iter().map(|load| load.name).collect();
-    let lengths = Lengths::of(picture);
+    let lengths = Lengths::of(picture, pinned);
     let scaled = |values: &[(f64, f64)], factor: f64| -> Vec<(f64, f64)> {
         values.iter().map(|(t, value)| (*t, value * factor)).collect()
     };
     let slide = scaled(picture.slide, lengths.factor);
     let theta = scaled(picture.theta, 1f64.to_degrees());
+    let pinned_slide = pinned.map(|pinned| scaled(until(&pinned.slide, picture.end), lengths.factor));
+    let pinned_theta = pinned.map(|pinned| scaled(until(&pinned.theta, picture.end), 1f64.to_degrees()));
     let is_flat = |values: &[(f64, f64)], least: f64| values.iter().all(|(_, value)| value.abs() <= least);
+    let are_flat = |own: &[(f64, f64)], other: Option<&[(f64, f64)]>, least: f64| {
+        is_flat(own, least) && other.is_none_or(|other| is_flat(other, least))
+    };
     let panels = [
         Panel {
             name: names.join(", dashed "),
             lines: picture.loads.iter().map(|load| load.points).collect(),
+            pinned: pinned.map(|pinned| until(&pinned.load, picture.end)),
             levels: Vec::new(),
             least: 1e-3,
             flat: None,
@@ -123,16 +158,20 @@ fn laid(scene: &mut Scene, picture: &MotionPicture<'_>, layout: impl Fn(usize, f
         Panel {
             name: lengths.named("slide, to the right"),
             lines: vec![&slide],
+            pinned: pinned_slide.as_deref(),
             levels: Vec::new(),
             least: 1e-6 * size * lengths.factor,
-            flat: is_flat(picture.slide, NOTHING * size).then_some("It does not slide."),
+            flat: are_flat(&slide, pinned_slide.as_deref(), NOTHING * size * lengths.factor)
+                .then_some("It does not slide."),
         },
         Panel {
             name: "rotation $θ$, counter-clockwise (°)".to_owned(),
             lines: vec![&theta],
+            pinned: pinned_theta.as_deref(),
             levels: picture.balance.map(f64::to_degrees).to_vec(),
             least: 1e-4,
-            flat: is_flat(picture.theta, NOTHING).then_some("It does not turn."),
+            flat: are_flat(&theta, pinned_theta.as_deref(), NOTHING.to_degrees())
+                .then_some("It does not turn."),
         },
     ];
     let panels = &panels[usize::from(names.is_empty())..];
@@ -206,6 +245,11 @@ fn ticks_of_events(scene: &mut Scene, picture: &MotionPicture<'_>, strip: Rect) 
     }
 }
 
+/// The part of a history up to a moment.
+fn until(points: &[(f64, f64)], end: f64) -> &[(f64, f64)] {
+    &points[..points.partition_point(|(t, _)| *t <= end)]
+}
+
 fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes: &Axes, ticks: &[Tick]) {
     let area = axes.area;
     axes.name_above(scene, &Text::inline(&named(&panel.name), NUMBER), LEFT, -5.0);
@@ -224,10 +268,11 @@ fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes:
             scene.text(&text, area.x1 - text.width - 5.0, place, MARK);
         }
     }
-    for (i, line) in panel.lines.iter().enumerate() {
+    let pens = panel.lines.iter().enumerate().map(|(i, line)| (*line, LINES[i.min(1)]));
+    for (line, pen) in panel.pinned.map(|line| (line, PINNED_HISTORY)).into_iter().chain(pens) {
         let places = line.iter().filter(|(t, value)| *t <= picture.end && value.is_finite());
         let places: Vec<(f64, f64)> = places.map(|&(t, value)| axes.at(t, value)).collect();
-        scene.stroke(&thinned(&places), LINES[i.min(1)]);
+        scene.stroke(&thinned(&places), pen);
     }
     axes.border(scene, FRAME);
 }

@@ -96,7 +96,7 @@ fn words_of(picture: &MotionPicture<'_>, pose: &MotionPose) -> Vec<Text> {
     // A slide of rounding errors is none.
     let size = picture.outline.b1.max(picture.outline.b2);
     let slide = if pose.slide.abs() > 1e-9 * size { pose.slide } else { 0.0 };
-    let lengths = Lengths::of(picture);
+    let lengths = Lengths::of(picture, None);
     let unit = if picture.length_unit.is_empty() { String::new() } else { of(lengths.unit) };
     vec![
         Text::inline(

@@ -5,6 +5,7 @@ use standfast::region::{Curve, Strip};
 
 use super::{Area, HEIGHT, Shaded};
 use crate::canvas::Canvas;
+use crate::pinned::{PINNED, arcs_beside, verticals_beside};
 use crate::plot::{Arc, Piece, View, level};
 use crate::scene::Pen;
 
@@ -44,6 +45,16 @@ pub(super) fn boundaries(canvas: &mut Canvas, regions: &[Shaded], areas: &[Area]
     canvas.arcs(edges(areas, &window), pen);
     let sides = sides(regions, areas, &window).into_iter();
     canvas.verticals(sides.map(|side| (side.at, side.low, side.high)), pen);
+}
+
+/// Draws those of another case, where they do not lie on lines that are drawn.
+pub(super) fn pinned_boundaries(canvas: &mut Canvas, regions: &[Shaded], areas: &[Area]) {
+    let window = canvas.board.axes.view();
+    let arcs = arcs_beside(&canvas.board, edges(areas, &window));
+    let sides = sides(regions, areas, &window).into_iter().map(|side| (side.at, side.low, side.high));
+    let sides = verticals_beside(&canvas.board, sides.collect());
+    canvas.arcs(arcs, PINNED);
+    canvas.verticals(sides.into_iter(), PINNED);
 }
 
 /// The lower and upper edges of all areas, each once, as long as they run on.
@@ -135,7 +146,7 @@ mod tests {
     fn in_air_the_one_vertical_is_the_report_s() {
         let regions = in_air();
         let given = plane(&regions);
-        let given = Plan::of(&given);
+        let given = Plan::of(&given, None);
         let window = window(&given);
         let sides = sides(&given.regions, &areas(&given.regions, &window), &window);
         let k_a = 1.0 / (3.0 * 1.8);
@@ -148,7 +159,7 @@ mod tests {
     fn lines_part_different_modes() {
         let regions = in_air();
         let given = plane(&regions);
-        let given = Plan::of(&given);
+        let given = Plan::of(&given, None);
         let window = window(&given);
         let mode = |k: f64, mu: f64| regions.iter().find(|region| region.contains(k, mu)).map(|r| r.mode);
         for arc in edges(&areas(&given.regions, &window), &window) {

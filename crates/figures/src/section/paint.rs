@@ -11,6 +11,7 @@ use crate::below::verbatim;
 use crate::caption::{READABLE, SMALL};
 use crate::margins;
 use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, PAPER};
+use crate::pinned::PINNED;
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::texture;
@@ -33,9 +34,13 @@ pub(super) struct Painter<'a> {
     pub origin: (f64, f64),
     /// Room for water and ground, once it is known.
     pub room: Option<Room>,
-    pub look: SectionLook,
-    /// The body's bounds, m.
+    pub look: SectionLook<'a>,
+    /// The bounds of all bodies that are drawn, m.
     pub bounds: Rect,
+    /// The body's own, m.
+    pub own: Rect,
+    /// Edges that are drawn in dashes.
+    pinned: Vec<[(f64, f64); 2]>,
     /// The bed, m above the base as it is drawn.
     pub bed: Option<f64>,
     /// Labels with their places, to be laid over all lines.
@@ -45,16 +50,22 @@ pub(super) struct Painter<'a> {
 impl<'a> Painter<'a> {
     pub(super) fn new(
         given: &'a Section<'a>,
-        look: SectionLook,
+        look: SectionLook<'a>,
         shift: (f64, f64),
         room: Option<Room>,
     ) -> Painter<'a> {
         let corners = given.parts.iter().flat_map(|part| &part.vertices);
         let ends = [(given.base.0, 0.0), (given.base.1, 0.0)];
-        let mut bounds = Rect { x0: f64::INFINITY, y0: 0.0, x1: f64::NEG_INFINITY, y1: 0.0 };
-        for &(x, y) in corners.chain(&ends) {
-            bounds = Rect { x0: bounds.x0.min(x), x1: bounds.x1.max(x), y1: bounds.y1.max(y), ..bounds };
-        }
+        let nothing = Rect { x0: f64::INFINITY, y0: 0.0, x1: f64::NEG_INFINITY, y1: 0.0 };
+        let held = |bounds: Rect, &(x, y): &(f64, f64)| Rect {
+            x0: bounds.x0.min(x),
+            x1: bounds.x1.max(x),
+            y1: bounds.y1.max(y),
+            ..bounds
+        };
+        let own = corners.chain(&ends).fold(nothing, held);
+        let pinned = look.pinned.map_or_else(Vec::new, |pinned| pinned.beside(given));
+        let bounds = pinned.iter().flatten().fold(own, held);
         let scale = (look.body.0 / (bounds.x1 - bounds.x0)).min(look.body.1 / bounds.y1);
         let bed = given.mound.map(|mound| mound.bed.max(-DEEPEST / scale));
         let extent = Rect { x0: shift.0, y0: shift.1, x1: shift.0, y1: shift.1 };
@@ -69,13 +80,26 @@ impl<'a> Painter<'a> {
             ends: Vec::new(),
             arrows: Vec::new(),
         };
-        Painter { given, drawn, scale, origin: shift, room, look, bounds, bed, labels: Vec::new() }
+        Painter {
+            given,
+            drawn,
+            scale,
+            origin: shift,
+            room,
+            look,
+            bounds,
+            own,
+            pinned,
+            bed,
+            labels: Vec::new(),
+        }
     }
 
     /// Draws everything.
     pub(super) fn paint(mut self) -> Painting {
         self.surroundings();
         self.body();
+        self.pinned_body();
         let left = self.columns(Side::Left);
         let right = self.columns(Side::Right);
         self.above(left.top.min(right.top));
@@ -251,6 +275,13 @@ impl<'a> Painter<'a> {
         self.hold(&Rect { x0: low.0, y0: high.1, x1: high.0, y1: low.1 });
     }
 
+    /// The body behind, in dashes.
+    fn pinned_body(&mut self) {
+        for [from, to] in self.pinned.clone() {
+            self.line(self.place(from.0, from.1), self.place(to.0, to.1), PINNED);
+        }
+    }
+
     /// The centre of mass with the forces on it, and the names of the parts where there is room.
     fn inside(&mut self) {
         let centre = self.place(self.given.centroid.0, self.given.centroid.1);
@@ -393,9 +424,10 @@ impl<'a> Painter<'a> {
             self.drawn.scene.text(&letter, x0, top + 0.8 * SMALL, colour);
             top = margins::paragraph(&mut self.drawn.scene, &words, (x0 + INDENT, right), top, SMALL) + 2.0;
         }
-        let cut = self.is_cut().then_some(CUT);
-        for note in self.given.notes.iter().map(String::as_str).chain(cut) {
-            top = margins::paragraph(&mut self.drawn.scene, &verbatim(note, SMALL), (x0, right), top, SMALL)
+        let cut = self.is_cut().then(|| CUT.to_owned());
+        let pinned = self.look.pinned.map(|pinned| pinned.words() + ".");
+        for note in self.given.notes.iter().cloned().chain(cut).chain(pinned) {
+            top = margins::paragraph(&mut self.drawn.scene, &verbatim(&note, SMALL), (x0, right), top, SMALL)
                 + 2.0;
         }
         self.hold(&Rect { x0, y0: y1, x1: right, y1: top });
