@@ -657,7 +657,10 @@ pub(crate) fn described(command: Option<&str>) -> clap::Command {
     let program = Cli::command();
     let found = command.and_then(|name| Some((name, program.find_subcommand(name)?.clone())));
     match found {
-        Some((name, found)) => found.name(format!("standfast-{name}")).version(VERSION.as_str()),
+        Some((name, found)) => {
+            let whole = format!("standfast-{name}");
+            found.display_name(whole).bin_name(format!("standfast {name}")).version(VERSION.as_str())
+        }
         None => program,
     }
 }
