@@ -210,7 +210,8 @@ impl Page {
         let length = arrow.tail.0 - arrow.tip.0;
         if length != 0.0 {
             let step = (first / length).abs();
-            let share = ((x - arrow.tip.0) / length).clamp(1e-3, 20.0);
+            // At least what a pixel is worth: a force of nothing has no direction to come back from.
+            let share = ((x - arrow.tip.0) / length).clamp(1.0 / length.abs().max(1.0), 20.0);
             changes.push((id, rounded(share * first, step)));
             held.note(id, step);
         }
@@ -465,6 +466,16 @@ mod tests {
         let inputs = page.settled().inputs();
         assert!((inputs.number(Key::Force).unwrap() / 1.35e6 - 1.0).abs() < 0.02);
         assert!((inputs.number(Key::Elevation).unwrap() - 9.5).abs() < 0.06);
+        // Pulled to its tip, and beyond, it is small and still there.
+        page.section((560.0, 400.0));
+        page.grab();
+        page.drag_force(&key, (arrow.tip.0 + 40.0, arrow.tail.1 + 2.0 * scale));
+        page.drag_force(&key, (arrow.tip.0 - 40.0, arrow.tail.1 + 2.0 * scale));
+        page.release();
+        let force = page.settled().inputs().number(Key::Force).unwrap();
+        assert!(force > 0.0 && force < 2e5, "{force}");
+        page.undo();
+        page.section((560.0, 400.0));
         page.grab();
         page.drag_force(&key, (f64::NAN, 0.0));
         page.drag_force(&key, (0.0, -1e9));

@@ -166,7 +166,7 @@ test("a ring is dragged beside A as before, and a frame is short", async () => {
   const page = await pinned();
   await type(page, "body.width", "17.6");
   const before = await text(page);
-  const box = await page.locator(".ring").boundingBox();
+  const box = await page.locator(".ring[data-key$=force]").boundingBox();
   const spans = await page.evaluate(async () => {
     const { explorer } = window.standfast;
     const found = [];
