@@ -42,7 +42,7 @@ function same(one, two, where, tolerance) {
   for (const key of Object.keys(one)) same(one[key], two[key], `${where}.${key}`, tolerance);
 }
 
-const examples = ["examples", "examples/motion", "examples/probability", "web/cases"].flatMap((place) =>
+const examples = ["examples", "examples/motion", "examples/probability", "crates/cases/beginnings"].flatMap((place) =>
   readdirSync(path.join(root, place)).filter((name) => name.endsWith(".toml")).map((name) => path.join(root, place, name)));
 
 test("every example has the program's JSON", async () => {

@@ -111,6 +111,7 @@ test("a history is drawn by hand: points dragged, added and taken away, by mouse
   const before = await page.textContent("#answer");
 
   // Dragged: the answer is another, and only that line of the text.
+  await rings.nth(1).scrollIntoViewIfNeeded();
   const peak = await rings.nth(1).boundingBox();
   await page.mouse.move(peak.x + peak.width / 2, peak.y + peak.height / 2);
   await page.mouse.down();
@@ -129,8 +130,9 @@ test("a history is drawn by hand: points dragged, added and taken away, by mouse
   assert.notEqual(await page.textContent("#near"), before);
 
   // A click adds one, keys move it and take it away, each one step.
-  const box = await page.locator(".course .picture.drawable").boundingBox();
-  await page.mouse.click(box.x + box.width * 0.7, box.y + box.height * 0.4);
+  const drawing = page.locator(".course .picture.drawable");
+  const { width, height } = await drawing.boundingBox();
+  await drawing.click({ position: { x: 0.7 * width, y: 0.4 * height } });
   await drawn(page);
   assert.equal(await rings.count(), 4);
   const added = await text(page);
