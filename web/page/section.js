@@ -148,8 +148,11 @@ export function connectSection(app) {
       const toRight = Math.max(right + GAP, ringAt.get(key) + RING || right) + half;
       const across = x * scale;
       const free = y * scale > base ? across : across < left ? Math.min(across, toLeft) : across > right ? Math.max(across, toRight) : across;
-      box.style.left = `${Math.min(Math.max(free, half - slack), width * scale + slack - half)}px`;
-      box.style.top = `${y * scale}px`;
+      const inside = Math.min(Math.max(free, half - slack), width * scale + slack - half);
+      // Where the plate ends too near, the number stands below its ring.
+      const covered = ringAt.has(key) && Math.abs(inside - ringAt.get(key)) < half + RING;
+      box.style.left = `${inside}px`;
+      box.style.top = `${y * scale + (covered ? RING + GAP + box.offsetHeight / 2 : 0)}px`;
     }
     const handles = new Map([...drawing.forces, ...drawing.sides].filter(({ key }) => numbers.has(key)).map((one) => [one.key, one]));
     for (const [key, { x, y, words }] of handles) {
