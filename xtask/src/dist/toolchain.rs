@@ -87,12 +87,11 @@ fn remapped() -> Result<Vec<String>, String> {
     Ok(prefixes()?.into_iter().map(flag).collect())
 }
 
-/// Folders of this machine that must not stand in what is built.
+/// Folders of this machine that must not stand in what is built, each with its last slash.
 pub fn own_folders() -> Result<Vec<String>, String> {
-    let mut folders: Vec<String> =
-        prefixes()?.into_iter().map(|(path, _)| path.display().to_string()).collect();
-    folders.extend(env::var("HOME").ok().filter(|home| home.len() > 3));
-    Ok(folders)
+    let home = env::var_os("HOME").map(PathBuf::from);
+    let folders = prefixes()?.into_iter().map(|(path, _)| path).chain(home);
+    Ok(folders.map(|path| format!("{}/", path.display())).collect())
 }
 
 #[cfg(test)]
