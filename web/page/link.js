@@ -46,7 +46,8 @@ export async function connectLink(app) {
     if (!app.explorer.pin_text(fileName(parts.get("an")), text)) say("The address names a second case that has no answer here.");
   };
   const read = async () => {
-    const fragment = location.hash.slice(1);
+    // Who puts the copied text behind the # of an address has two of them.
+    const fragment = location.hash.replace(/^#+/, "");
     if (fragment && fragment === written && fragment.startsWith("teach=") === Boolean(app.story)) return;
     const parts = new URLSearchParams(fragment);
     app.only = PARTS.includes(parts.get("only")) ? parts.get("only") : "";
@@ -72,6 +73,8 @@ export async function connectLink(app) {
       }
     } else if (app.explorer.open_old_link(fragment)) {
       app.plate = "k-mu";
+    } else if (!app.only) {
+      say("The address holds nothing that this page knows.");
     }
   };
   await read();
@@ -96,7 +99,7 @@ export async function connectLink(app) {
     const isOnDisk = location.protocol === "file:";
     const link = isOnDisk ? `#${written}` : location.href.split("#")[0] + `#${written}`;
     const words = isOnDisk
-      ? "Copied what stands behind the # of the address: put it behind that of any copy of this page."
+      ? "Copied the end of the address, from its # on: put it behind the address of any copy of this page."
       : "Link copied; it holds the text of the case and the view.";
     const files = app.said.tables.length > 0 && /\bfile\s*=/.test(app.explorer.text()) ? " A record that the case names is not in it." : "";
     await copy(link, words + files);

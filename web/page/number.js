@@ -1,7 +1,7 @@
 // A number field. It is taken when it is left or at Enter, not at each key; Escape gives back what holds; arrows change it by one per
 // cent, with Shift by ten. A text that is not taken stays, with its message, until another is typed or the case is another.
 
-import { element } from "dom";
+import { element, say } from "dom";
 
 /** What stands in a field: what holds, what is being typed, or what was not taken. */
 const [SHOWN, TYPING, REFUSED] = ["shown", "typing", "refused"];
@@ -35,7 +35,7 @@ export function numberField(app, key) {
     delete input.dataset.typing;
     // A new node, so that the same words are announced again.
     fault.replaceChildren(words);
-    holds.textContent = ` Until then ${`${shown.digits} ${shown.unit}`.trim()} holds.`;
+    holds.textContent = `${/[.!?]$/.test(words) ? "" : "."} Until then ${`${shown.digits} ${shown.unit}`.trim()} holds.`;
     input.setAttribute("aria-invalid", "true");
     // The message stays on the page, wherever the field is.
     message.style.translate = "";
@@ -45,6 +45,8 @@ export function numberField(app, key) {
     const words = app.explorer.set(key, input.value);
     if (words) refuse(words);
     else accept();
+    const told = app.explorer.told();
+    if (told) say(told);
     app.changed();
   };
   input.addEventListener("input", () => {
@@ -52,7 +54,8 @@ export function numberField(app, key) {
     input.dataset.typing = "yes";
   });
   input.addEventListener("blur", () => state === TYPING && take());
-  input.addEventListener("focus", () => state === SHOWN && input.select());
+  // What is shown is written over as a whole, by a second click too; what is being typed is not.
+  for (const event of ["focus", "click"]) input.addEventListener(event, () => state === SHOWN && input.select());
   input.addEventListener("keydown", (event) => {
     if (event.isComposing) return;
     if (event.key === "Enter" && state !== SHOWN) take();

@@ -7,7 +7,7 @@ import { isAlone, room } from "room";
 
 const stills = matchMedia("(prefers-reduced-motion: reduce)");
 /** Numbers that stand beside the drawing, where the case has them. */
-const LOOSE = [/^block\.(b1|b2|d|mu_s)$/, /^body\.(mass|density|friction|buoyant_weight)$/, /^load\[\d+\]\.elevation$/, /^wave\.(deep_water_height|Hmax|period)$/, /^earthquake\.(horizontal|vertical)$/, /^ground\.(strength|friction_angle_deg)$/, /^water\.(level|left|right)$/];
+const LOOSE = [/^block\.(b1|b2|d|mu_s)$/, /^body\.(mass|density|friction|buoyant_weight)$/, /^load\[\d+\]\.elevation$/, /^wave\.(deep_water_height|Hmax|period)$/, /^earthquake\.(horizontal|vertical)$/, /^motion\.base\.(horizontal|vertical)\.(peak|target_peak|factor)$/, /^ground\.(strength|friction_angle_deg)$/, /^water\.(level|left|right)$/];
 const MOST = 7;
 /** Keys of the sides of the body. */
 const SIDE = /^body\.(width|height)$/;
@@ -160,6 +160,7 @@ export function connectSection(app) {
       const handle = rings.get(key);
       if (handle.parentElement !== over) over.append(handle);
       const does = SIDE.test(key) ? "drag it, or use arrow keys; the density stays, with Alt the mass" : "drag along it for its size, across for its level; arrow keys change them";
+      handle.title = SIDE.test(key) ? "The density stays; with Alt the mass" : "";
       handle.setAttribute("aria-label", `${words}, ${key}: ${does}`);
       handle.style.left = `${x * scale}px`;
       handle.style.top = `${y * scale}px`;
@@ -175,7 +176,9 @@ export function connectSection(app) {
     return placed;
   };
   const loose = (placed, numbers) => {
-    const keys = LOOSE.flatMap((pattern) => [...numbers.keys()].filter((key) => pattern.test(key) && !placed.has(key))).slice(0, MOST);
+    const free = [...numbers.keys()].filter((key) => !placed.has(key));
+    // Of a step of a story those that it holds are left.
+    const keys = app.story?.hold ? free : LOOSE.flatMap((pattern) => free.filter((key) => pattern.test(key))).slice(0, MOST);
     for (const key of keys) {
       const { box, show } = field(key);
       const number = numbers.get(key);

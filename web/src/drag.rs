@@ -193,7 +193,7 @@ impl Page {
         self.release();
     }
 
-    /// Drags the beginning of the arrow of a force to a place in the section: along it the force, across it its level.
+    /// Drags the beginning of the arrow of a force to a place in the section: along it the force, across it its level, each from a few pixels on.
     pub fn drag_force(&mut self, key: &str, (x, y): (f64, f64)) {
         let Some((id, arrow)) = self.drawn.forces.iter().find(|(id, _)| id.to_string() == key).copied()
         else {
@@ -204,18 +204,21 @@ impl Page {
         let elevation = Id { key: Key::Elevation, ..id };
         let has_level = self.settled().written_number(elevation).is_some();
         let height = self.settled().inputs().number(Key::Height);
+        const NEAR: f64 = 4.0;
         let Some(held) = &mut self.held else { return };
         let (Some(first), true) = (first, x.is_finite() && y.is_finite()) else { return };
         let mut changes = Vec::new();
         let length = arrow.tail.0 - arrow.tip.0;
-        if length != 0.0 {
+        // A hand that goes along an arrow does not mean its level, nor the other way.
+        let [along, across] = [(x - arrow.tail.0).abs() >= NEAR, (y - arrow.tail.1).abs() >= NEAR];
+        if length != 0.0 && (along || !across) {
             let step = (first / length).abs();
             // At least what a pixel is worth: a force of nothing has no direction to come back from.
             let share = ((x - arrow.tip.0) / length).clamp(1.0 / length.abs().max(1.0), 20.0);
             changes.push((id, rounded(share * first, step)));
             held.note(id, step);
         }
-        if has_level {
+        if has_level && across {
             let (level, top) = ((body.y1 - y) / scale, height.unwrap_or((body.y1 - body.y0) / scale));
             changes.push((elevation, rounded(level.clamp(0.0, top), 1.0 / scale).min(top)));
             held.note(elevation, 1.0 / scale);

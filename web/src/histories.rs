@@ -124,6 +124,11 @@ impl Page {
         let ((table, index), (_, keys)) = of.zip(chosen).ok_or_else(|| format!("The case has no {key}."))?;
         let is_pure = file.inputs().has(Table::Block);
         let has = |key: Key| written(file, (table, index), key);
+        let example = |key: Key| {
+            let example = key.info().example;
+            // A block in pure numbers has no units.
+            if is_pure { example.trim_matches('"').split(' ').next().unwrap_or(example) } else { example }
+        };
         // Points begin as the shape before them went.
         let drawn = points(file, (table, index)).filter(|_| shape == "points");
         let drawn = drawn.map(|points| lists(&points));
@@ -133,10 +138,7 @@ impl Page {
             put(Key::HistoryStart, start);
         }
         for key in keys {
-            let plain = key.info().example;
-            // A block in pure numbers has no units.
-            let plain =
-                if is_pure { plain.trim_matches('"').split(' ').next().unwrap_or(plain) } else { plain };
+            let plain = example(key);
             let from_before = match (key, &drawn) {
                 (Key::Times, Some([times, _])) => Some(times.as_str()),
                 (Key::Values, Some([_, values])) => Some(values.as_str()),
@@ -144,6 +146,11 @@ impl Page {
             };
             if let Some(list) = from_before {
                 put(key, list);
+                continue;
+            }
+            // One whole wave, where its period is not said.
+            if key == Key::HistoryPeriod && has(key).is_none() {
+                put(key, has(Key::HistoryDuration).unwrap_or(example(Key::HistoryDuration)));
                 continue;
             }
             // A tail of the base would be an acceleration.
@@ -172,7 +179,8 @@ impl Page {
     /// What is wrong with it.
     pub fn shake_with(&mut self, name: &str) -> Result<(), String> {
         let file = self.settled();
-        let written = format!("{{ shape = \"file\", file = \"{name}\" }}");
+        // With its factor, which is a field: how strong it is.
+        let written = format!("{{ shape = \"file\", file = \"{name}\", factor = 1 }}");
         // The same shaking would count twice.
         let still = match file.inputs().has(Table::Earthquake) {
             true => file
@@ -248,10 +256,9 @@ mod tests {
         assert!(page.can_shake_with("shake.csv"));
         page.shake_with("shake.csv").unwrap();
         assert!(page.answered().is_in_time() && !page.text().contains("[earthquake]"));
-        assert!(
-            page.text()
-                .ends_with("\n[motion.base]\nhorizontal = { shape = \"file\", file = \"shake.csv\" }\n")
-        );
+        assert!(page.text().ends_with(
+            "\n[motion.base]\nhorizontal = { shape = \"file\", file = \"shake.csv\", factor = 1 }\n"
+        ));
         assert!(!page.can_shake_with("shake.csv"));
         page.undo();
         assert!(page.text().contains("[earthquake]"));

@@ -153,6 +153,11 @@ impl Explorer {
         self.page.set(key, typed).err()
     }
 
+    /// What went with the number that was typed last, in a sentence; empty where it went alone.
+    pub fn told(&mut self) -> String {
+        std::mem::take(&mut self.page.told)
+    }
+
     /// Takes a number some per cent greater or less.
     pub fn step(&mut self, key: &str, percent: f64) -> Option<String> {
         self.page.step(key, percent).err()

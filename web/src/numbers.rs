@@ -1,7 +1,8 @@
 //! The numbers of the case as fields: typed one by one, or moved by steps.
 
 use serde::Serialize;
-use standfast_cases::CaseFile;
+use standfast_cases::couple::{Variable, vary};
+use standfast_cases::{CaseFile, CaseText};
 use standfast_inputs::key::{Id, Table};
 use standfast_inputs::typed::typed;
 use standfast_inputs::units::GRAVITY_UNIT;
@@ -101,7 +102,38 @@ impl Page {
             None => file.written_number(id).map_or(String::new(), |written| written.unit),
         };
         let text = file.with_number(id, read.number, &unit);
-        self.take(text.ok_or_else(|| format!("{key} is not written as a number."))?)
+        let text = text.ok_or_else(|| format!("{key} is not written as a number."))?;
+        self.told = String::new();
+        match self.take(text.clone()) {
+            Ok(()) => Ok(()),
+            // What has no answer alone has one with what goes with it, as the caisson of a wave with the body.
+            Err(error) => self.set_coupled(id, text).ok_or(error),
+        }
+    }
+
+    /// Takes a text in which a number has changed, with what goes with that; `None` where nothing does, or where it has no answer even so.
+    fn set_coupled(&mut self, id: Id, text: String) -> Option<()> {
+        let file = self.settled().clone();
+        let mut now = CaseText::parse(file.name(), &text).ok()?;
+        let value = now.inputs().number(id)?;
+        let inputs = file.inputs();
+        let variable = Variable::of(id, inputs);
+        let varied = vary(inputs, self.settled_case()?, &[(&variable, value)]);
+        let goes: Vec<Id> = inputs
+            .numbers()
+            .map(|(other, _)| other)
+            .filter(|other| *other != id && inputs.number(*other) != varied.number(*other))
+            .collect();
+        for other in &goes {
+            let unit = file.written_number(*other)?.unit;
+            let number = file.from_si(*other, varied.number(*other)?, &unit)?;
+            let digits = standfast_cases::layout::significant(number, 6).parse().ok()?;
+            now = CaseText::parse(file.name(), &now.with_number(*other, digits, &unit)?).ok()?;
+        }
+        self.take(now.text().to_owned()).ok()?;
+        let names: Vec<String> = goes.iter().map(Id::to_string).collect();
+        self.told = format!("With {id} went {}.", names.join(", "));
+        Some(())
     }
 
     /// Takes a number some per cent greater or less, in no more than four digits.
@@ -170,6 +202,31 @@ mod tests {
         assert!(page.place_of("wave.period").is_empty());
         page.edit("nonsense");
         assert!(page.place_of("body.friction").is_empty());
+    }
+
+    /// A width or a height that has no answer alone takes with it what goes with it in `design`.
+    #[test]
+    fn what_has_no_answer_alone_is_not_refused() {
+        let mut page = Page::default();
+        assert!(page.open("goda.toml", include_str!("../../examples/goda-2000.toml")));
+        page.set("body.width", "18").unwrap();
+        // Mass and weight less buoyancy at the same density: 346.05 and 2318.64 times 18/15.
+        for line in [
+            "width = \"18 m\"",
+            "mass = \"415.26 t/m\"",
+            "buoyant_weight = \"2782.37 kN/m\"",
+            "caisson_width = \"18 m\"",
+        ] {
+            assert!(page.text().lines().any(|found| found.starts_with(line)), "{line} in {}", page.text());
+        }
+        assert_eq!(page.told, "With body.width went body.mass, body.buoyant_weight, wave.caisson_width.");
+        page.undo();
+        assert_eq!(page.text(), include_str!("../../examples/goda-2000.toml"), "one step");
+        page.set("body.height", "11 m").unwrap();
+        assert!(page.text().contains("crest_height = \"3.9 m\""), "{}", page.text());
+        // What stands alone goes alone.
+        page.set("body.friction", "0.55").unwrap();
+        assert_eq!(page.told, "");
     }
 
     #[test]

@@ -53,6 +53,8 @@ pub struct Page {
     /// The part of the k–μ plane shown; without one, what shows all.
     pub(crate) view: Option<View>,
     pub(crate) drawn: Drawn,
+    /// What went with the number that was typed last.
+    pub(crate) told: String,
 }
 
 impl Default for Page {
@@ -74,6 +76,7 @@ impl Default for Page {
             held: None,
             view: None,
             drawn: Drawn::default(),
+            told: String::new(),
         }
     }
 }

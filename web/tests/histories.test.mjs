@@ -32,7 +32,7 @@ test("a dropped record offers to shake the body, in one step, as the program doe
     assert.equal(await page.textContent("#offer-fault"), "", name);
     assert.equal(await page.isVisible("#offer"), false);
     const shaken = await text(page);
-    assert.ok(shaken.endsWith(`\n[motion.base]\nhorizontal = { shape = "file", file = "${name}" }\n`), shaken);
+    assert.ok(shaken.endsWith(`\n[motion.base]\nhorizontal = { shape = "file", file = "${name}", factor = 1 }\n`), shaken);
     assert.ok(!shaken.includes("[earthquake]"));
     assert.equal(await page.isVisible("#transport"), true);
     // The program moves it the same way.
@@ -81,7 +81,7 @@ test("a shape from the menu gives the load a history, whose numbers are fields",
   assert.match(await text(page), /history = \{ shape = "triangle", rise = "0\.2 s", duration = "0\.6 s" \}/);
   await page.getByLabel("shaking of the base").selectOption("sine");
   await drawn(page);
-  assert.match(await text(page), /\[motion\.base\]\nhorizontal = \{ shape = "sine", duration = "0\.4 s", period = "1 s", peak = "0\.3 g" \}/);
+  assert.match(await text(page), /\[motion\.base\]\nhorizontal = \{ shape = "sine", duration = "0\.4 s", period = "0\.4 s", peak = "0\.3 g" \}/);
   mkdirSync(artefacts, { recursive: true });
   await page.screenshot({ path: path.join(artefacts, "histories.png"), fullPage: true });
   for (let i = 0; i < 4; i += 1) await page.click("#undo");
