@@ -285,7 +285,6 @@ test("how likely it is stands in place of the plane, as the program says it, and
 test("every number that a step leaves to the hand has a field on it", async () => {
   const stories = path.join(import.meta.dirname, "../stories");
   let count = 0;
-  let count = 0;
   for (const id of IDS) {
     const { steps } = JSON.parse(readFileSync(path.join(stories, `${id}.json`), "utf8"));
     for (const [i, { hold, body }] of steps.entries()) {
@@ -293,7 +292,6 @@ test("every number that a step leaves to the hand has a field on it", async () =
       const page = await story(id, i + 1);
       for (const key of hold) {
         assert.ok(await page.locator(`input[data-key="${key}"]`).first().isVisible(), `${id}, ${i + 1}: ${key}`);
-        count += 1;
         count += 1;
       }
       await page.close();
