@@ -115,7 +115,7 @@ mod tests {
                 let path = entry.unwrap().path();
                 if path.is_dir() {
                     folders.push(path);
-                } else if !path.extension().is_some_and(|extension| extension == "svg") {
+                } else if path.extension().is_none_or(|extension| extension != "svg") {
                     let path = path.strip_prefix(&root).unwrap();
                     found.push(path.to_str().unwrap().replace('\\', "/"));
                 }
