@@ -285,6 +285,7 @@ test("on paper A is dashed, and the table stands below", async () => {
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   await page.click("#tab-compare");
   await page.click("#drop-pinned");
+  await drawn(page);
   await page.emulateMedia({ media: "print" });
   assert.equal(await page.isVisible("#panel-compare"), false);
   await page.close();
