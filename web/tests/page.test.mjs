@@ -118,8 +118,8 @@ test("an address holds the text, its name and the view", async () => {
   }
 });
 
-test("Link copies what it says: the whole address on a site, what stands behind the # from a disk", async () => {
-  for (const [url, expected, words] of [[site, /^http:.*#c=/, /^Link copied/], [onDisk, /^#c=/, /behind that of any copy/]]) {
+test("Link copies what it says: the whole address on a site, its end from the # on from a disk", async () => {
+  for (const [url, expected, words] of [[site, /^http:.*#c=/, /^Link copied/], [onDisk, /^#c=/, /behind the address of any copy/]]) {
     const context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"] });
     const page = await context.newPage();
     await page.goto(url);
