@@ -47,8 +47,8 @@ fn transcripts_are_real() {
             command.strip_prefix("cargo run --release -- ").expect("a command a new user can run");
         let output = run(arguments);
         assert!(stands_in(&output, expected), "{command}: {output}");
-        let starts = expected.starts_with('…') || output.starts_with(expected);
-        assert!(starts && expected.lines().count() > 8, "{command}");
+        let first = expected.split("…\n").next().unwrap_or_default();
+        assert!(output.starts_with(first) && expected.lines().count() > 6, "{command}");
     }
     assert!(folder.path().join("examples/block.svg").exists());
 
