@@ -85,16 +85,15 @@ impl Page {
         json.unwrap_or_default()
     }
 
-    fn course_drawn(&self, of: (Table, usize)) -> Option<Picture> {
-        self.drawn.courses.iter().find(|(other, _)| *other == of).map(|(_, picture)| picture.clone())
+    /// A history by its name, with its drawing.
+    fn course_drawn(&self, key: &str) -> Option<((Table, usize), Picture)> {
+        let of = self.history_named(key)?;
+        self.drawn.courses.iter().find(|(other, _)| *other == of).cloned()
     }
 
     /// Drags a point of a history drawn by hand to a place in its drawing.
     pub fn drag_corner(&mut self, key: &str, corner: usize, (x, y): (f64, f64)) {
-        let Some((of, picture)) = self.history_named(key).and_then(|of| Some((of, self.course_drawn(of)?)))
-        else {
-            return;
-        };
+        let Some((of, picture)) = self.course_drawn(key) else { return };
         let Some(mut points) = self.held.as_ref().and_then(|held| corners(&held.file, of)) else { return };
         if corner >= points.len() || !(x.is_finite() && y.is_finite()) {
             return;
@@ -128,10 +127,7 @@ impl Page {
 
     /// Moves a point by shares of the drawing's width and height, as one step.
     pub fn nudge_corner(&mut self, key: &str, corner: usize, (right, up): (f64, f64)) {
-        let Some((of, picture)) = self.history_named(key).and_then(|of| Some((of, self.course_drawn(of)?)))
-        else {
-            return;
-        };
+        let Some((of, picture)) = self.course_drawn(key) else { return };
         let Some([t, value]) = corners(self.settled(), of).and_then(|all| all.get(corner).copied()) else {
             return;
         };
@@ -142,10 +138,7 @@ impl Page {
     }
 
     fn change_points(&mut self, key: &str, change: impl FnOnce(&mut Vec<[f64; 2]>, &Picture)) {
-        let Some((of, picture)) = self.history_named(key).and_then(|of| Some((of, self.course_drawn(of)?)))
-        else {
-            return;
-        };
+        let Some((of, picture)) = self.course_drawn(key) else { return };
         self.grab();
         if let Some(mut points) = self.held.as_ref().and_then(|held| corners(&held.file, of)) {
             change(&mut points, &picture);
@@ -247,14 +240,14 @@ mod tests {
         let first = corners(page.settled(), of).unwrap();
         assert_eq!((first.len(), first[1][1]), (3, 1.0));
         drawn(&mut page, key);
-        let picture = page.course_drawn(of).unwrap();
+        let picture = page.course_drawn(key).unwrap().1;
         let (x, y) = picture.place(first[1][0] * 0.5, -0.5);
         page.grab();
         page.drag_corner(key, 1, (x, y));
         assert_eq!(page.text(), before, "nothing is written while it is held");
         let axes = (picture.across, picture.up);
         drawn(&mut page, key);
-        let held = page.course_drawn(of).unwrap();
+        let held = page.course_drawn(key).unwrap().1;
         assert_eq!((held.across, held.up), axes, "axes stay while a point is held");
         page.release();
         let second = corners(page.settled(), of).unwrap();
@@ -270,7 +263,7 @@ mod tests {
         assert!(corners(page.settled(), of).unwrap()[1][0] <= first[2][0], "it does not pass its neighbour");
         page.undo();
         drawn(&mut page, key);
-        page.add_corner(key, page.course_drawn(of).unwrap().place(first[2][0] * 0.9, 0.25));
+        page.add_corner(key, page.course_drawn(key).unwrap().1.place(first[2][0] * 0.9, 0.25));
         let third = corners(page.settled(), of).unwrap();
         assert_eq!(third.len(), 4);
         assert!((third[2][1] - 0.25).abs() < 0.01);

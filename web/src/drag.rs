@@ -54,16 +54,9 @@ impl Held {
     pub fn written(&self, file: &CaseFile) -> String {
         let mut now = file.clone();
         for (id, step) in &self.steps {
-            let (Some(si), Some(written)) = (self.file.inputs().number(*id), now.written_number(*id)) else {
-                continue;
-            };
-            let unit = &written.unit;
-            let (Some(value), Some(step)) = (now.from_si(*id, si, unit), now.from_si(*id, *step, unit))
-            else {
-                continue;
-            };
-            let text = now.with_number(*id, rounded(value, step), unit);
-            let next = text.and_then(|text| CaseFile::parse(now.name(), &text).ok());
+            let Some(si) = self.file.inputs().number(*id) else { continue };
+            let round = |value, unit: &str| Some(rounded(value, now.from_si(*id, *step, unit)?));
+            let next = numbers::rewritten(&now, *id, si, round);
             now = next.unwrap_or(now);
         }
         let drawn =

@@ -1,13 +1,14 @@
 //! The numbers of the case as fields: typed one by one, or moved by steps.
 
 use serde::Serialize;
+use standfast_cases::CaseFile;
 use standfast_cases::couple::{Variable, vary};
-use standfast_cases::{CaseFile, CaseText};
 use standfast_inputs::key::{Id, Table};
 use standfast_inputs::typed::typed;
 use standfast_inputs::units::GRAVITY_UNIT;
 
 use crate::page::Page;
+use crate::text::units_of_script;
 
 /// A number of the case, as a field shows it.
 #[derive(Debug, Serialize)]
@@ -74,16 +75,27 @@ pub fn find(file: &CaseFile, key: &str) -> Option<Id> {
     file.inputs().numbers().map(|(id, _)| id).find(|id| id.to_string() == key)
 }
 
+/// A case with another number, in the unit in which it is written and as `round` leaves it there; `None` of one that is not written so.
+pub fn rewritten(
+    file: &CaseFile,
+    id: Id,
+    si: f64,
+    round: impl FnOnce(f64, &str) -> Option<f64>,
+) -> Option<CaseFile> {
+    let unit = file.written_number(id)?.unit;
+    let number = round(file.from_si(id, si, &unit)?, &unit)?;
+    CaseFile::parse(file.name(), &file.with_number(id, number, &unit)?).ok()
+}
+
 impl Page {
     /// Beginning and end of a number's value in the text, in UTF-16 units; empty of one that does not stand there.
     pub fn place_of(&self, key: &str) -> Vec<u32> {
         let file = self.settled();
         let entry = file.entries().iter().find(|entry| entry.id.to_string() == key);
-        let span = entry.map(|entry| entry.span.clone()).filter(|span| !span.is_empty());
-        let units = |to: usize| file.text().get(..to).map(|text| text.encode_utf16().count() as u32);
         // Another text than the one that stands has other places.
-        let span = span.filter(|_| file.text() == self.text());
-        span.and_then(|span| Some(vec![units(span.start)?, units(span.end)?])).unwrap_or_default()
+        let span =
+            entry.map(|entry| &entry.span).filter(|span| !span.is_empty() && file.text() == self.text());
+        span.map_or_else(Vec::new, |span| units_of_script(file.text(), span).map(|unit| unit as u32).into())
     }
 
     /// Takes what was typed for a number: in the unit typed, or else in that which stands there.
@@ -107,31 +119,29 @@ impl Page {
         match self.take(text.clone()) {
             Ok(()) => Ok(()),
             // What has no answer alone has one with what goes with it, as the caisson of a wave with the body.
-            Err(error) => self.set_coupled(id, text).ok_or(error),
+            Err(error) => self.set_coupled(id, &text).ok_or(error),
         }
     }
 
     /// Takes a text in which a number has changed, with what goes with that; `None` where nothing does, or where it has no answer even so.
-    fn set_coupled(&mut self, id: Id, text: String) -> Option<()> {
-        let file = self.settled().clone();
-        let mut now = CaseText::parse(file.name(), &text).ok()?;
+    fn set_coupled(&mut self, id: Id, text: &str) -> Option<()> {
+        let inputs = self.settled().inputs();
+        let mut now = CaseFile::parse(self.settled().name(), text).ok()?;
         let value = now.inputs().number(id)?;
-        let inputs = file.inputs();
-        let variable = Variable::of(id, inputs);
-        let varied = vary(inputs, self.settled_case()?, &[(&variable, value)]);
-        let goes: Vec<Id> = inputs
+        let varied = vary(inputs, self.settled_case()?, &[(&Variable::of(id, inputs), value)]);
+        let goes: Vec<(Id, f64)> = varied
             .numbers()
-            .map(|(other, _)| other)
-            .filter(|other| *other != id && inputs.number(*other) != varied.number(*other))
+            .filter(|(other, si)| *other != id && inputs.number(*other) != Some(*si))
             .collect();
-        for other in &goes {
-            let unit = file.written_number(*other)?.unit;
-            let number = file.from_si(*other, varied.number(*other)?, &unit)?;
-            let digits = standfast_cases::layout::significant(number, 6).parse().ok()?;
-            now = CaseText::parse(file.name(), &now.with_number(*other, digits, &unit)?).ok()?;
+        if goes.is_empty() {
+            return None;
+        }
+        for (other, si) in &goes {
+            let round = |number, _: &str| standfast_cases::layout::significant(number, 6).parse().ok();
+            now = rewritten(&now, *other, *si, round)?;
         }
         self.take(now.text().to_owned()).ok()?;
-        let names: Vec<String> = goes.iter().map(Id::to_string).collect();
+        let names: Vec<String> = goes.iter().map(|(other, _)| other.to_string()).collect();
         self.told = format!("With {id} went {}.", names.join(", "));
         Some(())
     }

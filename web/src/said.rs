@@ -14,7 +14,7 @@ use crate::answered::Answered;
 use crate::compared::ComparedSaid;
 use crate::numbers::{NumberTable, tables};
 use crate::page::Page;
-use crate::text::{mathematics, symbol};
+use crate::text::{mathematics, symbol, units_of_script};
 
 /// A criterion with its value.
 #[derive(Debug, Serialize)]
@@ -345,13 +345,12 @@ impl FaultSaid {
         let help = error.help().unwrap_or_default();
         let (sentence, example) = help.split_once('\n').unwrap_or((&help, ""));
         let place = error.excerpt().and_then(|excerpt| excerpt.places.first().cloned()).unwrap_or(0..0);
-        let units = |end: usize| text.get(..end).map_or(0, |before| before.encode_utf16().count());
         FaultSaid {
             message: error.to_string(),
             help: sentence.to_owned(),
             example: example.to_owned(),
             line: 1 + text.get(..place.start).map_or(0, |before| before.matches('\n').count()),
-            place: [units(place.start), units(place.end)],
+            place: units_of_script(text, &place),
             cure: error.cure().map(|cure| cure.words),
         }
     }

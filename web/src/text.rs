@@ -1,5 +1,7 @@
 //! The library's words and symbols as HTML, and tables as CSV.
 
+use std::ops::Range;
+
 use standfast::Mode;
 use standfast::loads::Reduced;
 use standfast_figures::Map;
@@ -11,6 +13,11 @@ pub fn symbol(mode: Mode) -> String {
         Some(letters) => format!("{letters}<sub>{}</sub>", if plain.ends_with('-') { '−' } else { '+' }),
         None => plain,
     }
+}
+
+/// A place in a text, in units of UTF-16, as scripts count.
+pub fn units_of_script(text: &str, place: &Range<usize>) -> [usize; 2] {
+    [place.start, place.end].map(|end| text.get(..end).map_or(0, |before| before.encode_utf16().count()))
 }
 
 /// Mathematics in one line: single letters are italic, primes and minus signs true.

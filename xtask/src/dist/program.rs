@@ -37,13 +37,12 @@ fn laid_out(toolchain: &Toolchain, system: &System) -> Result<PathBuf, String> {
     // The same for every system, by the program of this one.
     let own = here(toolchain)?;
     let text = |arguments: &[&str]| output(Command::new(&own).args(arguments));
-    made(&folder.join("man"))?;
-    for command in [""].into_iter().chain(COMMANDS) {
-        let name =
-            if command.is_empty() { "standfast.1".to_owned() } else { format!("standfast-{command}.1") };
-        let arguments = [&["manual"][..], &[command]].concat();
-        let page = text(&arguments[..if command.is_empty() { 1 } else { 2 }])?;
-        write(&folder.join("man").join(name), &page)?;
+    let manual = folder.join("man");
+    made(&manual)?;
+    let first = text(&["manual"])?;
+    write(&manual.join("standfast.1"), &first)?;
+    for command in commands(&first) {
+        write(&manual.join(format!("standfast-{command}.1")), &text(&["manual", command])?)?;
     }
     made(&folder.join("completions"))?;
     for (shell, name) in [
@@ -57,21 +56,12 @@ fn laid_out(toolchain: &Toolchain, system: &System) -> Result<PathBuf, String> {
     Ok(folder)
 }
 
-/// Commands with a page of the manual.
-const COMMANDS: [&str; 12] = [
-    "new",
-    "assess",
-    "design",
-    "sheet",
-    "simulate",
-    "spectrum",
-    "probability",
-    "classify",
-    "diagram",
-    "figures",
-    "batch",
-    "completions",
-];
+/// The commands that the first page of the manual refers to, as in `standfast\-assess(1)`.
+fn commands(page: &str) -> impl Iterator<Item = &str> {
+    page.lines()
+        .filter_map(|line| line.strip_prefix("standfast\\-")?.strip_suffix("(1)"))
+        .filter(|name| *name != "help")
+}
 
 /// The program of this machine, as it is handed on.
 fn here(toolchain: &Toolchain) -> Result<PathBuf, String> {
@@ -176,4 +166,15 @@ pub fn deb(toolchain: &Toolchain, system: &System, folder: &Path) -> Result<(Pat
     build.args(["--root-owner-group", "-Zxz", "--build"]).arg(&tree).arg(&package);
     ran(build.env("SOURCE_DATE_EPOCH", "315532800").stdout(std::process::Stdio::null()))?;
     Ok((package, state))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commands_are_those_of_the_manual() {
+        let page = ".SH SUBCOMMANDS\n.TP\nstandfast\\-assess(1)\nAssess\n.TP\nstandfast\\-help(1)\nPrint\n";
+        assert_eq!(commands(page).collect::<Vec<_>>(), ["assess"]);
+    }
 }
