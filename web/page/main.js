@@ -4,7 +4,7 @@
 import { bytesOf } from "letters";
 import { startUnpacker, unpack } from "unpacker";
 import { start, Explorer } from "library";
-import { byId } from "dom";
+import { byId, say } from "dom";
 import { connectVerdict } from "verdict";
 import { connectSection } from "section";
 import { connectStage } from "stage";
@@ -57,6 +57,8 @@ async function connect(compiled) {
     app.settleDrag();
     app.said = JSON.parse(app.explorer.said());
     parts.forEach((part) => part(app.said));
+    const told = app.explorer.told();
+    if (told) say(told);
     app.frames += 1;
   };
   // However many events come, the page is drawn once for each picture that the screen shows.

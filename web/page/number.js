@@ -1,7 +1,7 @@
 // A number field. It is taken when it is left or at Enter, not at each key; Escape gives back what holds; arrows change it by one per
 // cent, with Shift by ten. A text that is not taken stays, with its message, until another is typed or the case is another.
 
-import { element, say } from "dom";
+import { element } from "dom";
 
 /** What stands in a field: what holds, what is being typed, or what was not taken. */
 const [SHOWN, TYPING, REFUSED] = ["shown", "typing", "refused"];
@@ -45,8 +45,6 @@ export function numberField(app, key) {
     const words = app.explorer.set(key, input.value);
     if (words) refuse(words);
     else accept();
-    const told = app.explorer.told();
-    if (told) say(told);
     app.changed();
   };
   input.addEventListener("input", () => {

@@ -26,6 +26,8 @@ export function connectSection(app) {
   // What is shown: the section to scale, what begins, or the body in motion; of a case in time the last unless another is chosen.
   let view = "";
   let running = !stills.matches;
+  // Pressures stand along their faces, or each as one arrow.
+  let summed = false;
   let animation = null;
   let settle = 0;
   let scale = 1;
@@ -66,6 +68,12 @@ export function connectSection(app) {
   byId("begins").addEventListener("click", choose("begins"));
   byId("to-scale").addEventListener("click", choose("to-scale"));
   byId("moves").addEventListener("click", choose("moves"));
+  const choosePressures = (chosen) => () => {
+    summed = chosen;
+    app.changed();
+  };
+  byId("pressures-along").addEventListener("click", choosePressures(false));
+  byId("pressures-summed").addEventListener("click", choosePressures(true));
   const drawBody = whenChanged(() => {
     animation?.cancel();
     body.innerHTML = app.explorer.free_body(...bodySize());
@@ -220,7 +228,7 @@ export function connectSection(app) {
     const numbers = byKey(said);
     // A step of a story says which numbers may be changed in it.
     if (app.story?.hold) for (const key of numbers.keys()) if (!app.story.hold.includes(key)) numbers.delete(key);
-    if (shown !== "to-scale") document.querySelector(".legend").hidden = true;
+    if (shown !== "to-scale") document.querySelector(".legend").hidden = byId("sums").hidden = true;
     if (shown === "moves") {
       loose(new Map(), numbers);
       return;
@@ -232,10 +240,13 @@ export function connectSection(app) {
       return;
     }
     const width = Math.max(280, place.parentElement.clientWidth);
-    const drawing = JSON.parse(app.explorer.section(width, Math.max(app.story ? 180 : 240, room(app, place, width, 0.65, 0.52))));
+    const drawing = JSON.parse(app.explorer.section(width, Math.max(app.story ? 180 : 240, room(app, place, width, 0.65, 0.52)), summed));
     picture.innerHTML = drawing.svg;
     put(byId("body-hint"), drawing.body.some((side) => side !== 0) ? "type over a number, pull a ring" : "its positions: a body in pure numbers has no section");
     document.querySelector(".legend").hidden = drawing.words.length === 0;
+    byId("sums").hidden = !drawing.has_pressures;
+    byId("pressures-along").setAttribute("aria-pressed", String(!summed));
+    byId("pressures-summed").setAttribute("aria-pressed", String(summed));
     const placed = layOut(drawing, numbers);
     loose(placed, numbers);
     drawLegend(drawing.words);

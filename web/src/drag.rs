@@ -2,7 +2,7 @@
 
 use standfast::loads::{LoadId, LoadSource};
 use standfast_cases::couple::{Variable, vary};
-use standfast_cases::{Assessed, CaseFile, Key, case};
+use standfast_cases::{Assessed, CaseError, CaseFile, Key, case};
 use standfast_figures::Picture;
 use standfast_inputs::Place;
 use standfast_inputs::key::{Id, Table};
@@ -28,6 +28,8 @@ pub struct Held {
     pub view_was_free: bool,
     /// How finely numbers were dragged, in SI units.
     steps: Vec<(Id, f64)>,
+    /// Why the last place had no answer.
+    pub refused: Option<CaseError>,
     /// True if a side of the body is dragged.
     pub is_sized: bool,
     /// The history of which points were dragged.
@@ -45,6 +47,7 @@ impl Held {
             force: force.and_then(|id| file.inputs().number(id)),
             view_was_free: false,
             steps: Vec::new(),
+            refused: None,
             is_sized: false,
             by_hand: None,
         }
@@ -56,7 +59,7 @@ impl Held {
         for (id, step) in &self.steps {
             let Some(si) = self.file.inputs().number(*id) else { continue };
             let round = |value, unit: &str| Some(rounded(value, now.from_si(*id, *step, unit)?));
-            let next = numbers::rewritten(&now, *id, si, round);
+            let next = now.rewritten(*id, si, round);
             now = next.unwrap_or(now);
         }
         let drawn =
@@ -279,14 +282,38 @@ impl Page {
 
 #[cfg(test)]
 mod tests {
+    use standfast_cases::assess::screen::Pressures;
+
     use super::*;
+
+    /// Where a hand goes farther than there are answers, the page says why it ended before; and says nothing once it is back.
+    #[test]
+    fn what_ends_a_drag_is_said() {
+        let mut page = page("density = \"2.1 t/m3\"");
+        page.section((560.0, 400.0), Pressures::Along);
+        let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
+        let place = |metres: f64| (body.x0, body.y1 - metres * scale);
+        page.grab();
+        page.drag_side("body.height", place(11.8), false);
+        // The force acts 11.5 m above the base.
+        page.drag_side("body.height", place(9.0), false);
+        page.release();
+        assert_eq!(page.told, "No farther: `elevation` is above the crest of the body, which is 9 m high");
+        assert!(page.text().contains("height = \"11.8 m\""), "{}", page.text());
+        page.told.clear();
+        page.grab();
+        page.drag_side("body.height", place(9.0), false);
+        page.drag_side("body.height", place(12.0), false);
+        page.release();
+        assert_eq!(page.told, "");
+    }
 
     /// A page with a body of 15 m by 12 m, heavy by its mass or by its density.
     fn page(weight: &str) -> Page {
         let mut page = Page::default();
         let text = page.text().replace("density = \"2.1 t/m3\"", weight);
         assert!(page.edit(&text) && text.contains(weight));
-        page.section((560.0, 400.0));
+        page.section((560.0, 400.0), Pressures::Along);
         page
     }
 
@@ -304,7 +331,7 @@ mod tests {
             let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
             page.grab();
             page.drag_side("body.width", (body.x0 + 18.0 * scale, 0.0), keeps_mass);
-            page.section((560.0, 400.0));
+            page.section((560.0, 400.0), Pressures::Along);
             assert_eq!(page.text(), before, "nothing is written while it is held");
             page.release();
             let changed = lines_that_differ(&before, page.text());
@@ -342,7 +369,7 @@ mod tests {
     fn the_sea_goes_with_the_body() {
         let mut page = Page::default();
         assert!(page.open("goda.toml", include_str!("../../examples/goda-2000.toml")));
-        page.section((560.0, 400.0));
+        page.section((560.0, 400.0), Pressures::Along);
         let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
         page.grab();
         page.drag_side("body.width", (body.x0 + 16.5 * scale, 0.0), false);
@@ -351,7 +378,7 @@ mod tests {
         let [width, wave] = [Key::Width, Key::CaissonWidth].map(|key| inputs.number(key).unwrap());
         assert!((width - 16.5).abs() < 0.06 && width == wave, "{width} {wave}");
         page.undo();
-        page.section((560.0, 400.0));
+        page.section((560.0, 400.0), Pressures::Along);
         let body = page.drawn.body.unwrap();
         page.grab();
         page.drag_side("body.height", (0.0, body.y1 - 11.0 * scale), false);
@@ -449,7 +476,7 @@ mod tests {
     fn an_arrow_is_dragged_along_and_across() {
         let mut page = Page::default();
         let before = page.text().to_owned();
-        page.section((560.0, 400.0));
+        page.section((560.0, 400.0), Pressures::Along);
         let (id, arrow) = page.drawn.forces[0];
         let key = id.to_string();
         page.grab();
@@ -463,7 +490,7 @@ mod tests {
         assert!((inputs.number(Key::Force).unwrap() / 1.35e6 - 1.0).abs() < 0.02);
         assert!((inputs.number(Key::Elevation).unwrap() - 9.5).abs() < 0.06);
         // Pulled to its tip, and beyond, it is small and still there.
-        page.section((560.0, 400.0));
+        page.section((560.0, 400.0), Pressures::Along);
         page.grab();
         page.drag_force(&key, (arrow.tip.0 + 40.0, arrow.tail.1 + 2.0 * scale));
         page.drag_force(&key, (arrow.tip.0 - 40.0, arrow.tail.1 + 2.0 * scale));
@@ -471,7 +498,7 @@ mod tests {
         let force = page.settled().inputs().number(Key::Force).unwrap();
         assert!(force > 0.0 && force < 2e5, "{force}");
         page.undo();
-        page.section((560.0, 400.0));
+        page.section((560.0, 400.0), Pressures::Along);
         page.grab();
         page.drag_force(&key, (f64::NAN, 0.0));
         page.drag_force(&key, (0.0, -1e9));

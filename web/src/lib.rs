@@ -46,6 +46,7 @@ mod stories;
 mod text;
 mod time;
 
+use standfast_cases::assess::screen::Pressures;
 use standfast_figures as figures;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -153,14 +154,16 @@ impl Explorer {
         self.page.set(key, typed).err()
     }
 
-    /// What went with the number that was typed last, in a sentence; empty where it went alone.
+    /// What there is to say of the last change, once, in a sentence; empty if nothing.
     pub fn told(&mut self) -> String {
         std::mem::take(&mut self.page.told)
     }
 
     /// Takes a number some per cent greater or less.
-    pub fn step(&mut self, key: &str, percent: f64) -> Option<String> {
-        self.page.step(key, percent).err()
+    pub fn step(&mut self, key: &str, percent: f64) {
+        if let Err(why) = self.page.step(key, percent) {
+            self.page.told = page::no_farther(why);
+        }
     }
 
     /// The numbers that are random or may be, as JSON.
@@ -243,9 +246,9 @@ impl Explorer {
         self.page.answered().text()
     }
 
-    /// The section, about `width` by `height` units, with its handles, as JSON.
-    pub fn section(&mut self, width: f64, height: f64) -> String {
-        self.page.section((width, height))
+    /// The section, about `width` by `height` units, with its handles, as JSON; its pressures along their faces, or each as its sum.
+    pub fn section(&mut self, width: f64, height: f64, summed: bool) -> String {
+        self.page.section((width, height), if summed { Pressures::Summed } else { Pressures::Along })
     }
 
     /// The body with its forces and accelerations; empty where the loads are not one horizontal force.

@@ -75,18 +75,6 @@ pub fn find(file: &CaseFile, key: &str) -> Option<Id> {
     file.inputs().numbers().map(|(id, _)| id).find(|id| id.to_string() == key)
 }
 
-/// A case with another number, in the unit in which it is written and as `round` leaves it there; `None` of one that is not written so.
-pub fn rewritten(
-    file: &CaseFile,
-    id: Id,
-    si: f64,
-    round: impl FnOnce(f64, &str) -> Option<f64>,
-) -> Option<CaseFile> {
-    let unit = file.written_number(id)?.unit;
-    let number = round(file.from_si(id, si, &unit)?, &unit)?;
-    CaseFile::parse(file.name(), &file.with_number(id, number, &unit)?).ok()
-}
-
 impl Page {
     /// Beginning and end of a number's value in the text, in UTF-16 units; empty of one that does not stand there.
     pub fn place_of(&self, key: &str) -> Vec<u32> {
@@ -138,7 +126,7 @@ impl Page {
         }
         for (other, si) in &goes {
             let round = |number, _: &str| standfast_cases::layout::significant(number, 6).parse().ok();
-            now = rewritten(&now, *other, *si, round)?;
+            now = now.rewritten(*other, *si, round)?;
         }
         self.take(now.text().to_owned()).ok()?;
         let names: Vec<String> = goes.iter().map(|(other, _)| other.to_string()).collect();

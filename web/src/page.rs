@@ -53,7 +53,7 @@ pub struct Page {
     /// The part of the k–μ plane shown; without one, what shows all.
     pub(crate) view: Option<View>,
     pub(crate) drawn: Drawn,
-    /// What went with the number that was typed last.
+    /// What there is to say of the last change: what went with it, or why it ended where it did.
     pub(crate) told: String,
 }
 
@@ -302,9 +302,13 @@ impl Page {
         let mut inputs = held.file.inputs().clone();
         change(&mut inputs);
         let file = held.file.varied(inputs);
-        if let Ok(answered) = Answered::varied(&file) {
-            (held.file, held.answered) = (file, answered);
-        }
+        held.refused = match Answered::varied(&file) {
+            Ok(answered) => {
+                (held.file, held.answered) = (file, answered);
+                None
+            }
+            Err(error) => Some(error),
+        };
     }
 
     /// Ends a drag: what was varied is written into the text.
@@ -312,6 +316,9 @@ impl Page {
         let Some(held) = self.held.take() else { return };
         if held.view_was_free {
             self.view = None;
+        }
+        if let Some(error) = &held.refused {
+            self.told = no_farther(error);
         }
         let text = held.written(&self.file);
         if text != self.file.text() {
@@ -326,6 +333,11 @@ impl Page {
             self.view = None;
         }
     }
+}
+
+/// Says why a number was not taken that a hand or a key moved.
+pub(crate) fn no_farther(why: impl std::fmt::Display) -> String {
+    format!("No farther: {why}")
 }
 
 #[cfg(test)]

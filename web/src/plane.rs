@@ -5,7 +5,7 @@ use standfast::Diagram;
 use standfast_cases::assess::UP_TO;
 use standfast_cases::assess::pinned::{self, share_of};
 use standfast_cases::assess::screen::{
-    load_plane_on_screen_beside, section_as_fitted, section_on_screen_beside,
+    Pressures, SectionView, load_plane_on_screen_beside, section_as_fitted, section_on_screen,
 };
 use standfast_cases::motion::screen::MotionOnScreen;
 use standfast_cases::motion::screen::histories_on_paper;
@@ -91,17 +91,21 @@ struct SectionShown {
     sides: Vec<Handle>,
     /// The loads by their letters, and sentences on the drawing.
     words: Vec<String>,
+    /// True if pressures may be drawn along their faces or summed.
+    has_pressures: bool,
 }
 
 impl Page {
-    /// The section, about as large as `size`, as JSON; without a drawing of a body in pure numbers.
-    pub fn section(&mut self, size: (f64, f64)) -> String {
+    /// The section, about as large as `size`, with pressures drawn along their faces or summed, as JSON; without a drawing of a body in pure
+    /// numbers.
+    pub fn section(&mut self, size: (f64, f64), pressures: Pressures) -> String {
         let fit = self.drawn.fit.filter(|_| self.held.as_ref().is_some_and(|held| held.is_sized));
         let pinned = self.pinned.as_ref().and_then(|pinned| pinned.body.as_ref());
+        let view = SectionView { pinned, pressures };
         let draw = |rest: &Assessment| match fit {
             // A side that is held stays under the hand.
-            Some(fit) => section_as_fitted(rest, pinned, fit).ok(),
-            None => section_on_screen_beside(rest, pinned, size).ok(),
+            Some(fit) => section_as_fitted(rest, view, fit).ok(),
+            None => section_on_screen(rest, view, size).ok(),
         };
         let drawn = self.answered().rest.as_ref().and_then(draw);
         let Some(section) = drawn else {
@@ -136,6 +140,7 @@ impl Page {
             forces: forces.collect(),
             sides: sides.collect(),
             words: section.words,
+            has_pressures: section.has_pressures,
         };
         // An arrow that is held is measured by where it was.
         if self.held.is_none() {

@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
@@ -36,6 +37,18 @@ export async function open(browser, { url = onDisk, fragment = "", ...options } 
 /** Waits until what was done is drawn. */
 export const drawn = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** What axe finds wrong with a page, or with a part of it. */
+export async function faults(page, part = null) {
+  if (await page.evaluate(() => !window.axe)) await page.evaluate(axe);
+  const found = await page.evaluate(
+    async (selector) => (await window.axe.run(selector ?? document, { resultTypes: ["violations"] })).violations,
+    part,
+  );
+  return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 140)).join(" | ")}`);
+}
 
 /** The field of a number, by its key: on the drawing, beside it, or in the form. */
 export const numberOf = (page, key) => page.locator(`input[data-key="${key}"]:visible`).first();

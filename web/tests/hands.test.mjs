@@ -224,6 +224,21 @@ test("a side of the body is dragged by its ring, which stays under the hand; of 
   }
 });
 
+test("where a hand goes farther than there are answers, the page says why it ended before", async () => {
+  const page = await open(browser);
+  const ring = page.locator('.ring[data-key="body.height"]');
+  const { x, y } = await ring.boundingBox();
+  const far = await page.evaluate(() => document.querySelector("#section svg").getBoundingClientRect().bottom);
+  await page.mouse.move(x + 8, y + 8);
+  await page.mouse.down();
+  await page.mouse.move(x + 8, (y + far) / 2, { steps: 8 });
+  await drawn(page);
+  await page.mouse.up();
+  await drawn(page);
+  assert.match(await page.textContent("#note"), /^No farther: `elevation` is above the crest of the body/);
+  await page.close();
+});
+
 test("the number in hand is marked in the text beside it", async () => {
   const page = await open(browser, { viewport: { width: 1760, height: 1000 } });
   await page.focus('[data-key="body.friction"]');

@@ -14,6 +14,8 @@ use standfast_figures::{DiagramContent, KMuPlane, diagram_with};
 const RIGID: &str = include_str!("../../../examples/goda-2000.toml");
 const SAND: &str = include_str!("../../../examples/goda-on-sand.toml");
 
+const STONE: &str = include_str!("../../../examples/caisson-on-stone.toml");
+
 /// Least time of one of several runs, ms.
 fn least(what: &str, mut work: impl FnMut()) -> f64 {
     let run = |_| {
@@ -36,6 +38,9 @@ fn main() {
     let rigid = least("share of the load and friction, rigid ground", load_plane(RIGID));
     let sand = least("share of the load and friction, sand", load_plane(SAND));
     println!("{:56} {:10.1}", "ratio", sand / rigid);
+    let file = CaseFile::parse("case", STONE).expect("a case");
+    least("answer, a base that crushes", || drop(black_box(Assessment::of_file(&file))));
+    least("share of the load and friction, a base that crushes", load_plane(STONE));
     for (law, angle) in [(GroundLaw::Ec7, 35.0), (GroundLaw::Hansen, 40.0)] {
         let ground = Ground::new(law, angle, 10e3).expect("sand");
         let plane = BearingPlane::new(ground, 0.7, 0.4, 7.5, 2e6).expect("a plane");

@@ -5,13 +5,13 @@ use standfast_cases::assess::pinned::{
     share_of,
 };
 use standfast_cases::assess::screen::{
-    load_plane_on_screen, load_plane_on_screen_beside, section_on_screen, section_on_screen_beside,
+    SectionView, load_plane_on_screen, load_plane_on_screen_beside, section_on_screen,
 };
 use standfast_cases::compare::{Compared, Comparison};
 use standfast_cases::motion::screen::{histories_on_paper, histories_on_screen_beside, pinned_motion};
 use standfast_cases::motion::{Follow, FollowedMotion, StrengthAsked};
 use standfast_cases::{Assessment, CaseFile, Document};
-use standfast_figures::PinnedLoad;
+use standfast_figures::{PinnedBody, PinnedLoad};
 
 const AIR: &str = include_str!("../../../examples/caisson-in-air.toml");
 const GODA: &str = include_str!("../../../examples/goda-2000.toml");
@@ -103,16 +103,20 @@ fn the_second_line_tells_up_to_which_load_each_rests() {
     assert_eq!(told(AIR, &slope).near, "A rests up to 2225 kN/m. Any share of the breaking wave moves B.");
 }
 
+fn beside(pinned: &PinnedBody) -> SectionView<'_> {
+    SectionView { pinned: Some(pinned), ..SectionView::default() }
+}
+
 /// The body of A is drawn where it is not that of B, both to one scale.
 #[test]
 fn the_section_has_the_other_body_in_dashes() {
     let (a, wide) = (assessed(AIR), assessed(&AIR.replace("\"15 m\"", "\"17.6 m\"")));
     let body = pinned_body(&a).unwrap();
     let size = (560.0, 400.0);
-    let alone = section_on_screen(&a, size).unwrap();
-    let same = section_on_screen_beside(&a, Some(&body), size).unwrap();
+    let alone = section_on_screen(&a, SectionView::default(), size).unwrap();
+    let same = section_on_screen(&a, beside(&body), size).unwrap();
     assert_eq!(same.picture.figure.svg(), alone.picture.figure.svg(), "nothing doubles");
-    let both = section_on_screen_beside(&wide, Some(&body), size).unwrap();
+    let both = section_on_screen(&wide, beside(&body), size).unwrap();
     let svg = both.picture.figure.svg();
     assert_eq!(svg.matches(DASHES).count(), 1, "its right edge alone");
     let path = svg.split("<path d=\"M").find(|path| path.contains(DASHES)).unwrap();
@@ -122,7 +126,7 @@ fn the_section_has_the_other_body_in_dashes() {
     assert!(both.words.iter().any(|words| words == "Dashed: A, Caisson in air"), "{:?}", both.words);
     // The wider one in dashes: the drawing has room for it, and its fields stand at the body's own.
     let wider = pinned_body(&wide).unwrap();
-    let picture = section_on_screen_beside(&a, Some(&wider), size).unwrap().picture;
+    let picture = section_on_screen(&a, beside(&wider), size).unwrap().picture;
     assert!(((picture.body.x1 - picture.body.x0) / picture.scale - 15.0).abs() < 1e-9);
     assert!(picture.body.x0 + 17.6 * picture.scale < picture.figure.size().0);
     let paper = section_on_paper(&wide, &body).unwrap();

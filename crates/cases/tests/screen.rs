@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
-use standfast_cases::assess::screen::{load_plane_on_screen, section_on_screen};
-use standfast_cases::{Assessment, CaseFile};
+use standfast::loads::{Action, Face};
+use standfast_cases::assess::screen::{Pressures, SectionView, load_plane_on_screen, section_on_screen};
+use standfast_cases::{Acting, Assessment, CaseFile};
+use standfast_figures::SectionPicture;
 
 fn assessment(name: &str) -> (CaseFile, Assessment) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
@@ -28,7 +30,7 @@ fn a_number_lies_on_its_label() {
         ("caisson-on-stone.toml", ""),
     ] {
         let (file, assessment) = assessment(name);
-        let section = section_on_screen(&assessment, (560.0, 400.0)).unwrap();
+        let section = section_on_screen(&assessment, SectionView::default(), (560.0, 400.0)).unwrap();
         let labels = section.picture.figure.labels();
         let mut found = Vec::new();
         for (id, rect) in &section.numbers {
@@ -52,7 +54,7 @@ fn a_section_is_as_large_as_asked_in_colours_of_the_page() {
     {
         let (_, assessment) = assessment(name);
         for size in [(358.0, 300.0), (580.0, 400.0), (800.0, 560.0)] {
-            let picture = section_on_screen(&assessment, size).unwrap().picture;
+            let picture = section_on_screen(&assessment, SectionView::default(), size).unwrap().picture;
             let (width, height) = picture.figure.size();
             // No wider than asked, so that no letter is made smaller; what stands under a body may make it higher.
             assert!(width <= size.0, "{name}: {width} of {}", size.0);
@@ -74,12 +76,79 @@ fn a_section_is_as_large_as_asked_in_colours_of_the_page() {
 #[test]
 fn forces_on_faces_are_told_with_their_keys() {
     let (_, assessment) = assessment("caisson-in-air.toml");
-    let section = section_on_screen(&assessment, (560.0, 400.0)).unwrap();
+    let section = section_on_screen(&assessment, SectionView::default(), (560.0, 400.0)).unwrap();
     let [(id, arrow)] = section.forces[..] else { panic!("{:?}", section.forces) };
     assert_eq!(id.to_string(), "load[1].force");
     let level = section.picture.body.y1 - 11.5 * section.picture.scale;
     assert!((arrow.tip.1 - level).abs() < 1e-9 && (arrow.tail.1 - level).abs() < 1e-9);
     assert!(arrow.tail.0 > arrow.tip.0, "it points to the left");
+}
+
+/// A pressure that is summed is one arrow: as large as its strips together, where their moment is theirs.
+#[test]
+fn pressures_are_drawn_as_their_sums() {
+    const STRIPS: usize = 100_000;
+    let summed = SectionView { pressures: Pressures::Summed, ..SectionView::default() };
+    for name in ["goda-2000.toml", "goda-lower-berm.toml", "quay.toml", "trough.toml"] {
+        let (_, assessment) = assessment(name);
+        let case = &assessment.case;
+        let situation = case.situation(Acting::All, None).unwrap();
+        let (mut forces, mut places) = (Vec::new(), Vec::new());
+        for load in situation.loads() {
+            let Action::Pressure { face, diagram } = &load.action else { continue };
+            let (mut force, mut moment) = (0.0, 0.0);
+            for pair in diagram.points().windows(2) {
+                let step = (pair[1].position - pair[0].position) / STRIPS as f64;
+                for i in 0..STRIPS {
+                    let along = (i as f64 + 0.5) / STRIPS as f64;
+                    let pressure = pair[0].pressure + along * (pair[1].pressure - pair[0].pressure);
+                    force += pressure * step;
+                    moment +=
+                        pressure * step * (pair[0].position + along * (pair[1].position - pair[0].position));
+                }
+            }
+            if force != 0.0 {
+                forces.push(force.abs() / 1e3);
+                places.push(format!(
+                    "{:.3} m {}",
+                    moment / force,
+                    match face {
+                        Face::Left | Face::Right => "above the base",
+                        Face::Base | Face::Top => "right of O",
+                    }
+                ));
+            }
+        }
+        let size = (560.0, 400.0);
+        let along = section_on_screen(&assessment, SectionView::default(), size).unwrap();
+        let sums = section_on_screen(&assessment, summed, size).unwrap();
+        assert!(along.has_pressures && sums.has_pressures && forces.len() > 1, "{name}");
+        let beside = sums.picture.arrows.len() - along.picture.arrows.len();
+        assert!(beside > 0 && beside <= forces.len(), "{name}: {beside}");
+        for (force, place) in forces.iter().zip(&places) {
+            let number = |text: &str, before: &str| {
+                let (head, _) = text.split_once(before)?;
+                head.rsplit(' ').next()?.parse::<f64>().ok()
+            };
+            let (at, of) = place.split_once(" m ").unwrap();
+            let is_it = |words: &&String| {
+                let says = |found: Option<f64>, expected: f64| {
+                    found.is_some_and(|found| (found - expected).abs() < 1e-3 * expected)
+                };
+                says(number(words, " kN/m"), *force)
+                    && says(number(words, &format!(" m {of}")), at.parse().unwrap())
+            };
+            assert!(
+                sums.words.iter().any(|words| is_it(&words)),
+                "{name}: {force} {place}: {:?}",
+                sums.words
+            );
+        }
+        let width = |picture: &SectionPicture| picture.body.x1 - picture.body.x0;
+        assert!(width(&sums.picture) >= width(&along.picture), "{name}: arrows take no more room");
+        // A sum has no ring: it is no number of the case.
+        assert_eq!(sums.forces.len(), along.forces.len(), "{name}");
+    }
 }
 
 #[test]

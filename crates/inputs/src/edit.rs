@@ -1,5 +1,6 @@
-//! Other numbers in the text of a case: only the digits and the unit change; comments, order and spaces stay as they are. Of
-//! `[random]` whole laws are put and taken away, and histories are put.
+//! Other numbers in the text of a case: only the digits and the unit change; order and spaces stay as they are. A comment behind a
+//! number that changes says what the number was, because it may be the source of that one alone. Of `[random]` whole laws are put
+//! and taken away, and histories are put.
 
 mod history;
 mod random;
@@ -10,6 +11,9 @@ use crate::key::{Id, Kind};
 use crate::parse::CaseText;
 use crate::typed::TypedUnits;
 use crate::units::split_text;
+
+/// Beginning of a comment that says what the number before it was.
+const WAS: &str = "was ";
 
 /// A number as it stands in the text of a case.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -48,12 +52,14 @@ impl CaseText {
 
     /// The text with another number under a key, in a unit of the key's; `None` if none stands there. It is parsed like any other.
     ///
+    /// A comment behind the number is the source of what stood there: it then says so, until that stands there again.
+    ///
     /// ```
     /// use standfast_inputs::{CaseText, Key};
     ///
     /// let file = CaseText::parse("case.toml", "[body]\nwidth = \"15 m\"  # drawing 12\n")?;
     /// let text = file.with_number(Key::Width.into(), 15.5, "m");
-    /// assert_eq!(text.as_deref(), Some("[body]\nwidth = \"15.5 m\"  # drawing 12\n"));
+    /// assert_eq!(text.as_deref(), Some("[body]\nwidth = \"15.5 m\"  # was 15 m: drawing 12\n"));
     /// # Ok::<(), standfast_inputs::CaseError>(())
     /// ```
     pub fn with_number(&self, id: Id, number: f64, unit: &str) -> Option<String> {
@@ -66,7 +72,16 @@ impl CaseText {
             quote => format!("{quote}{digits} {unit}{quote}"),
         };
         let text = self.text();
-        Some([&text[..written.span.start], &value, &text[written.span.end..]].concat())
+        let end = written.span.end;
+        let change = self.comment_behind(end).and_then(|comment| {
+            let other = of_another(&text[comment.clone()], &text[written.span.clone()], &value)?;
+            Some((comment, other))
+        });
+        // Without a comment to change, nothing is changed behind the number.
+        let (comment, other) = change.unwrap_or((end..end, String::new()));
+        let parts =
+            [&text[..written.span.start], &value, &text[end..comment.start], &other, &text[comment.end..]];
+        Some(parts.concat())
     }
 
     /// A number in a unit of the key's, in SI units; `None` if the unit is not one of its.
@@ -111,6 +126,23 @@ impl CaseText {
     }
 }
 
+/// What a comment says behind `now` that said something of `before`, both as they are written; `None` if it stays.
+fn of_another(comment: &str, before: &str, now: &str) -> Option<String> {
+    let plain = |written: &str| written.trim_matches(['"', '\'', ' ']).to_owned();
+    let (before, now) = (plain(before), plain(now));
+    let is_same = |one: &str, two: &str| match (split_text(one), split_text(two)) {
+        (Some((one, unit)), Some((two, other))) => {
+            unit.trim() == other.trim() && one.parse::<f64>() == two.parse::<f64>()
+        }
+        _ => one == two,
+    };
+    let earlier = comment.strip_prefix(WAS).and_then(|rest| rest.split_once(": "));
+    match earlier.filter(|(number, _)| split_text(number).is_some()) {
+        Some((first, source)) => is_same(first, &now).then(|| source.to_owned()),
+        None => (!is_same(&before, &now)).then(|| format!("{WAS}{before}: {comment}")),
+    }
+}
+
 /// A number as TOML has it, that is read as the same.
 fn toml_number(number: f64) -> String {
     let number = number + 0.0;
@@ -151,13 +183,41 @@ mod tests {
                 assert!(found == si || id.key == Key::Horizontal, "{id}: {found}, not {si}");
                 let back = file.from_si(id, si, &written.unit).unwrap();
                 assert!((back - number).abs() <= 1e-15 * number, "{id}");
-                assert_eq!(comments(&text), comments(TEXT), "{id}");
+                let back = again.with_number(id, written.digits.parse().unwrap(), &written.unit).unwrap();
+                assert_eq!(comments(&back), comments(TEXT), "{id}");
             }
         }
     }
 
     fn comments(text: &str) -> Vec<&str> {
         text.lines().filter_map(|line| line.split_once('#')).map(|(_, comment)| comment).collect()
+    }
+
+    /// A comment may be the source of the number that stood there: it says of which, however often that changes.
+    #[test]
+    fn a_comment_says_what_the_number_was() {
+        let line = |file: &CaseText, id: Id, number, unit: &str| {
+            let text = file.with_number(id, number, unit).unwrap();
+            let changed = text.lines().zip(file.text().lines()).find(|(one, two)| one != two);
+            (
+                changed.map(|(line, _)| line.to_owned()).unwrap_or_default(),
+                CaseText::parse("t.toml", &text).unwrap(),
+            )
+        };
+        let width = Key::Width.into();
+        let (text, once) = line(&file(), width, 155.0, "cm");
+        assert_eq!(text, "width = \"155 cm\" # was 150 cm: drawing 12");
+        let (text, twice) = line(&once, width, 1.6, "m");
+        assert_eq!(text, "width = \"1.6 m\" # was 150 cm: drawing 12");
+        let (text, back) = line(&twice, width, 150.0, "cm");
+        assert_eq!((text.as_str(), back.text()), ("width = \"150 cm\" # drawing 12", TEXT));
+        // The same number is no change, however it is written.
+        assert_eq!(line(&file(), Key::Gravity.into(), 9.8, "m/s2").0, "gravity = 9.8 # here");
+        let second = Table::Wave.keys().find(|key| key.name() == "lambda[1]").unwrap();
+        assert_eq!(line(&file(), second.into(), 0.9, "").0, "lambda = [ 0.9, # slowly varying");
+        // What begins with the same word and is no number is a comment as any other.
+        let own = CaseText::parse("t.toml", "[body]\nwidth = \"15 m\" # was wider: see drawing 3\n").unwrap();
+        assert_eq!(line(&own, width, 14.0, "m").0, "width = \"14 m\" # was 15 m: was wider: see drawing 3");
     }
 
     #[test]
@@ -189,7 +249,7 @@ mod tests {
             assert!(CaseText::parse("t.toml", &text).is_ok(), "{text}");
             changed
         };
-        assert_eq!(line(Key::Width.into(), 1.5, "m"), "width = \"1.5 m\" # drawing 12");
+        assert_eq!(line(Key::Width.into(), 1.5, "m"), "width = \"1.5 m\" # was 150 cm: drawing 12");
         assert_eq!(line(Key::Height.into(), 2.5, "m"), "height = 2.5");
         assert_eq!(line(Key::Height.into(), 250.0, "cm"), "height = \"250 cm\"");
         assert_eq!(line(Key::Mass.into(), 4.0, "t/m"), "mass = '4 t/m'");

@@ -229,9 +229,15 @@ impl CaseText {
 
     /// The comment behind the value of an entry, on the line where it ends.
     pub fn comment(&self, entry: &Entry) -> Option<&str> {
-        let rest = self.text.get(entry.span.end..)?.lines().next()?;
+        self.text.get(self.comment_behind(entry.span.end)?)
+    }
+
+    /// Place of what a comment says that is next behind a place, on its line.
+    pub(crate) fn comment_behind(&self, place: usize) -> Option<Span<usize>> {
+        let rest = self.text.get(place..)?.lines().next()?;
         let comment = rest.trim_start().strip_prefix('#')?.trim();
-        (!comment.is_empty()).then_some(comment)
+        let start = place + rest.find(comment)?;
+        (!comment.is_empty()).then_some(start..start + comment.len())
     }
 
     /// Span of a place; a key that is not there, at its table.

@@ -72,6 +72,19 @@ impl CaseFile {
         CaseFile(self.0.varied(inputs))
     }
 
+    /// The case file with another number written into its text, in the unit that stands there and as `round` leaves it in that;
+    /// `None` of one that is not written so, or that is refused.
+    pub fn rewritten(
+        &self,
+        id: Id,
+        si: f64,
+        round: impl FnOnce(f64, &str) -> Option<f64>,
+    ) -> Option<CaseFile> {
+        let unit = self.written_number(id)?.unit;
+        let number = round(self.from_si(id, si, &unit)?, &unit)?;
+        CaseFile::parse(self.name(), &self.with_number(id, number, &unit)?).ok()
+    }
+
     /// The case file with an entry that follows from others, as it would be written.
     pub(crate) fn with_entry(self, id: Id, written: String) -> CaseFile {
         CaseFile(self.0.with_entry(id, written))

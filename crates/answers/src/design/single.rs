@@ -155,19 +155,17 @@ impl SingleChanges {
             .collect();
         let (mut now, mut coupled) = (file.clone(), Vec::new());
         for (id, si) in changed {
-            let unit = now.written_number(id)?.unit;
-            let number = if id == own {
-                end.text.split(' ').next()?.parse().ok()?
-            } else {
-                format!("{:.*e}", count - 1, now.from_si(id, si, &unit)?).parse().ok()?
-            };
-            now = CaseFile::parse(file.name(), &now.with_number(id, number, &unit)?).ok()?;
-            // What is written is what is proven.
-            inputs.set(id, now.inputs().number(id)?);
-            if id != own {
+            now = now.rewritten(id, si, |number, unit| {
+                if id == own {
+                    return end.text.split(' ').next()?.parse().ok();
+                }
+                let number = format!("{:.*e}", count - 1, number).parse().ok()?;
                 let digits = crate::digits::significant(number, count);
                 coupled.push((id, format!("{digits} {unit}").trim_end().to_owned()));
-            }
+                Some(number)
+            })?;
+            // What is written is what is proven.
+            inputs.set(id, now.inputs().number(id)?);
         }
         self.meets(inputs).then(|| (now.text().to_owned(), coupled))
     }

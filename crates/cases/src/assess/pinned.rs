@@ -8,7 +8,7 @@ use standfast_figures::{
 };
 
 use super::figures::{title, with_load_plane};
-use super::section::with_section;
+use super::section::{Pressures, with_section};
 use super::{Assessed, Assessment};
 
 /// The body of a case, to be drawn in dashes in the section of another.
@@ -16,7 +16,7 @@ use super::{Assessed, Assessment};
 /// # Errors
 /// If a number is out of range.
 pub fn pinned_body(assessment: &Assessment) -> Result<PinnedBody, InputError> {
-    with_section(assessment, |section, _| PinnedBody::of(section))
+    with_section(assessment, Pressures::Along, |section, _| PinnedBody::of(section))
 }
 
 /// The boundaries of the plane of a situation's rising loads, up to a load factor; `None` where no load rises.
@@ -72,7 +72,7 @@ pub(super) fn with_room(up_to: f64, pinned: Option<PinnedLoad<'_>>) -> f64 {
 /// # Errors
 /// If a number is out of range.
 pub fn section_on_paper(assessment: &Assessment, pinned: &PinnedBody) -> Result<Figure, InputError> {
-    with_section(assessment, |section, _| section_beside(section, Some(pinned)))
+    with_section(assessment, Pressures::Along, |section, _| section_beside(section, Some(pinned)))
 }
 
 /// The plane of the rising loads of a situation on paper, with the boundaries of A in dashes; `None` where no load rises.

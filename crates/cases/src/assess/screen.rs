@@ -8,6 +8,7 @@ use standfast_figures::{
 
 use super::figures::with_load_plane;
 use super::pinned::with_room;
+pub use super::section::Pressures;
 use super::section::with_section;
 use super::{Assessed, Assessment};
 use crate::case::said_by;
@@ -27,45 +28,51 @@ pub struct SectionOnScreen {
     pub forces: Vec<(Id, SectionArrow)>,
     /// The loads by their letters, and sentences on the drawing.
     pub words: Vec<String>,
+    /// True if pressures may be drawn in another way.
+    pub has_pressures: bool,
+}
+
+/// What of a section is drawn, and how.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SectionView<'a> {
+    /// Another body, in dashes.
+    pub pinned: Option<&'a PinnedBody>,
+    /// How pressures are drawn.
+    pub pressures: Pressures,
 }
 
 /// The section of a case under all of its loads, about as large as `size`.
 ///
 /// # Errors
 /// If a number is out of range.
-pub fn section_on_screen(assessment: &Assessment, size: (f64, f64)) -> Result<SectionOnScreen, InputError> {
-    section_on_screen_beside(assessment, None, size)
-}
-
-/// The same with another body in dashes.
-///
-/// # Errors
-/// If a number is out of range.
-pub fn section_on_screen_beside(
+pub fn section_on_screen(
     assessment: &Assessment,
-    pinned: Option<&PinnedBody>,
+    view: SectionView<'_>,
     size: (f64, f64),
 ) -> Result<SectionOnScreen, InputError> {
-    placed(assessment, |section| standfast_figures::section_on_screen_beside(section, pinned, size))
+    placed(assessment, view, |section| {
+        standfast_figures::section_on_screen_beside(section, view.pinned, size)
+    })
 }
 
-/// The section of a case whose body has changed, with another in dashes, at the scale and in the look that it had.
+/// The section of a case whose body has changed, at the scale and in the look that it had.
 ///
 /// # Errors
 /// If a number is out of range.
 pub fn section_as_fitted(
     assessment: &Assessment,
-    pinned: Option<&PinnedBody>,
+    view: SectionView<'_>,
     fit: SectionFit,
 ) -> Result<SectionOnScreen, InputError> {
-    placed(assessment, |section| standfast_figures::section_as_fitted(section, pinned, fit))
+    placed(assessment, view, |section| standfast_figures::section_as_fitted(section, view.pinned, fit))
 }
 
 fn placed(
     assessment: &Assessment,
+    view: SectionView<'_>,
     draw: impl Fn(&Section<'_>) -> SectionPicture,
 ) -> Result<SectionOnScreen, InputError> {
-    with_section(assessment, |section, loads| {
+    with_section(assessment, view.pressures, |section, loads| {
         let picture = draw(section);
         let force = |index: usize| match said_by(*loads.get(index)?) {
             Place::Table(Table::Load, index) => Some(Id::new(Key::Force, index)),
@@ -101,7 +108,8 @@ fn placed(
         let forces = picture.arrows.iter().filter_map(|arrow| Some((force(arrow.index)?, *arrow))).collect();
         let legend = picture.figure.caption().split(". ").map(str::to_owned);
         let words = legend.chain(section.notes.iter().cloned()).filter(|words| !words.is_empty()).collect();
-        SectionOnScreen { numbers, sides, forces, words, picture }
+        let has_pressures = !section.pressures.is_empty() || view.pressures == Pressures::Summed;
+        SectionOnScreen { numbers, sides, forces, words, has_pressures, picture }
     })
 }
 

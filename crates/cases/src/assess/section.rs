@@ -29,12 +29,23 @@ const SHAKEN: &str = "The earthquake is drawn as it is given; the other directio
 /// The section of a case under all of its loads, with the reaction of the base in the worst of its situations where the case says what the
 /// base bears.
 pub(super) fn figure(assessment: &Assessment) -> Result<Figure, InputError> {
-    with_section(assessment, |section, _| standfast_figures::section(section))
+    with_section(assessment, Pressures::Along, |section, _| standfast_figures::section(section))
+}
+
+/// How pressures are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Pressures {
+    /// Along their faces.
+    #[default]
+    Along,
+    /// Each as its resultant, where that lies on its face.
+    Summed,
 }
 
 /// Draws the section of a case; the loads that its arrows are of come with it, in their order.
 pub(super) fn with_section<T>(
     assessment: &Assessment,
+    drawn: Pressures,
     draw: impl FnOnce(&Section<'_>, &[LoadId]) -> T,
 ) -> Result<T, InputError> {
     let case = &assessment.case;
@@ -55,8 +66,12 @@ pub(super) fn with_section<T>(
     let arrows: Vec<_> = situation
         .loads()
         .iter()
-        .filter_map(|load| Some((load.id, arrow(extent, &situation, load)?)))
+        .filter_map(|load| {
+            let sum = || (drawn == Pressures::Summed).then(|| resultant(extent, &situation, load)).flatten();
+            Some((load.id, arrow(extent, &situation, load).or_else(sum)?))
+        })
         .collect();
+    let along = situation.loads().iter().filter(|load| arrows.iter().all(|(id, _)| *id != load.id));
     let of: Vec<LoadId> = arrows.iter().map(|(id, _)| *id).collect();
     let section = Section {
         title: case.title.as_deref().unwrap_or_default(),
@@ -64,7 +79,7 @@ pub(super) fn with_section<T>(
         base: (-left, right),
         centroid: (case.body.centroid_offset(), case.body.centroid_height()),
         levels: levels(case),
-        pressures: situation.loads().iter().filter_map(|load| pressed(extent, &situation, load)).collect(),
+        pressures: along.filter_map(|load| pressed(extent, &situation, load)).collect(),
         arrows: arrows.into_iter().map(|(_, arrow)| arrow).collect(),
         widths,
         heights,
@@ -261,6 +276,36 @@ fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
         Action::Force { at, .. } => ((at.x, at.y), load.source == LoadSource::Buoyancy),
         _ => (centre, true),
     };
+    placed(extent, situation, load, at, is_inside)
+}
+
+/// A pressure as one arrow; `None` of one whose resultant does not lie on its face, as of pressures that cancel.
+fn resultant(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
+    let Action::Pressure { face, diagram } = &load.action else { return None };
+    let body = situation.body();
+    let (force, moment) = diagram.resultant_on(body, *face);
+    let (place, half) = (moment / force, body.width() / 2.0);
+    let on_base = place - body.base_edges().left;
+    let (at, end) = match face {
+        Face::Left => ((-half, place), body.height()),
+        Face::Right => ((half, place), body.height()),
+        Face::Base => ((on_base, 0.0), body.base_width()),
+        Face::Top => ((on_base, body.height()), body.base_width()),
+    };
+    // What presses from below is drawn into the body, where it has room.
+    let is_inside = *face == Face::Base;
+    (0.0..=end).contains(&place).then(|| placed(extent, situation, load, at, is_inside)).flatten()
+}
+
+/// A force at a place of the body, or on its mass.
+fn placed(
+    extent: Extent,
+    situation: &Situation,
+    load: &Load,
+    at: (f64, f64),
+    is_inside: bool,
+) -> Option<Arrow> {
+    let body = situation.body();
     let wrench = situation.wrench_of(load);
     let sideways = wrench.x.abs() > wrench.p.abs();
     let (size, towards) = match sideways {
@@ -268,7 +313,7 @@ fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
         false => (wrench.p, (0.0, -wrench.p.signum())),
     };
     let mut words = words(extent, situation, load, sideways);
-    if !is_inside {
+    if !is_inside || matches!(load.action, Action::Pressure { .. }) {
         let place = match sideways {
             true => format!(", {} above the base", metres(at.1)),
             false => format!(", {} right of O", metres(at.0 + body.base_edges().left)),

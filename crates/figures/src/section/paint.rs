@@ -287,17 +287,20 @@ impl<'a> Painter<'a> {
         let centre = self.place(self.given.centroid.0, self.given.centroid.1);
         let mut taken = vec![Rect::around(centre.0, centre.1, 8.0, 8.0)];
         let first = self.given.pressures.len();
-        let mut vertical = 0.0;
+        let mut lines: Vec<f64> = Vec::new();
         let arrows = self.given.arrows.iter().enumerate().filter(|(_, arrow)| arrow.is_inside);
         for (index, arrow) in arrows {
             let markup = format!("${}$", tag(first + index));
             let text = Text::new(&markup, LABEL);
             let at = self.near_body(arrow.at);
             let at = self.place(at.0, at.1);
-            // Two that act along one line are drawn side by side.
-            let from = if arrow.towards.1 == 0.0 { at } else { (at.0 + vertical, at.1) };
+            let mut from = at;
             if arrow.towards.1 != 0.0 {
-                vertical += BESIDE;
+                // Two that act along one line are drawn side by side.
+                while lines.iter().any(|line| (line - from.0).abs() < BESIDE / 2.0) {
+                    from.0 += BESIDE;
+                }
+                lines.push(from.0);
             }
             self.inner_arrow(arrow, from, &text, &mut taken);
         }

@@ -12,7 +12,7 @@
 //!
 //! Those of slip are divided by μ_k/μ_s, as μ is the friction to stick. At a λ the verdict is decided exactly between any two neighbouring
 //! ones of these. Columns are parted where the row of verdicts and boundaries changes, to neighbouring numbers; a change and its
-//! contrary within 1/1000 of the range may be missed, and boundaries nearer to each other than 1e-9 of their μ are taken as one. This is a
+//! contrary within 1/500 of the range may be missed, or within 1/50 if no boundary begins, ends or crosses another with it, and boundaries nearer to each other than 1e-9 of their μ are taken as one. This is a
 //! picture's precision, not that of a verdict.
 
 use super::bearing::{FailingEdges, Ground};
@@ -136,6 +136,8 @@ impl Rising {
 const SAME: f64 = 1e-9;
 /// Number of columns looked at.
 const COLUMNS: usize = 500;
+/// Of so many columns in a row whose boundaries stand in the same order one has its verdicts looked at.
+const ALIKE: usize = 10;
 
 impl GroundLoadPlane {
     /// On a base that crushes at `strength` q_u (Pa), from λ = 0 to `up_to`.
@@ -222,15 +224,20 @@ impl GroundLoadPlane {
         all
     }
 
-    /// The row of verdicts at a load factor.
-    fn column(&self, edges: &[LoadEdge], factor: f64) -> Vec<LoadCell> {
+    /// The boundaries at a load factor, from the axis upwards.
+    fn boundaries(&self, edges: &[LoadEdge], factor: f64) -> Vec<(f64, LoadEdge)> {
         let mut above = self.all_at(edges, factor);
         above.retain(|(mu, _)| *mu > 0.0 && mu.is_finite());
         above.sort_by(|one, other| one.0.total_cmp(&other.0));
         above.dedup_by(|later, earlier| later.0 - earlier.0 <= SAME * later.0);
+        above
+    }
+
+    /// The row of verdicts at a load factor, between its boundaries.
+    fn cells(&self, boundaries: Vec<(f64, LoadEdge)>, factor: f64) -> Vec<LoadCell> {
         let mut cells: Vec<LoadCell> = Vec::new();
         let mut lower: (f64, Option<LoadEdge>) = (0.0, None);
-        for next in above.into_iter().map(Some).chain([None]) {
+        for next in boundaries.into_iter().map(Some).chain([None]) {
             let inside = next.map_or(2.0 * lower.0 + 1.0, |(mu, _)| lower.0 + (mu - lower.0) / 2.0);
             let upper = next.map(|(_, edge)| edge);
             let verdict = self.verdict(factor, inside).unwrap_or(None);
@@ -247,15 +254,23 @@ impl GroundLoadPlane {
 
     fn parted(&self, up_to: f64) -> Vec<LoadBand> {
         let edges = self.edges();
-        let column = |factor: f64| self.column(&edges, factor);
+        let column = |factor: f64| self.cells(self.boundaries(&edges, factor), factor);
         // Off round numbers, at which loads are in balance.
         let place = |i: usize| up_to * (i as f64 + 0.437) / (COLUMNS as f64 + 0.437);
         let mut bands: Vec<LoadBand> = Vec::new();
         let (mut low, mut cells) = (0.0, column(1e-9 * up_to));
         let mut from = 0.0;
-        for high in (0..=COLUMNS).map(place) {
+        let mut order: Vec<LoadEdge> = Vec::new();
+        for (i, high) in (0..=COLUMNS).map(|i| (i, place(i))) {
+            let boundaries = self.boundaries(&edges, high);
+            let is_as_before = boundaries.iter().map(|(_, edge)| *edge).eq(order.iter().copied());
+            // A verdict changes across a boundary, or across a vertical, which is seen a little later.
+            if is_as_before && !i.is_multiple_of(ALIKE) {
+                continue;
+            }
+            order = boundaries.iter().map(|(_, edge)| *edge).collect();
             // What lies between two columns that differ, in order.
-            let mut waiting = vec![(high, column(high))];
+            let mut waiting = vec![(high, self.cells(boundaries, high))];
             while let Some((high, next)) = waiting.last() {
                 if *next == cells {
                     low = *high;
