@@ -87,6 +87,8 @@ export function connectSection(app) {
     return { left, top };
   };
   let held = null;
+  // Lengths of the held side at which the answer changes.
+  let notches = null;
   let corner = [0, 0];
   const ring = (key) => {
     const handle = element("button", { type: "button", className: "ring" });
@@ -96,6 +98,8 @@ export function connectSection(app) {
     const gripped = () => (held = { ...boxOf(), corner });
     if (SIDE.test(key)) {
       dragged(app, handle, gripped, (event) => {
+        // They are looked for once the side moves, and not for a click.
+        notches ??= { key, all: JSON.parse(app.explorer.notches(key)) };
         const [x, y] = at(event);
         return () => app.explorer.drag_side(key, x, y, event.altKey);
       });
@@ -132,7 +136,7 @@ export function connectSection(app) {
   const layOut = (drawing, numbers) => {
     const [width, height] = drawing.size;
     const svg = picture.querySelector("svg");
-    if (!app.held) held = null;
+    if (!app.held) held = notches = null;
     if (held && svg) {
       // What is held stays as large as it was.
       Object.assign(svg.style, { width: `${width * scale}px`, maxWidth: "none" });
@@ -174,6 +178,15 @@ export function connectSection(app) {
       handle.style.top = `${y * scale}px`;
     }
     for (const [key, handle] of rings) if (!handles.has(key)) handle.remove();
+    over.querySelectorAll(".notch").forEach((notch) => notch.remove());
+    const line = notches && handles.get(notches.key);
+    for (const { along, label } of line ? notches.all : []) {
+      const wide = /width$/.test(notches.key);
+      const at = wide ? [left + along * scale, line.y * scale] : [line.x * scale, (drawing.body[3] - along) * scale];
+      const notch = element("span", { className: wide ? "notch" : "notch upright" }, label);
+      Object.assign(notch.style, { left: `${at[0]}px`, top: `${at[1]}px` });
+      over.append(notch);
+    }
     corner = [left, drawing.body[3] * scale];
     const moved = held ? [held.corner[0] - corner[0] + held.left, held.corner[1] - corner[1] + held.top] : null;
     picture.style.translate = over.style.translate = "";

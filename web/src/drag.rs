@@ -9,6 +9,7 @@ use standfast_inputs::key::{Id, Table};
 
 use crate::answered::Answered;
 use crate::by_hand;
+use crate::notches::Notch;
 use crate::numbers;
 use crate::page::Page;
 use crate::plane::Drawn;
@@ -28,6 +29,8 @@ pub struct Held {
     pub view_was_free: bool,
     /// How finely numbers were dragged, in SI units.
     steps: Vec<(Id, f64)>,
+    /// Where the side that is dragged halts.
+    pub notches: Vec<Notch>,
     /// Why the last place had no answer.
     pub refused: Option<CaseError>,
     /// True if a side of the body is dragged.
@@ -47,6 +50,7 @@ impl Held {
             force: force.and_then(|id| file.inputs().number(id)),
             view_was_free: false,
             steps: Vec::new(),
+            notches: Vec::new(),
             refused: None,
             is_sized: false,
             by_hand: None,
@@ -237,8 +241,17 @@ impl Page {
             _ => return,
         };
         let Some(first) = self.settled().inputs().number(id).filter(|_| length.is_finite()) else { return };
+        /// A hand this near to a notch means it, units.
+        const NEAR: f64 = 4.0;
         let step = 1.0 / scale;
-        self.size(id, rounded(length.clamp(0.1 * first, 3.0 * first), step), step, keeps_mass);
+        let is_near = |notch: &&Notch| (notch.length - length).abs() * scale < NEAR && !keeps_mass;
+        let notch = self.held.as_ref().and_then(|held| held.notches.iter().find(is_near));
+        // A notch has its own digits.
+        let (length, step) = match notch {
+            Some(notch) => (notch.length, 1e-6 * notch.length),
+            None => (rounded(length.clamp(0.1 * first, 3.0 * first), step), step),
+        };
+        self.size(id, length, step, keeps_mass);
     }
 
     /// Makes a side of the body some per cent longer, as one step.

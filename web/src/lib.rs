@@ -14,7 +14,7 @@
 //! | Which case is it, and which were before? | `page` |
 //! | What is its answer? | `answered`; as the page shows it: `said`, `text` |
 //! | Which case is beside it, and what do they differ in? | `pinned`, `compared` |
-//! | Which numbers can be typed or dragged? | `numbers`, `drag` |
+//! | Which numbers can be typed or dragged, and where does a drag halt? | `numbers`, `drag`, `notches` |
 //! | How do loads go with time? | `histories`; drawn by hand: `by_hand` |
 //! | What is drawn? | `plane`; of a motion `time` |
 //! | Which cases does the page bring along? | `examples` |
@@ -35,6 +35,7 @@ mod examples;
 mod help;
 mod histories;
 mod likely;
+mod notches;
 mod numbers;
 mod old_link;
 mod page;
@@ -346,6 +347,11 @@ impl Explorer {
     /// Drags a side of the body, by its key, to a place in the section; its density stays, or if asked its mass.
     pub fn drag_side(&mut self, key: &str, x: f64, y: f64, keeps_mass: bool) {
         self.page.drag_side(key, (x, y), keeps_mass);
+    }
+
+    /// Lengths of the side that is held at which the answer changes, as JSON.
+    pub fn notches(&mut self, key: &str) -> String {
+        self.page.notches(key)
     }
 
     /// Makes a side of the body some per cent longer, as one step.

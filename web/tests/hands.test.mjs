@@ -224,6 +224,31 @@ test("a side of the body is dragged by its ring, which stays under the hand; of 
   }
 });
 
+test("a side that is pulled has a notch where the body begins to rest, and halts there", async () => {
+  for (const [key, label, line] of [["body.width", "rests: 18.21 m", 'width = "18.21 m"'], ["body.height", "rests: 14.57 m", 'height = "14.57 m"']]) {
+    const page = await open(browser, { viewport: { width: 1280, height: 800 } });
+    const [x, y] = await centre(page, `.ring[data-key="${key}"]`);
+    assert.equal(await page.locator(".notch").count(), 0);
+    const isWidth = key === "body.width";
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(isWidth ? x + 20 : x, isWidth ? y : y - 20, { steps: 3 });
+    await drawn(page);
+    assert.equal(await page.textContent(".notch"), label);
+    await page.screenshot({ path: path.join(artefacts, `notch-${key}.png`) });
+    // Its tick is in the middle of its width, or of its height; a little beside it is on it.
+    const [right, level] = await centre(page, ".notch");
+    await page.mouse.move(isWidth ? right + 3 : x, isWidth ? y : level - 3, { steps: 12 });
+    await drawn(page);
+    await page.mouse.up();
+    await drawn(page);
+    assert.ok((await text(page)).includes(line), await text(page));
+    assert.equal(await mode(page), "RE");
+    assert.equal(await page.locator(".notch").count(), 0);
+    await page.close();
+  }
+});
+
 test("where a hand goes farther than there are answers, the page says why it ended before", async () => {
   const page = await open(browser);
   const ring = page.locator('.ring[data-key="body.height"]');

@@ -17,6 +17,8 @@ const SIGN: f64 = 9.0;
 const SHORTEST: f64 = 14.0;
 /// Room between a thing and its label.
 const NEAR: f64 = 6.0;
+/// Room for a ring at the tail of an arrow.
+const RING: f64 = 12.0;
 /// Distance of the middle of a number above or below the end of a diagram.
 const LETTER: f64 = 11.0;
 /// A label that is moved farther than this has a line to its place.
@@ -99,7 +101,9 @@ impl Painter<'_> {
         }
         let crest = self.place(0.0, self.bounds.y1).1;
         let longest = arrows.iter().map(|(_, arrow)| self.force_length(arrow.size)).fold(0.0, f64::max);
-        let start = column.end - GAP + longest + NEAR;
+        // On a screen a ring to drag sits on each tail.
+        let ring = if self.look.on_screen { RING } else { 0.0 };
+        let start = column.end - GAP + longest + NEAR + ring;
         let mut spots = Vec::new();
         for (index, arrow) in arrows {
             let (_, level) = self.place(0.0, self.near_body(arrow.at).1);
