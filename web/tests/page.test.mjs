@@ -488,6 +488,18 @@ test("pressures stand along their faces, or each as one arrow", async () => {
   }
 });
 
+test("on a phone a body that pressures leave little room has their sums, until a person chooses", async () => {
+  const page = await open(browser, { viewport: { width: 390, height: 844 } });
+  await take(page, "quay.toml", example("quay.toml"));
+  const wide = () => page.evaluate(() => document.querySelector("#section svg").getBoundingClientRect().width);
+  assert.equal(await page.getAttribute("#pressures-summed", "aria-pressed"), "true");
+  assert.ok((await wide()) <= 390);
+  await page.click("#pressures-along");
+  await drawn(page);
+  assert.equal(await page.getAttribute("#pressures-summed", "aria-pressed"), "false");
+  await page.close();
+});
+
 test("numbers beside the drawing have their names in words, not those of keys", async () => {
   const page = await open(browser, { viewport: { width: 1280, height: 800 }, reducedMotion: "reduce" });
   for (const name of await page.$$eval("[data-case]", (all) => all.map((one) => one.dataset.case))) {

@@ -164,8 +164,7 @@ fn prerequisites() -> Result<PathBuf, String> {
         programs::found("node").and(programs::found("npm"))
     })
     .map_err(|missing| missing.to_string())?;
-    let tests = root().join("web").join("tests");
-    ran(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--silent"]).current_dir(tests))?;
+    ran(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--silent"]).current_dir(tests()))?;
     Ok(chromium)
 }
 
@@ -177,19 +176,40 @@ fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), 
         tally.missing("explorer in Firefox", missing.to_string());
     }
     let artefacts = target().join("explorer").join("screenshots");
-    let tests = root().join("web").join("tests");
-    let mut node = Command::new("node");
-    node.args(["--test", "--test-concurrency=1", "--test-reporter=spec"])
-        .current_dir(tests)
-        .env("EXPLORER_HTML", page)
-        .env("EXPLORER_SITE", address)
-        .env("EXPLORER_ARTEFACTS", &artefacts)
-        .env("STANDFAST", built("standfast"))
-        .env("CHROMIUM", chromium)
-        .envs(firefox.ok().map(|path| ("FIREFOX", path)));
-    tally.count("explorer in a browser", &mut node, node_line);
+    let (alone, together) = test_files()?;
+    for (name, files, at_once) in
+        [("explorer in a browser", together, 2), ("frames of the explorer", alone, 1)]
+    {
+        let mut node = Command::new("node");
+        node.args(["--test", "--test-reporter=spec"])
+            .arg(format!("--test-concurrency={at_once}"))
+            .args(files)
+            .current_dir(tests())
+            .env("EXPLORER_HTML", page)
+            .env("EXPLORER_SITE", &address)
+            .env("EXPLORER_ARTEFACTS", &artefacts)
+            .env("STANDFAST", built("standfast"))
+            .env("CHROMIUM", chromium)
+            .envs(firefox.as_ref().ok().map(|path| ("FIREFOX", path)));
+        tally.count(name, &mut node, node_line);
+    }
     println!("screenshots: {}", artefacts.display());
     Ok(())
+}
+
+fn tests() -> PathBuf {
+    root().join("web").join("tests")
+}
+
+/// Files with tests: those that measure how long a picture takes, which want the machine for themselves, and all others.
+fn test_files() -> Result<(Vec<String>, Vec<String>), String> {
+    const MEASURED: [&str; 3] = ["compare.test.mjs", "hands.test.mjs", "time.test.mjs"];
+    let found = fs::read_dir(tests()).map_err(|error| format!("{}: {error}", tests().display()))?;
+    let mut files: Vec<String> =
+        found.filter_map(Result::ok).map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    files.retain(|name| name.ends_with(".test.mjs"));
+    files.sort();
+    Ok(files.into_iter().partition(|name| MEASURED.contains(&name.as_str())))
 }
 
 /// Passed, failed and skipped in a line of node's summary, such as `ℹ pass 12`; that there was no test is a failure.

@@ -120,7 +120,7 @@ impl Painter<'_> {
             }
             self.drawn.scene.arrow(tail, tip, Pen::solid(MARK, 2.0));
             self.drawn.arrows.push(SectionArrow { index, tail, tip });
-            let text = Text::new(&format!("${}$ {}", tag(first + index), arrow.label), LABEL);
+            let text = self.force_words(first + index, arrow);
             let of = Some(SectionNumber::Arrow(index));
             spots.push(Spot { at: (column.x(start - NEAR), level), text, colour: MARK, of, lower: 0.0 });
         }

@@ -311,6 +311,12 @@ impl<'a> Painter<'a> {
         }
     }
 
+    /// The letter of a force, and its size where there is room.
+    pub(super) fn force_words(&self, index: usize, arrow: &Arrow) -> Text {
+        let size = if self.look.numbers { format!(" {}", arrow.label) } else { String::new() };
+        Text::new(&format!("${}${size}", tag(index)), LABEL)
+    }
+
     fn inner_arrow(&mut self, arrow: &Arrow, from: (f64, f64), text: &Text, taken: &mut Vec<Rect>) {
         /// Room for a letter beside the tip.
         const OFF: f64 = 10.0;

@@ -36,7 +36,7 @@ impl Painter<'_> {
             let (tail, tip) = if arrow.towards.1 < 0.0 { (far, near) } else { (near, far) };
             self.drawn.scene.arrow(tail, tip, Pen::solid(MARK, 2.0));
             self.drawn.arrows.push(SectionArrow { index, tail, tip });
-            let text = Text::new(&format!("${}$ {}", tag(first + index), arrow.label), LABEL);
+            let text = self.force_words(first + index, arrow);
             spots.push(Spot {
                 at: far,
                 text,
