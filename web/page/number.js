@@ -21,6 +21,8 @@ export function numberField(app, key) {
   input.dataset.key = key;
   const box = element("span", { className: "number" }, input, unit, message);
   let state = SHOWN;
+  // The text of the case for which what was typed was refused.
+  let refusedBy = "";
   let shown = { digits: "", unit: "" };
 
   const accept = () => {
@@ -32,6 +34,7 @@ export function numberField(app, key) {
   };
   const refuse = (words) => {
     state = REFUSED;
+    refusedBy = app.explorer.text();
     delete input.dataset.typing;
     // A new node, so that the same words are announced again.
     fault.replaceChildren(words);
@@ -75,6 +78,8 @@ export function numberField(app, key) {
     /** Shows what holds, unless a person is typing. */
     show(field) {
       shown = field;
+      // What was refused beside other numbers may go with those that hold now, as a height with a lower force.
+      if (state === REFUSED && !app.held && app.explorer.text() !== refusedBy) take();
       if (unit.textContent !== field.unit) unit.textContent = field.unit;
       if (state === SHOWN && input.value !== field.digits) input.value = field.digits;
       input.style.setProperty("--letters", Math.max(3, field.digits.length));

@@ -158,11 +158,18 @@ impl Page {
                 put(key, has(key).unwrap_or(plain));
             }
         }
-        let peak = (table == Table::BaseHorizontal).then_some(if is_pure { "0.3" } else { PEAK });
+        let is_base = table == Table::BaseHorizontal;
+        // As strong as the earthquake whose place it takes.
+        let held = file.entries().iter().find(|entry| entry.id.key == Key::Horizontal);
+        let held = held.filter(|_| is_base).map(|entry| file.written(entry));
+        let peak = held.or(is_base.then_some(if is_pure { "0.3" } else { PEAK }));
         if let Some(peak) = has(Key::HistoryPeak).or(peak) {
             put(Key::HistoryPeak, peak);
         }
         let written = format!("{{ {} }}", parts.join(", "));
+        if is_base {
+            return self.shake(&written);
+        }
         self.take_history(file.with_history(table, index, &written))
     }
 
@@ -178,10 +185,14 @@ impl Page {
     /// # Errors
     /// What is wrong with it.
     pub fn shake_with(&mut self, name: &str) -> Result<(), String> {
-        let file = self.settled();
         // With its factor, which is a field: how strong it is.
-        let written = format!("{{ shape = \"file\", file = \"{name}\", factor = 1 }}");
-        // The same shaking would count twice.
+        self.shake(&format!("{{ shape = \"file\", file = \"{name}\", factor = 1 }}"))
+    }
+
+    /// Shakes the base as it is written, in place of an earthquake, with which the same shaking would count twice.
+    fn shake(&mut self, written: &str) -> Result<(), String> {
+        let file = self.settled();
+        let loses = file.inputs().number(Key::Vertical).is_some_and(|vertical| vertical != 0.0);
         let still = match file.inputs().has(Table::Earthquake) {
             true => file
                 .without_table(Table::Earthquake)
@@ -189,10 +200,16 @@ impl Page {
             false => None,
         };
         let text = match &still {
-            Some(still) => still.with_history(Table::BaseHorizontal, 0, &written),
-            None => file.with_history(Table::BaseHorizontal, 0, &written),
+            Some(still) => still.with_history(Table::BaseHorizontal, 0, written),
+            None => file.with_history(Table::BaseHorizontal, 0, written),
         };
-        self.take_history(text)
+        let replaces = still.is_some();
+        self.take_history(text)?;
+        if replaces {
+            let vertical = if loses { " Its vertical part is gone." } else { "" };
+            self.told = format!("It takes the place of [earthquake].{vertical}");
+        }
+        Ok(())
     }
 
     fn take_history(&mut self, text: Option<String>) -> Result<(), String> {
@@ -246,6 +263,31 @@ mod tests {
         page.set_history("wave.history", "half-sine").unwrap();
         assert!(page.text().contains("history = { shape = \"half-sine\", duration = \"1.557 s\" }"));
         assert!(page.set_history("wave.history", "file").is_err());
+    }
+
+    /// A shape takes the place of an earthquake, as strong as that was.
+    #[test]
+    fn a_shape_shakes_the_body_in_place_of_its_earthquake() {
+        let mut page = Page::default();
+        let statue = standfast_cases::beginnings::BEGINNINGS.iter().find(|one| one.name == "statue").unwrap();
+        assert!(page.open("statue.toml", statue.text));
+        for shape in ["half-sine", "rect", "sine"] {
+            page.set_history("motion.base.horizontal", shape).unwrap();
+            assert!(
+                page.answered().is_in_time() && !page.text().contains("\n[earthquake]"),
+                "{}",
+                page.text()
+            );
+            let line = page.text().lines().find(|line| line.starts_with("horizontal = {")).unwrap();
+            assert!(line.contains(shape) && line.ends_with("peak = \"0.2 g\" }"), "{line}");
+            assert_eq!(page.told, "It takes the place of [earthquake].");
+            page.undo();
+        }
+        // A vertical part has no place in one course.
+        let text = statue.text.replace("# vertical", "vertical");
+        assert!(page.open("statue.toml", &text));
+        page.set_history("motion.base.horizontal", "sine").unwrap();
+        assert_eq!(page.told, "It takes the place of [earthquake]. Its vertical part is gone.");
     }
 
     #[test]

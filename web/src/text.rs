@@ -20,13 +20,24 @@ pub fn units_of_script(text: &str, place: &Range<usize>) -> [usize; 2] {
     [place.start, place.end].map(|end| text.get(..end).map_or(0, |before| before.encode_utf16().count()))
 }
 
-/// Mathematics in one line: single letters are italic, primes and minus signs true.
+/// Mathematics in one line: single letters are italic, what is behind `_` is an index, primes and minus signs are true.
 pub fn mathematics(text: &str) -> String {
     let text = text.replace('\'', "′").replace('<', "&lt;").replace('>', "&gt;");
     let letters: Vec<char> = text.chars().collect();
     let mut html = String::new();
     let mut entity = false;
+    let mut after_index = 0;
     for (i, &letter) in letters.iter().enumerate() {
+        if i < after_index {
+            continue;
+        }
+        if letter == '_' {
+            let index: String =
+                letters[i + 1..].iter().take_while(|letter| letter.is_alphanumeric()).collect();
+            after_index = i + 1 + index.chars().count();
+            html.push_str(&format!("<sub>{index}</sub>"));
+            continue;
+        }
         entity = letter == '&' || entity && letter != ';';
         let alone = |at: Option<&char>| at.is_none_or(|other| !other.is_alphabetic());
         let before = i.checked_sub(1).and_then(|i| letters.get(i));
@@ -72,6 +83,10 @@ mod tests {
     fn letters_are_italic_where_they_stand_for_numbers() {
         assert_eq!(mathematics("μ ≥ k"), "<i>μ</i> ≥ <i>k</i>");
         assert_eq!(mathematics("μ < 1/γ − k k'"), "<i>μ</i> &lt; 1/<i>γ</i> − <i>k</i> <i>k</i>′");
+        assert_eq!(
+            mathematics("|f_x| ≤ μ_s f_y"),
+            "|<i>f</i><sub>x</sub>| ≤ <i>μ</i><sub>s</sub> <i>f</i><sub>y</sub>"
+        );
         assert_eq!(mathematics("after 3.8"), "after 3.8");
         assert_eq!(mathematics("case 1a: 3γ²"), "case 1a: 3<i>γ</i>²");
     }

@@ -135,6 +135,19 @@ test("a refused text stays while other numbers change, and goes with another cas
   await page.close();
 });
 
+test("a refused number is taken once the number that stood against it has changed", async () => {
+  const page = await open(browser);
+  await type(page, "body.height", "3");
+  assert.match((await field(page, "body.height")).message, /above the crest.* Until then 12 m holds\.$/);
+  await type(page, "body.width", "2");
+  assert.equal((await field(page, "body.height")).invalid, true);
+  await type(page, "load[1].elevation", "2");
+  await drawn(page);
+  assert.deepEqual([(await field(page, "body.height")).text, (await field(page, "body.height")).invalid], ["3", false]);
+  assert.match(await text(page), /height = "3 m"/);
+  await page.close();
+});
+
 test("2,700 is not 2 kN/m", async () => {
   const page = await open(browser);
   await type(page, FORCE, "2,700", "Tab");

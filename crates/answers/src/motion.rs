@@ -24,8 +24,8 @@ pub use criteria::{MotionCheck, MotionValue};
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS, RowFault};
 pub use series::{SERIES, series, series_csv};
 pub use spectrum::{
-    ROCKING_LEVELS, RockingDistance, RockingEdges, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints,
-    SpectrumRequest, SpectrumSteps, SpectrumValues, in_order, rocking_class,
+    OVERTURNING_FROM, ROCKING_LEVELS, RockingDistance, RockingEdges, Spectrum, SpectrumError, SpectrumKind,
+    SpectrumPoints, SpectrumRequest, SpectrumSteps, SpectrumValues, in_order, rocking_class,
 };
 pub use strength::{Strength, StrengthAsked};
 

@@ -356,7 +356,7 @@ pub struct SpectrumArgs {
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
     pub ratio: Option<SpectrumSteps>,
     /// Factors on the shaking, at equal steps [default: 0.05,5,199, and within 0.5 % of each other
-    /// where it overturns]
+    /// from 0.8 of the least that overturns it on]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
     pub scale: Option<SpectrumSteps>,
     /// Write every point to a CSV file; - writes to standard output in place of the answer
@@ -530,8 +530,8 @@ impl BearingLaw {
 /// Arguments of `figures`.
 #[derive(Debug, Args)]
 pub struct FiguresArgs {
-    /// Where to put the figures; made if it is not there
-    #[arg(short, long, value_name = "DIR")]
+    /// Folder for the figures, made if it is not there; or for one figure a file: svg, png or pdf
+    #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
     /// Figures by the report's numbers, e.g. 3.11 or 4.7a [default: all 26]
     #[arg(value_name = "NUMBER")]

@@ -13,7 +13,7 @@ use standfast_figures::{
 };
 
 use crate::args::DiagramArgs;
-use crate::error::Result;
+use crate::error::{CommandError, Result};
 use crate::features::{Feature, LeftOut};
 use crate::files_read::FilesRead;
 use crate::write::{self, ExtensionError};
@@ -110,7 +110,7 @@ fn save(figure: &Figure, path: &Path, picture: PictureFormat, scale: f32, read: 
 #[cfg(feature = "pictures")]
 fn rendered(figure: &Figure, path: &Path, picture: PictureFormat, scale: f32) -> Result<Vec<u8>> {
     let bytes = if picture == PictureFormat::Png { figure.png(scale) } else { figure.pdf() };
-    bytes.map_err(|cause| crate::error::CommandError::Render { path: path.to_owned(), cause })
+    bytes.map_err(|cause| CommandError::Render { path: path.to_owned(), cause })
 }
 
 #[cfg(not(feature = "pictures"))]
@@ -151,22 +151,29 @@ pub fn draw_diagram(plane: &KMuPlane, points: &[KMu], file: &PictureFile, scale:
     file.save(&figure, scale, &FilesRead::default())
 }
 
-/// Draws figures of the report into a directory, which is made if it is not there; gives the files written.
+/// Draws figures of the report into a directory, which is made if it is not there, or one into a file, whose extension says how it is
+/// written; gives the files written.
 ///
 /// # Errors
-/// If a picture cannot be made or written.
+/// If several are to go into one file, or a picture cannot be made or written.
 pub fn draw_figures(
-    directory: &Path,
+    output: &Path,
     figures: &[FigureId],
     picture: PictureFormat,
     scale: f32,
 ) -> Result<Vec<PathBuf>> {
+    let extension = output.extension().and_then(|extension| PictureFile::kind(&extension.to_string_lossy()));
+    if let Some(picture) = extension.filter(|_| !output.is_dir()) {
+        let [id] = figures else { return Err(CommandError::OneFile { path: output.to_owned() }) };
+        save(&report_figure(*id), output, picture, scale, &FilesRead::default())?;
+        return Ok(vec![output.to_owned()]);
+    }
     picture.require(&format!("--as {}", picture.extension()))?;
-    write::make_directory(directory)?;
+    write::make_directory(output)?;
     figures
         .iter()
         .map(|&id| {
-            let path = directory.join(format!("fig-{id}.{}", picture.extension()));
+            let path = output.join(format!("fig-{id}.{}", picture.extension()));
             save(&report_figure(id), &path, picture, scale, &FilesRead::default())?;
             Ok(path)
         })

@@ -96,6 +96,12 @@ pub enum CommandError {
         /// The file.
         path: PathBuf,
     },
+    /// Several figures are to go into one file.
+    #[error("{} is one file, for one figure: give the number of one, or a folder for several", path.display())]
+    OneFile {
+        /// The file.
+        path: PathBuf,
+    },
     /// There is no boundary to be drawn.
     #[error("there is no boundary to draw: the target is met up to both ends of the range in every column")]
     NoBoundary,

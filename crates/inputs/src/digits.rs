@@ -7,9 +7,16 @@ pub fn digits(x: f64) -> String {
     significant(x, 4)
 }
 
-/// A safety factor, or a ratio that is compared with 1, in four digits; in more where it takes them to tell it from 1.
+/// A safety factor, or a ratio that is compared with 1, in four digits; in more where it takes them to tell it from 1, as far as it is
+/// known.
 pub fn factor(x: f64) -> String {
-    if x == f64::INFINITY { "unlimited".to_owned() } else { number::beside(x, 1.0, 4).to_string() }
+    // A quotient of sums is not known to its last bits.
+    const ROUNDING: f64 = 4.0 * f64::EPSILON;
+    match x {
+        f64::INFINITY => "unlimited".to_owned(),
+        x if (x - 1.0).abs() <= ROUNDING => number::beside(1.0, 1.0, 4).to_string(),
+        x => number::beside(x, 1.0, 4).to_string(),
+    }
 }
 
 /// A share of a whole in per cent; in more than four digits where it takes them to tell it from the whole.
@@ -58,6 +65,7 @@ mod tests {
     fn numbers_in_text() {
         assert_eq!([digits(1.0 / 3.0), digits(-0.0), digits(f64::INFINITY)], ["0.3333", "0", "unlimited"]);
         assert_eq!([factor(1.0), factor(0.99998), factor(f64::INFINITY)], ["1.000", "0.99998", "unlimited"]);
+        assert_eq!([factor(1.0 + f64::EPSILON), factor(1.0 - 1e-12)], ["1.000", "0.999999999999"]);
         assert_eq!([percent(1.0), percent(0.7), percent(0.999_984)], ["100 %", "70 %", "99.998 %"]);
     }
 }

@@ -468,13 +468,15 @@ fn overturning(
         each(scales, request.threads, portion, "scale", |scale| *scale, |scale| curve.at(*scale))
     };
     let mut bodies = follow(&scales, of_scan)?;
-    // Where nobody says at which factors, they are nearer to each other where one overturns the body: the next may not.
-    if request.scale.is_none() {
-        let more = between_overturning(&scales, &bodies);
+    // Where nobody says at which factors, they are nearer to each other from a little below the first that overturns the body: a stretch
+    // that is missed there is the least.
+    let mut more = if request.scale.is_none() { finer(&scales, &bodies) } else { Vec::new() };
+    while !more.is_empty() {
         let mut all: Vec<_> = scales.into_iter().zip(bodies).collect();
         all.extend(more.iter().copied().zip(follow(&more, of_more)?));
         all.sort_by(|(one, _), (two, _)| one.total_cmp(two));
         (scales, bodies) = all.into_iter().unzip();
+        more = finer(&scales, &bodies);
     }
     let scan: Vec<(f64, bool)> =
         scales.iter().zip(&bodies).map(|(scale, body)| (*scale, body.overturned)).collect();
@@ -490,19 +492,24 @@ fn overturning(
     Ok(SpectrumPoints::Overturning { scales, bodies, stretches })
 }
 
-/// Distance of two factors where the body overturns, as a share of the factor.
+/// Distance of two factors from [`OVERTURNING_FROM`] of the least that overturns the body on, as a share of the factor.
 const NEAR: f64 = 0.005;
+/// The share of the least factor that overturns the body from which on factors are near to each other.
+pub const OVERTURNING_FROM: f64 = 0.8;
 
-/// Factors that part every step of which an end overturns the body into steps no longer than [`NEAR`].
-fn between_overturning(scales: &[f64], bodies: &[Rocked]) -> Vec<f64> {
-    let pairs = scales.windows(2).zip(bodies.windows(2));
-    let over = pairs.filter(|(_, bodies)| bodies.iter().any(|body| body.overturned));
-    over.flat_map(|(scales, _)| {
-        let (from, step) = (scales[0], scales[1] - scales[0]);
-        let parts = (step / (NEAR * from)).ceil().max(1.0) as u32;
-        (1..parts).map(move |part| from + step * f64::from(part) / f64::from(parts))
-    })
-    .collect()
+/// Factors that part every step above [`OVERTURNING_FROM`] of the least that overturns the body into steps no longer than [`NEAR`].
+fn finer(scales: &[f64], bodies: &[Rocked]) -> Vec<f64> {
+    let least = scales.iter().zip(bodies).find(|(_, body)| body.overturned);
+    let from = least.map_or(f64::INFINITY, |(scale, _)| OVERTURNING_FROM * scale);
+    let steps = scales.windows(2).filter(|pair| pair[1] > from);
+    steps
+        .flat_map(|pair| {
+            let (low, step) = (pair[0], pair[1] - pair[0]);
+            // By rounding a part may be longer than it should be.
+            let parts = (step / (NEAR * low) - 1e-9).ceil().max(1.0) as u32;
+            (1..parts).map(move |part| low + step * f64::from(part) / f64::from(parts))
+        })
+        .collect()
 }
 
 /// The values given, or those where nothing is said; of steps, `parted`, as many as there if their number is left out.

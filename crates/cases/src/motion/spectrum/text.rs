@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde::Serialize;
 use standfast_motion::spectrum::Rocked;
 
-use standfast_answers::motion::{Spectrum, SpectrumPoints};
+use standfast_answers::motion::{OVERTURNING_FROM, Spectrum, SpectrumPoints};
 
 use crate::layout::{columns, paragraph, significant};
 use crate::motion::json::WarningEntry;
@@ -174,9 +174,6 @@ fn metres(spectrum: &Spectrum) -> &'static str {
 /// So many stretches are told one by one.
 const TOLD: usize = 5;
 
-/// A factor on the shaking and what it does.
-type OverturningAt<'a> = (f64, &'a Rocked);
-
 /// Sentences on the motions followed and on their outcome, with so many digits of the factors at which one turns into another.
 pub(super) fn words(spectrum: &Spectrum, digits: usize) -> String {
     let peak = format!("{} g", significant(spectrum.peak / spectrum.gravity, 3));
@@ -194,7 +191,7 @@ pub(super) fn words(spectrum: &Spectrum, digits: usize) -> String {
              right only, as on a slope, and on level ground.",
             ratios.len()
         ),
-        SpectrumPoints::Overturning { scales, bodies, stretches } => {
+        SpectrumPoints::Overturning { scales, stretches, .. } => {
             let number = |factor: f64| significant(factor, digits);
             let stretch = |[from, to]: &[f64; 2]| format!("from {} to {}", number(*from), number(*to));
             let found = match &stretches[..] {
@@ -211,13 +208,14 @@ pub(super) fn words(spectrum: &Spectrum, digits: usize) -> String {
                     format!("The body overturns {}{before}{last}.", words.join(", "))
                 }
             };
-            // Where it overturns, or if it does not, anywhere.
-            let is_near = |pair: &[OverturningAt<'_>]| {
-                stretches.is_empty() || pair.iter().any(|(_, body)| body.overturned)
-            };
-            let at: Vec<OverturningAt<'_>> = scales.iter().copied().zip(bodies).collect();
-            let widest = at.windows(2).filter(|pair| is_near(pair)).map(|pair| pair[1].0 / pair[0].0 - 1.0);
+            // From a little below where it overturns, or if it does not, anywhere.
+            let least = stretches.first().map(|[from, _]| OVERTURNING_FROM * from);
+            let is_near = |pair: &&[f64]| least.is_none_or(|least| pair[1] > least);
+            let widest = scales.windows(2).filter(is_near).map(|pair| pair[1] / pair[0] - 1.0);
             let widest = widest.fold(0.0, f64::max);
+            let missed = least.map_or("Stretches".to_owned(), |least| {
+                format!("From {} on, stretches", significant(least, 2))
+            });
             let monotone = match &stretches[..] {
                 [] => true,
                 [one] => scales.last() == Some(&one[1]),
@@ -225,7 +223,7 @@ pub(super) fn words(spectrum: &Spectrum, digits: usize) -> String {
             };
             let says = if monotone { "" } else { " A stronger shaking may leave it standing." };
             format!(
-                "The shaking was followed times {} factors from {} to {}; at 1 its peak is {peak}. {found}{says} Stretches narrower \
+                "The shaking was followed times {} factors from {} to {}; at 1 its peak is {peak}. {found}{says} {missed} narrower \
                  than {} % may have been missed.",
                 scales.len(),
                 significant(scales[0], 4),
