@@ -7,7 +7,7 @@ use std::process::Command;
 
 use super::{System, output};
 use crate::pythons::Python;
-use crate::{ran, root, target};
+use crate::{ran, root, target, targets};
 
 /// What builds.
 pub struct Toolchain {
@@ -45,7 +45,7 @@ impl Toolchain {
 
     /// A program of the environment, which finds zig, builds for a system and leaves no path of this machine in what it builds.
     pub fn command(&self, program: &str, system: &System) -> Result<Command, String> {
-        ran(Command::new("rustup").args(["--quiet", "target", "add", system.triple]).current_dir(root()))?;
+        targets::added(system.triple)?;
         let programs = self.environment.join("bin");
         let mut command = Command::new(programs.join(program));
         let path = env::var_os("PATH").unwrap_or_default();
