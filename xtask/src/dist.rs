@@ -65,6 +65,10 @@ impl System {
         self.triple.contains("windows")
     }
 
+    fn is_mac(&self) -> bool {
+        self.triple.contains("apple")
+    }
+
     fn suffix(&self) -> &'static str {
         if self.is_windows() { ".exe" } else { "" }
     }

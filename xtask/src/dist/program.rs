@@ -19,7 +19,7 @@ fn built(toolchain: &Toolchain, system: &System) -> Result<PathBuf, String> {
     ran(&mut build)?;
     let folder = target().join("dist-build").join(system.triple).join("dist");
     let program = folder.join(format!("standfast{}", system.suffix()));
-    examine::binary(&program, system)?;
+    examine::binary(toolchain, &program, system)?;
     Ok(program)
 }
 

@@ -32,7 +32,7 @@ pub fn wheel(toolchain: &Toolchain, system: &System, folder: &Path) -> Result<(P
     let is_native =
         |path: &PathBuf| path.extension().is_some_and(|extension| extension == "so" || extension == "pyd");
     let module = module.filter_map(Result::ok).map(|entry| entry.path()).find(is_native);
-    examine::binary(&module.ok_or("the wheel has no module")?, system)?;
+    examine::binary(toolchain, &module.ok_or("the wheel has no module")?, system)?;
     let file = folder.join(built.file_name().unwrap_or_default());
     fs::copy(&built, &file).map_err(|error| error.to_string())?;
     let state = match system.runner {
