@@ -5,6 +5,7 @@
 //!                                                                                  lists: sums, licences, bill of materials
 //! ```
 
+mod crates;
 mod examine;
 mod lists;
 mod program;
@@ -29,6 +30,7 @@ pub struct Artefact {
 #[derive(Debug, Clone, Copy)]
 enum Kind {
     Explorer,
+    Crates,
     Program(System),
     Deb(System),
     Wheel(System),
@@ -113,7 +115,7 @@ const MAC: System = System {
 };
 const MAC_ARM: System = System { name: "macos-aarch64", triple: "aarch64-apple-darwin", ..MAC };
 
-const ARTEFACTS: [Artefact; 13] = [
+const ARTEFACTS: [Artefact; 14] = [
     Artefact { name: "explorer", of: Kind::Explorer },
     Artefact { name: "program-linux-x86_64", of: Kind::Program(LINUX) },
     Artefact { name: "program-linux-aarch64", of: Kind::Program(LINUX_ARM) },
@@ -127,6 +129,7 @@ const ARTEFACTS: [Artefact; 13] = [
     Artefact { name: "wheel-windows-x86_64", of: Kind::Wheel(WINDOWS) },
     Artefact { name: "wheel-macos-x86_64", of: Kind::Wheel(MAC) },
     Artefact { name: "wheel-macos-aarch64", of: Kind::Wheel(MAC_ARM) },
+    Artefact { name: "crates", of: Kind::Crates },
 ];
 
 /// Builds all, or those that are named, into `target/dist`, and lists what is there.
@@ -142,9 +145,10 @@ pub fn run(names: &[&str]) -> Result<(), String> {
     let wanted = ARTEFACTS.iter().filter(|one| names.is_empty() || names.contains(&one.name));
     for one in wanted {
         println!("── {}", one.name);
-        let (file, state) = one.built(&toolchain, &folder)?;
-        println!("   {}: {state}", file.display());
-        lists::note(&folder, &file, &state)?;
+        for (file, state) in one.built(&toolchain, &folder)? {
+            println!("   {}: {state}", file.display());
+            lists::note(&folder, &file, &state)?;
+        }
     }
     lists::sums(&folder)
 }
@@ -165,9 +169,10 @@ pub fn try_first_lines() -> Result<(), String> {
 }
 
 impl Artefact {
-    /// Builds it, examines and tries it; gives the file and what was seen of it.
-    fn built(&self, toolchain: &Toolchain, folder: &Path) -> Result<(PathBuf, String), String> {
-        match self.of {
+    /// Builds it, examines and tries it; gives its files, each with what was seen of it.
+    fn built(&self, toolchain: &Toolchain, folder: &Path) -> Result<Vec<(PathBuf, String)>, String> {
+        let one = match self.of {
+            Kind::Crates => return crates::packed(folder),
             Kind::Explorer => {
                 let page = crate::explorer::file()?;
                 let file = folder.join(format!("standfast-explorer-{}.html", version()));
@@ -177,7 +182,8 @@ impl Artefact {
             Kind::Program(system) => program::archive(toolchain, &system, folder),
             Kind::Deb(system) => program::deb(toolchain, &system, folder),
             Kind::Wheel(system) => wheel::wheel(toolchain, &system, folder),
-        }
+        };
+        Ok(vec![one?])
     }
 }
 
