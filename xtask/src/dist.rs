@@ -43,8 +43,8 @@ pub struct System {
     name: &'static str,
     /// Rust's name.
     triple: &'static str,
-    /// Version of the C library behind it, where that is asked for.
-    libc: &'static str,
+    /// zig's name, with the version of the C library or of the system that is asked for.
+    zig: &'static str,
     /// What runs its programs here.
     runner: Runner,
     /// Debian's name of the processor.
@@ -74,17 +74,12 @@ impl System {
     fn suffix(&self) -> &'static str {
         if self.is_windows() { ".exe" } else { "" }
     }
-
-    /// Name for zig, which takes the version of the C library.
-    fn for_zig(&self) -> String {
-        format!("{}{}", self.triple, self.libc)
-    }
 }
 
 const LINUX: System = System {
     name: "linux-x86_64",
     triple: "x86_64-unknown-linux-gnu",
-    libc: ".2.17",
+    zig: "x86_64-linux-gnu.2.17",
     runner: Runner::Native,
     debian: "amd64",
     wheel: "manylinux_2_17",
@@ -92,7 +87,7 @@ const LINUX: System = System {
 const LINUX_ARM: System = System {
     name: "linux-aarch64",
     triple: "aarch64-unknown-linux-gnu",
-    libc: ".2.17",
+    zig: "aarch64-linux-gnu.2.17",
     runner: Runner::Qemu,
     debian: "arm64",
     wheel: "manylinux_2_17",
@@ -100,7 +95,7 @@ const LINUX_ARM: System = System {
 const WINDOWS: System = System {
     name: "windows-x86_64",
     triple: "x86_64-pc-windows-gnu",
-    libc: "",
+    zig: "x86_64-windows-gnu",
     runner: Runner::Wine,
     debian: "",
     wheel: "",
@@ -108,12 +103,13 @@ const WINDOWS: System = System {
 const MAC: System = System {
     name: "macos-x86_64",
     triple: "x86_64-apple-darwin",
-    libc: "",
+    zig: "x86_64-macos.11.0-none",
     runner: Runner::None,
     debian: "",
     wheel: "",
 };
-const MAC_ARM: System = System { name: "macos-aarch64", triple: "aarch64-apple-darwin", ..MAC };
+const MAC_ARM: System =
+    System { name: "macos-aarch64", triple: "aarch64-apple-darwin", zig: "aarch64-macos.11.0-none", ..MAC };
 
 const ARTEFACTS: [Artefact; 14] = [
     Artefact { name: "explorer", of: Kind::Explorer },

@@ -16,7 +16,7 @@ const TRIED: [&str; 4] = ["assess", "examples/caisson-in-air.toml", "--no-figure
 fn built(toolchain: &Toolchain, system: &System) -> Result<PathBuf, String> {
     let mut build = toolchain.command("cargo-zigbuild", system)?;
     build.args(["zigbuild", "--quiet", "--locked", "--profile", "dist", "--package", "standfast-cli"]);
-    build.args(["--features", "full", "--bin", "standfast", "--target", &system.for_zig()]);
+    build.args(["--features", "full", "--bin", "standfast", "--target", system.triple]);
     ran(&mut build)?;
     let folder = target().join("dist-build").join(system.triple).join("dist");
     let program = folder.join(format!("standfast{}", system.suffix()));

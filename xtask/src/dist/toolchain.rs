@@ -1,11 +1,11 @@
 //! Compilers and linkers for other systems: zig and maturin of the Python package index, in an environment of their own, and the
 //! standard libraries that rustup has.
 
-use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fs};
 
-use super::{System, output};
+use super::{System, made, output};
 use crate::pythons::Python;
 use crate::{ran, root, target, targets};
 
@@ -23,14 +23,14 @@ impl Toolchain {
         let environment = target().join("dist-tools");
         let pins = root().join("xtask/dist/requirements.txt");
         let stamp = environment.join("installed.txt");
-        let wanted = std::fs::read(&pins).map_err(|error| format!("{}: {error}", pins.display()))?;
-        if std::fs::read(&stamp).ok().as_ref() != Some(&wanted) {
+        let wanted = fs::read(&pins).map_err(|error| format!("{}: {error}", pins.display()))?;
+        if fs::read(&stamp).ok().as_ref() != Some(&wanted) {
             let python =
                 Python::of_path().ok_or("no Python 3.10 or later with pip and venv; PYTHON names one")?;
             ran(Command::new(&python.program).args(["-m", "venv", "--clear"]).arg(&environment))?;
             let pip = ["-m", "pip", "--quiet", "--disable-pip-version-check", "install", "--requirement"];
             ran(Command::new(environment.join("bin/python")).args(pip).arg(&pins))?;
-            std::fs::write(&stamp, wanted).map_err(|error| format!("{}: {error}", stamp.display()))?;
+            fs::write(&stamp, wanted).map_err(|error| format!("{}: {error}", stamp.display()))?;
         }
         let git = |arguments: &[&str]| output(Command::new("git").args(arguments).current_dir(root()));
         let changed = !git(&["status", "--porcelain", "--untracked-files=no"])?.is_empty();
@@ -54,8 +54,12 @@ impl Toolchain {
         let prefixes = prefixes()?;
         let of_c: Vec<String> =
             prefixes.iter().map(|(from, to)| format!("-ffile-prefix-map={}={to}", from.display())).collect();
+        let linker = self.linker(system)?;
+        let name = system.triple.replace('-', "_");
         command
             .current_dir(root())
+            .env(format!("CARGO_TARGET_{}_LINKER", name.to_uppercase()), &linker)
+            .env(format!("CC_{name}"), &linker)
             .env("PATH", path.map_err(|error| error.to_string())?)
             .env("CARGO_TARGET_DIR", target().join("dist-build"))
             .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"))
@@ -68,6 +72,24 @@ impl Toolchain {
             command.env("SDKROOT", root().join("xtask/dist/macos-sdk"));
         }
         Ok(command)
+    }
+
+    /// A script that compiles and links for a system by zig. cargo-zigbuild and maturin would each write their own, and cargo compiles
+    /// everything again for another linker: with this one a wheel takes what a program has compiled.
+    fn linker(&self, system: &System) -> Result<PathBuf, String> {
+        let folder = target().join("dist-build/zig");
+        made(&folder)?;
+        let script = folder.join(format!("{}.sh", system.name));
+        let text = format!(
+            "#!/bin/sh\nexport CARGO_ZIGBUILD_ZIG_COMMAND='{}' CARGO_ZIGBUILD_ZIG_COMMAND_ARGS='-m ziglang'\n\
+             exec '{}' zig cc -- -g -fno-sanitize=all -target {} \"$@\"\n",
+            self.python().display(),
+            self.environment.join("bin/cargo-zigbuild").display(),
+            system.zig
+        );
+        fs::write(&script, text).map_err(|error| format!("{}: {error}", script.display()))?;
+        ran(Command::new("chmod").arg("+x").arg(&script))?;
+        Ok(script)
     }
 }
 
@@ -104,7 +126,7 @@ mod tests {
     fn no_path_of_this_machine_is_built_in() {
         let folder = tempfile::tempdir_in(target()).expect("a folder");
         let source = folder.path().join("main.rs");
-        std::fs::write(&source, "fn main() { println!(\"{}\", std::panic::Location::caller()); }\n")
+        fs::write(&source, "fn main() { println!(\"{}\", std::panic::Location::caller()); }\n")
             .expect("it is written");
         let paths = |flags: Vec<String>| {
             let program = folder.path().join("main");
@@ -114,7 +136,7 @@ mod tests {
                 .args(["-C", "strip=symbols", "-o"])
                 .arg(&program))
             .expect("it compiles");
-            let bytes = std::fs::read(&program).expect("it is there");
+            let bytes = fs::read(&program).expect("it is there");
             own_folders()
                 .expect("folders")
                 .into_iter()
