@@ -16,8 +16,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{ran, root, target};
+use crate::{explorer, ran, root, target};
 use toolchain::Toolchain;
+pub use toolchain::without_paths;
 
 /// Something that is handed on.
 #[derive(Debug, Clone, Copy)]
@@ -170,7 +171,8 @@ impl Artefact {
         let one = match self.of {
             Kind::Crates => return crates::packed(folder),
             Kind::Explorer => {
-                let page = crate::explorer::file()?;
+                let page = explorer::file()?;
+                examine::paths(&explorer::library())?;
                 let file = folder.join(format!("standfast-explorer-{}.html", version()));
                 fs::copy(&page, &file).map_err(|error| format!("{}: {error}", page.display()))?;
                 Ok((file, "opened in browsers by the tests of the repository".to_owned()))

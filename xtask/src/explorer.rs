@@ -8,7 +8,7 @@ use std::process::Command;
 use std::{fs, thread};
 
 use crate::tally::{Tally, cargo, in_ci, timed};
-use crate::{built, programs, ran, root, target, targets};
+use crate::{built, dist, programs, ran, root, target, targets};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -16,11 +16,15 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// one file of many.
 fn build(mut bundler: Command) -> Result<PathBuf, String> {
     let toolchain = toolchain()?;
-    // Apart from other builds: its compiler may be another one.
+    // Apart from other builds: its compiler may be another one, and the page is handed on, and so names no folder of this machine.
     let wasm = target().join("wasm");
+    let flags = dist::without_paths()?;
     let packages = ["--package", "standfast-web", "--package", "standfast-web-unpack", "--lib"];
     let arguments = [&["build", "--quiet", "--profile", "wasm", "--target", TARGET], &packages[..]].concat();
-    ran(cargo(&arguments).envs(toolchain).env("CARGO_TARGET_DIR", &wasm))?;
+    ran(cargo(&arguments)
+        .envs(toolchain)
+        .env("CARGO_TARGET_DIR", &wasm)
+        .env("CARGO_ENCODED_RUSTFLAGS", flags))?;
 
     let folder = target().join("explorer");
     let site = folder.join("site");
@@ -34,6 +38,11 @@ fn build(mut bundler: Command) -> Result<PathBuf, String> {
 /// The explorer, built.
 pub fn file() -> Result<PathBuf, String> {
     build(cargo(&["run", "--quiet", "--package", "standfast-web-bundle", "--"]))
+}
+
+/// What the page holds packed.
+pub fn library() -> PathBuf {
+    target().join("wasm").join(TARGET).join("wasm/standfast_web.wasm")
 }
 
 /// The environment in which cargo compiles for wasm: rustup's, or a toolchain made of Debian's packages.

@@ -23,10 +23,7 @@ pub fn has(bytes: &[u8], text: &str) -> bool {
 /// # Errors
 /// If something is in it that should not be.
 pub fn binary(toolchain: &Toolchain, file: &Path, system: &System) -> Result<(), String> {
-    let bytes = fs::read(file).map_err(|error| format!("{}: {error}", file.display()))?;
-    if let Some(own) = own_folders()?.iter().find(|own| has(&bytes, own)) {
-        return Err(format!("{} names a folder of this machine: {own}", file.display()));
-    }
+    let bytes = paths(file)?;
     let found = if system.is_windows() {
         windows(&bytes)
     } else if system.is_mac() {
@@ -36,6 +33,18 @@ pub fn binary(toolchain: &Toolchain, file: &Path, system: &System) -> Result<(),
         linux(file)
     };
     found.map_err(|error| format!("{} {error}", file.display()))
+}
+
+/// Looks for folders of this machine in a file; gives what it holds.
+///
+/// # Errors
+/// If it names one.
+pub fn paths(file: &Path) -> Result<Vec<u8>, String> {
+    let bytes = fs::read(file).map_err(|error| format!("{}: {error}", file.display()))?;
+    match own_folders()?.iter().find(|own| has(&bytes, own)) {
+        Some(own) => Err(format!("{} names a folder of this machine: {own}", file.display())),
+        None => Ok(bytes),
+    }
 }
 
 /// No symbols, and no C library that is too new.

@@ -50,7 +50,6 @@ impl Toolchain {
         let mut command = Command::new(programs.join(program));
         let path = env::var_os("PATH").unwrap_or_default();
         let path = env::join_paths(std::iter::once(programs).chain(env::split_paths(&path)));
-        let flags: Vec<String> = remapped()?;
         let prefixes = prefixes()?;
         let of_c: Vec<String> =
             prefixes.iter().map(|(from, to)| format!("-ffile-prefix-map={}={to}", from.display())).collect();
@@ -62,7 +61,7 @@ impl Toolchain {
             .env(format!("CC_{name}"), &linker)
             .env("PATH", path.map_err(|error| error.to_string())?)
             .env("CARGO_TARGET_DIR", target().join("dist-build"))
-            .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\u{1f}"))
+            .env("CARGO_ENCODED_RUSTFLAGS", without_paths()?)
             .env("CFLAGS", of_c.join(" "))
             .env("SOURCE_DATE_EPOCH", "315532800")
             .env("MACOSX_DEPLOYMENT_TARGET", "11.0")
@@ -108,6 +107,11 @@ fn prefixes() -> Result<Vec<(PathBuf, &'static str)>, String> {
 fn remapped() -> Result<Vec<String>, String> {
     let flag = |(from, to): (PathBuf, &str)| format!("--remap-path-prefix={}={to}", from.display());
     Ok(prefixes()?.into_iter().map(flag).collect())
+}
+
+/// These flags as cargo takes them.
+pub fn without_paths() -> Result<String, String> {
+    Ok(remapped()?.join("\u{1f}"))
 }
 
 /// Folders of this machine that must not stand in what is built, each with its last slash.
