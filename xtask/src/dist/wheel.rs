@@ -32,7 +32,12 @@ pub fn wheel(toolchain: &Toolchain, system: &System, folder: &Path) -> Result<(P
     let is_native =
         |path: &PathBuf| path.extension().is_some_and(|extension| extension == "so" || extension == "pyd");
     let module = module.filter_map(Result::ok).map(|entry| entry.path()).find(is_native);
-    examine::binary(toolchain, &module.ok_or("the wheel has no module")?, system)?;
+    let module = module.ok_or("the wheel has no module")?;
+    examine::binary(toolchain, &module, system)?;
+    // That of every Python on Windows; a module built for one asks for a library with its number.
+    if system.is_windows() && !examine::has(&examine::paths(&module)?, "python3.dll") {
+        return Err(format!("{} does not ask for python3.dll", module.display()));
+    }
     let file = folder.join(built.file_name().unwrap_or_default());
     fs::copy(&built, &file).map_err(|error| error.to_string())?;
     let state = match system.runner {
