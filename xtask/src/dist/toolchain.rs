@@ -48,12 +48,13 @@ impl Toolchain {
         targets::added(system.triple)?;
         let programs = self.environment.join("bin");
         let mut command = Command::new(programs.join(program));
+        let linker = self.linker(system)?;
+        let own = linker.parent().map(Path::to_owned);
         let path = env::var_os("PATH").unwrap_or_default();
-        let path = env::join_paths(std::iter::once(programs).chain(env::split_paths(&path)));
+        let path = env::join_paths(own.into_iter().chain([programs]).chain(env::split_paths(&path)));
         let prefixes = prefixes()?;
         let of_c: Vec<String> =
             prefixes.iter().map(|(from, to)| format!("-ffile-prefix-map={}={to}", from.display())).collect();
-        let linker = self.linker(system)?;
         let name = system.triple.replace('-', "_");
         command
             .current_dir(root())
@@ -78,18 +79,29 @@ impl Toolchain {
     fn linker(&self, system: &System) -> Result<PathBuf, String> {
         let folder = target().join("dist-build/zig");
         made(&folder)?;
-        let script = folder.join(format!("{}.sh", system.name));
-        let text = format!(
-            "#!/bin/sh\nexport CARGO_ZIGBUILD_ZIG_COMMAND='{}' CARGO_ZIGBUILD_ZIG_COMMAND_ARGS='-m ziglang'\n\
-             exec '{}' zig cc -- -g -fno-sanitize=all -target {} \"$@\"\n",
-            self.python().display(),
-            self.environment.join("bin/cargo-zigbuild").display(),
-            system.zig
-        );
-        fs::write(&script, text).map_err(|error| format!("{}: {error}", script.display()))?;
-        ran(Command::new("chmod").arg("+x").arg(&script))?;
-        Ok(script)
+        let python = self.python();
+        let linker = folder.join(format!("{}.sh", system.name));
+        script(
+            &linker,
+            &format!(
+                "export CARGO_ZIGBUILD_ZIG_COMMAND='{}' CARGO_ZIGBUILD_ZIG_COMMAND_ARGS='-m ziglang'\n\
+                 exec '{}' zig cc -- -g -fno-sanitize=all -target {} \"$@\"\n",
+                python.display(),
+                self.environment.join("bin/cargo-zigbuild").display(),
+                system.zig
+            ),
+        )?;
+        // What rustc calls for libraries of Windows that are not here.
+        let libraries = format!("exec '{}' -m ziglang dlltool \"$@\"\n", python.display());
+        script(&folder.join("x86_64-w64-mingw32-dlltool"), &libraries)?;
+        Ok(linker)
     }
+}
+
+/// Writes a script that may be run.
+fn script(path: &Path, text: &str) -> Result<(), String> {
+    fs::write(path, format!("#!/bin/sh\n{text}")).map_err(|error| format!("{}: {error}", path.display()))?;
+    ran(Command::new("chmod").arg("+x").arg(path))
 }
 
 /// Folders of this machine, and what stands for them in what is built.

@@ -15,10 +15,17 @@ pub fn wheel(toolchain: &Toolchain, system: &System, folder: &Path) -> Result<(P
     let place = target().join("dist-build").join(format!("wheel-{}", system.name));
     cleared(&place)?;
     let mut build = toolchain.command("maturin", system)?;
-    build.args(["build", "--quiet", "--locked", "--profile", "dist", "--zig", "--target", system.triple]);
+    build.args(["build", "--quiet", "--locked", "--profile", "dist", "--target", system.triple]);
     build.args(["--manifest-path", "python/Cargo.toml", "--out"]).arg(&place);
     if !system.wheel.is_empty() {
         build.args(["--compatibility", system.wheel]);
+    }
+    if system.is_windows() {
+        // With its own option for zig maturin has the linker export a name with a dot, which no module has.
+        let exported = root().join("xtask/dist/windows/module.def");
+        build.arg("--").arg("-C").arg(format!("link-arg={}", exported.display()));
+    } else {
+        build.arg("--zig");
     }
     ran(&mut build)?;
     let built = fs::read_dir(&place).map_err(|error| error.to_string())?;
