@@ -1,13 +1,12 @@
 //! Other processors and systems: the tests of exact signs on a 64-bit ARM, emulated, and the library compiled for Windows and macOS.
 
-use std::fs;
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 
 use crate::checks::{ended, result_line};
 use crate::programs::{found, needed};
-use crate::root;
 use crate::tally::{Tally, cargo, in_ci};
+use crate::targets;
 
 const ARM: &str = "aarch64-unknown-linux-gnu";
 
@@ -60,20 +59,11 @@ pub fn check(tally: &mut Tally) {
 
 /// Sees that Rust can compile for a target; in CI it is added.
 fn target(name: &str) -> Result<(), String> {
-    let is_there = || {
-        let rustc = Command::new("rustc")
-            .args(["--print", "target-libdir", "--target", name])
-            .current_dir(root())
-            .output();
-        rustc.is_ok_and(|output| {
-            let folder = String::from_utf8_lossy(&output.stdout).trim().to_owned();
-            fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some())
-        })
-    };
-    let add = || Command::new("rustup").args(["target", "add", name]).current_dir(root()).status();
-    if is_there() || in_ci() && add().is_ok_and(|status| status.success()) && is_there() {
+    if in_ci() {
+        targets::added(name)
+    } else if targets::has(name) {
         Ok(())
     } else {
-        Err(format!("there is no compiler for {name}; `rustup target add {name}` adds it"))
+        Err(targets::missing(name))
     }
 }

@@ -5,6 +5,7 @@
 //!                                                                                  lists: sums, licences, bill of materials
 //! ```
 
+mod crates;
 mod examine;
 mod lists;
 mod program;
@@ -15,8 +16,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{ran, root, target};
+use crate::{explorer, ran, root, target};
 use toolchain::Toolchain;
+pub use toolchain::without_paths;
 
 /// Something that is handed on.
 #[derive(Debug, Clone, Copy)]
@@ -29,6 +31,7 @@ pub struct Artefact {
 #[derive(Debug, Clone, Copy)]
 enum Kind {
     Explorer,
+    Crates,
     Program(System),
     Deb(System),
     Wheel(System),
@@ -41,8 +44,8 @@ pub struct System {
     name: &'static str,
     /// Rust's name.
     triple: &'static str,
-    /// Version of the C library behind it, where that is asked for.
-    libc: &'static str,
+    /// zig's name, with the version of the C library or of the system that is asked for.
+    zig: &'static str,
     /// What runs its programs here.
     runner: Runner,
     /// Debian's name of the processor.
@@ -65,20 +68,19 @@ impl System {
         self.triple.contains("windows")
     }
 
-    fn suffix(&self) -> &'static str {
-        if self.is_windows() { ".exe" } else { "" }
+    fn is_mac(&self) -> bool {
+        self.triple.contains("apple")
     }
 
-    /// Name for zig, which takes the version of the C library.
-    fn for_zig(&self) -> String {
-        format!("{}{}", self.triple, self.libc)
+    fn suffix(&self) -> &'static str {
+        if self.is_windows() { ".exe" } else { "" }
     }
 }
 
 const LINUX: System = System {
     name: "linux-x86_64",
     triple: "x86_64-unknown-linux-gnu",
-    libc: ".2.17",
+    zig: "x86_64-linux-gnu.2.17",
     runner: Runner::Native,
     debian: "amd64",
     wheel: "manylinux_2_17",
@@ -86,7 +88,7 @@ const LINUX: System = System {
 const LINUX_ARM: System = System {
     name: "linux-aarch64",
     triple: "aarch64-unknown-linux-gnu",
-    libc: ".2.17",
+    zig: "aarch64-linux-gnu.2.17",
     runner: Runner::Qemu,
     debian: "arm64",
     wheel: "manylinux_2_17",
@@ -94,7 +96,7 @@ const LINUX_ARM: System = System {
 const WINDOWS: System = System {
     name: "windows-x86_64",
     triple: "x86_64-pc-windows-gnu",
-    libc: "",
+    zig: "x86_64-windows-gnu",
     runner: Runner::Wine,
     debian: "",
     wheel: "",
@@ -102,14 +104,15 @@ const WINDOWS: System = System {
 const MAC: System = System {
     name: "macos-x86_64",
     triple: "x86_64-apple-darwin",
-    libc: "",
+    zig: "x86_64-macos.11.0-none",
     runner: Runner::None,
     debian: "",
     wheel: "",
 };
-const MAC_ARM: System = System { name: "macos-aarch64", triple: "aarch64-apple-darwin", ..MAC };
+const MAC_ARM: System =
+    System { name: "macos-aarch64", triple: "aarch64-apple-darwin", zig: "aarch64-macos.11.0-none", ..MAC };
 
-const ARTEFACTS: [Artefact; 13] = [
+const ARTEFACTS: [Artefact; 14] = [
     Artefact { name: "explorer", of: Kind::Explorer },
     Artefact { name: "program-linux-x86_64", of: Kind::Program(LINUX) },
     Artefact { name: "program-linux-aarch64", of: Kind::Program(LINUX_ARM) },
@@ -123,6 +126,7 @@ const ARTEFACTS: [Artefact; 13] = [
     Artefact { name: "wheel-windows-x86_64", of: Kind::Wheel(WINDOWS) },
     Artefact { name: "wheel-macos-x86_64", of: Kind::Wheel(MAC) },
     Artefact { name: "wheel-macos-aarch64", of: Kind::Wheel(MAC_ARM) },
+    Artefact { name: "crates", of: Kind::Crates },
 ];
 
 /// Builds all, or those that are named, into `target/dist`, and lists what is there.
@@ -138,9 +142,10 @@ pub fn run(names: &[&str]) -> Result<(), String> {
     let wanted = ARTEFACTS.iter().filter(|one| names.is_empty() || names.contains(&one.name));
     for one in wanted {
         println!("── {}", one.name);
-        let (file, state) = one.built(&toolchain, &folder)?;
-        println!("   {}: {state}", file.display());
-        lists::note(&folder, &file, &state)?;
+        for (file, state) in one.built(&toolchain, &folder)? {
+            println!("   {}: {state}", file.display());
+            lists::note(&folder, &file, &state)?;
+        }
     }
     lists::sums(&folder)
 }
@@ -161,11 +166,13 @@ pub fn try_first_lines() -> Result<(), String> {
 }
 
 impl Artefact {
-    /// Builds it, examines and tries it; gives the file and what was seen of it.
-    fn built(&self, toolchain: &Toolchain, folder: &Path) -> Result<(PathBuf, String), String> {
-        match self.of {
+    /// Builds it, examines and tries it; gives its files, each with what was seen of it.
+    fn built(&self, toolchain: &Toolchain, folder: &Path) -> Result<Vec<(PathBuf, String)>, String> {
+        let one = match self.of {
+            Kind::Crates => return crates::packed(folder),
             Kind::Explorer => {
-                let page = crate::explorer::file()?;
+                let page = explorer::file()?;
+                examine::paths(&explorer::library())?;
                 let file = folder.join(format!("standfast-explorer-{}.html", version()));
                 fs::copy(&page, &file).map_err(|error| format!("{}: {error}", page.display()))?;
                 Ok((file, "opened in browsers by the tests of the repository".to_owned()))
@@ -173,7 +180,8 @@ impl Artefact {
             Kind::Program(system) => program::archive(toolchain, &system, folder),
             Kind::Deb(system) => program::deb(toolchain, &system, folder),
             Kind::Wheel(system) => wheel::wheel(toolchain, &system, folder),
-        }
+        };
+        Ok(vec![one?])
     }
 }
 

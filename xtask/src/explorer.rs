@@ -8,7 +8,7 @@ use std::process::Command;
 use std::{fs, thread};
 
 use crate::tally::{Tally, cargo, in_ci, timed};
-use crate::{built, programs, ran, root, target};
+use crate::{built, dist, programs, ran, root, target, targets};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -16,11 +16,15 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// one file of many.
 fn build(mut bundler: Command) -> Result<PathBuf, String> {
     let toolchain = toolchain()?;
-    // Apart from other builds: its compiler may be another one.
+    // Apart from other builds: its compiler may be another one, and the page is handed on, and so names no folder of this machine.
     let wasm = target().join("wasm");
+    let flags = dist::without_paths()?;
     let packages = ["--package", "standfast-web", "--package", "standfast-web-unpack", "--lib"];
     let arguments = [&["build", "--quiet", "--profile", "wasm", "--target", TARGET], &packages[..]].concat();
-    ran(cargo(&arguments).envs(toolchain).env("CARGO_TARGET_DIR", &wasm))?;
+    ran(cargo(&arguments)
+        .envs(toolchain)
+        .env("CARGO_TARGET_DIR", &wasm)
+        .env("CARGO_ENCODED_RUSTFLAGS", flags))?;
 
     let folder = target().join("explorer");
     let site = folder.join("site");
@@ -36,14 +40,14 @@ pub fn file() -> Result<PathBuf, String> {
     build(cargo(&["run", "--quiet", "--package", "standfast-web-bundle", "--"]))
 }
 
+/// What the page holds packed.
+pub fn library() -> PathBuf {
+    target().join("wasm").join(TARGET).join("wasm/standfast_web.wasm")
+}
+
 /// The environment in which cargo compiles for wasm: rustup's, or a toolchain made of Debian's packages.
 fn toolchain() -> Result<Vec<(String, OsString)>, String> {
-    if has_target() {
-        return Ok(Vec::new());
-    }
-    println!("── rustup target add {TARGET}");
-    let added = Command::new("rustup").args(["target", "add", TARGET]).current_dir(root()).status();
-    if added.is_ok_and(|status| status.success()) && has_target() {
+    if targets::added(TARGET).is_ok() {
         return Ok(Vec::new());
     }
     let folder = target().join("wasm-toolchain");
@@ -64,19 +68,7 @@ fn toolchain() -> Result<Vec<(String, OsString)>, String> {
 
 /// True if the explorer can be compiled without fetching anything.
 fn has_toolchain() -> bool {
-    has_target() || target().join("wasm-toolchain").join("env").is_file()
-}
-
-/// True if rustc has the standard library for wasm.
-fn has_target() -> bool {
-    let output = Command::new("rustc")
-        .args(["--print", "target-libdir", "--target", TARGET])
-        .current_dir(root())
-        .output();
-    output.is_ok_and(|output| {
-        let folder = String::from_utf8_lossy(&output.stdout).trim().to_owned();
-        fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some())
-    })
+    targets::has(TARGET) || target().join("wasm-toolchain").join("env").is_file()
 }
 
 /// Builds the explorer and serves it on this machine until interrupted; opens it in the browser if asked.

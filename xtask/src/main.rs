@@ -13,6 +13,7 @@ mod python;
 mod pythons;
 mod sea_states;
 mod tally;
+mod targets;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};

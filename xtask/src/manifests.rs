@@ -119,6 +119,11 @@ fn complete(metadata: &Value) -> Result<(), String> {
     if missing.is_empty() { Ok(()) } else { Err(missing.join(", ")) }
 }
 
+/// The names of the crates that are to be published.
+pub fn to_be_published() -> Result<Vec<String>, String> {
+    Ok(published(&metadata()?).map(|package| name(package).to_owned()).collect())
+}
+
 /// Packs the crates that are to be published, all at once because they depend on each other. What they hold is compiled by
 /// the other steps.
 fn package(tally: &mut Tally, metadata: &Value) {

@@ -1,7 +1,8 @@
 #!/bin/sh
 # The first lines of someone who has what is in FOLDER and none of our tools.
 #   run.sh FOLDER SCRIPT
-# Runs SCRIPT in an empty home, with nothing on the path but what every system has, and FOLDER as $FILES.
+# Runs SCRIPT in an empty home, with nothing on the path but what every system has, and FOLDER as $FILES. Who takes the crates has Rust
+# and a linker too.
 set -eu
 files=$(cd "$1" && pwd)
 script=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
@@ -15,5 +16,14 @@ done
 for browser in chromium chromium-browser google-chrome; do
     found=$(command -v "$browser" 2>/dev/null) && ln -sf "$found" "$place/bin/browser"
 done
+case $script in
+*/crates.sh)
+    # The programs themselves: those that rustup puts on the path look for rustup's own folder in the home.
+    rust=$(rustc --print sysroot)/bin
+    for program in "$rust/cargo" "$rust/rustc" $(for name in cc ld as ar; do command -v $name; done); do
+        ln -s "$program" "$place/bin/"
+    done
+    ;;
+esac
 cd "$place/home"
 env -i HOME="$place/home" PATH="$place/bin" LANG=C.UTF-8 FILES="$files" sh -eu "$script"

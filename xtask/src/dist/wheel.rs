@@ -15,10 +15,17 @@ pub fn wheel(toolchain: &Toolchain, system: &System, folder: &Path) -> Result<(P
     let place = target().join("dist-build").join(format!("wheel-{}", system.name));
     cleared(&place)?;
     let mut build = toolchain.command("maturin", system)?;
-    build.args(["build", "--quiet", "--locked", "--profile", "dist", "--zig", "--target", system.triple]);
+    build.args(["build", "--quiet", "--locked", "--profile", "dist", "--target", system.triple]);
     build.args(["--manifest-path", "python/Cargo.toml", "--out"]).arg(&place);
     if !system.wheel.is_empty() {
         build.args(["--compatibility", system.wheel]);
+    }
+    if system.is_windows() {
+        // With its own option for zig maturin has the linker export a name with a dot, which no module has.
+        let exported = root().join("xtask/dist/windows/module.def");
+        build.arg("--").arg("-C").arg(format!("link-arg={}", exported.display()));
+    } else {
+        build.arg("--zig");
     }
     ran(&mut build)?;
     let built = fs::read_dir(&place).map_err(|error| error.to_string())?;
@@ -32,7 +39,12 @@ pub fn wheel(toolchain: &Toolchain, system: &System, folder: &Path) -> Result<(P
     let is_native =
         |path: &PathBuf| path.extension().is_some_and(|extension| extension == "so" || extension == "pyd");
     let module = module.filter_map(Result::ok).map(|entry| entry.path()).find(is_native);
-    examine::binary(&module.ok_or("the wheel has no module")?, system)?;
+    let module = module.ok_or("the wheel has no module")?;
+    examine::binary(toolchain, &module, system)?;
+    // That of every Python on Windows; a module built for one asks for a library with its number.
+    if system.is_windows() && !examine::has(&examine::paths(&module)?, "python3.dll") {
+        return Err(format!("{} does not ask for python3.dll", module.display()));
+    }
     let file = folder.join(built.file_name().unwrap_or_default());
     fs::copy(&built, &file).map_err(|error| error.to_string())?;
     let state = match system.runner {

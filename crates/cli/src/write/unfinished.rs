@@ -28,6 +28,7 @@ impl Unfinished {
         if let Some(file) = unnamed::create(directory)? {
             return Ok(Unfinished::Unnamed(file));
         }
+        #[cfg_attr(not(unix), expect(unused_mut))]
         let mut builder = builder();
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
