@@ -31,9 +31,11 @@ fn laid_out(toolchain: &Toolchain, system: &System) -> Result<PathBuf, String> {
     cleared(&folder)?;
     copied(&program, &folder.join(format!("standfast{}", system.suffix())))?;
     copied(&root().join("examples"), &folder.join("examples"))?;
-    for name in ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE", "CITATION.cff"] {
+    for name in ["LICENSE-MIT", "LICENSE-APACHE", "CITATION.cff"] {
         copied(&root().join(name), &folder.join(name))?;
     }
+    // The repository's own begins with a clone, and leads to pages that are not here.
+    copied(&root().join("docs/get.md"), &folder.join("README.md"))?;
     lists::materials(toolchain, system, &folder)?;
     // The same for every system, by the program of this one.
     let own = here(toolchain)?;
