@@ -154,8 +154,12 @@ fn what_is_written_is_proven() {
             assert_eq!(differ.len(), 1 + new.coupled.len(), "{row:?}: {differ:?}");
             for (before, after) in differ {
                 let name = |line: &str| line.split('=').next().map(str::to_owned);
-                let comment = |line: &str| line.split_once('#').map(|(_, comment)| comment.to_owned());
-                assert_eq!((name(before), comment(before)), (name(after), comment(after)));
+                assert_eq!(name(before), name(after));
+                // A comment says of which number it is.
+                let comment = |line: &str| line.split_once("# ").map(|(_, comment)| comment.to_owned());
+                let value = before.split('=').nth(1).and_then(|rest| rest.split('#').next()).unwrap_or_default();
+                let value = value.trim().trim_matches('"');
+                assert_eq!(comment(before).map(|comment| format!("was {value}: {comment}")), comment(after));
             }
             // One in the last digit nearer to the present value.
             let digits = new.end.text.split(' ').next().unwrap();

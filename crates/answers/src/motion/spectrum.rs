@@ -606,6 +606,36 @@ pub fn in_order<I: Sync, T: Send>(
 mod tests {
     use super::*;
 
+    /// A stretch that a coarse step leaps over below the first factor that overturns is the least: there the steps are as fine.
+    #[test]
+    fn factors_are_near_from_a_little_below_the_first_that_overturns() {
+        let islands = [(2.02, 2.033), (2.4, 3.0)];
+        let body = |scale: &f64| Rocked {
+            max_theta: 0.0,
+            of_balance: 0.0,
+            max_slide: 0.0,
+            overturned: islands.iter().any(|(from, to)| (from..=to).contains(&scale)),
+            impacts: 0,
+            end: standfast_motion::End::Time,
+        };
+        let mut scales = SpectrumSteps { from: 0.05, to: 5.0, count: 100 }.even();
+        let first = |scales: &[f64]| scales.iter().copied().find(|scale| body(scale).overturned);
+        assert_eq!(first(&scales), Some(2.4), "the coarse ones leap over the lower stretch");
+        loop {
+            let more = finer(&scales, &scales.iter().map(body).collect::<Vec<_>>());
+            if more.is_empty() {
+                break;
+            }
+            scales.extend(more);
+            scales.sort_by(f64::total_cmp);
+        }
+        let least = first(&scales).unwrap();
+        assert!((2.02..2.033).contains(&least), "{least}");
+        for pair in scales.windows(2).filter(|pair| pair[1] > OVERTURNING_FROM * least) {
+            assert!(pair[1] / pair[0] <= 1.005 + 1e-9, "{pair:?}");
+        }
+    }
+
     #[test]
     fn values_rise_from_above_zero() {
         assert_eq!(SpectrumValues::these(vec![0.5, 2.0]), Ok(SpectrumValues::These(vec![0.5, 2.0])));
