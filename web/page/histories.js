@@ -72,7 +72,7 @@ export function connectHistories(app) {
   fault.setAttribute("role", "alert");
   const row = ({ key, words, shapes, still }) => {
     const name = (shape) => new Option(shape === "points" ? "points, drawn by hand" : shape, shape);
-    const select = element("select", {}, ...(still ? [new Option("stays as it is", "")] : []), ...shapes.map(name));
+    const select = element("select", {}, ...(still ? [new Option("does not change in time", "")] : []), ...shapes.map(name));
     select.addEventListener("change", () => {
       fault.replaceChildren(app.explorer.set_history(key, select.value) ?? "");
       app.changed();
