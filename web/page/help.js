@@ -40,10 +40,11 @@ export function connectHelp(app) {
     if (small) cells.push(element("small", {}, small));
     return Object.assign(element("li", {}, ...cells), { share: Math.abs(row.share) });
   };
-  const show = (answer, { fault, heading: words, met, row, numbers }) => {
+  const show = (answer, { fault, heading: words, caution, met, row, numbers }) => {
     if (fault) put(byId("help-fault"), fault);
     if (words) {
       put(heading, words);
+      put(byId("help-caution"), caution ?? "");
       put(byId("others-title"), met ? "These may go as far as was tried" : "These do not help");
       list.classList.toggle("reserve", met);
     }
@@ -107,6 +108,7 @@ export function connectHelp(app) {
       list.replaceChildren();
       others.replaceChildren();
       put(byId("help-fault"), "");
+      put(byId("help-caution"), "");
       put(heading, "The least change of each number");
     }
     for (; shown.parts < answer.parts.length; shown.parts += 1) show(answer, answer.parts[shown.parts]);

@@ -4,7 +4,7 @@
 use serde::Serialize;
 use standfast_cases::design::{
     BoundaryRequest, ChangeRow, DesignBoundary, DesignError, DesignRequest, Extreme, Found, SingleChanges,
-    Spelling, Target, boundary_on_screen, changes_heading, number_words,
+    Spelling, Target, boundary_on_screen, changes_caution, changes_heading, number_words,
 };
 use standfast_cases::{CaseFile, Portion};
 
@@ -42,6 +42,8 @@ struct HelpPart {
     /// Why nothing can be asked.
     fault: Option<String>,
     heading: Option<String>,
+    /// What the list does not tell.
+    caution: Option<&'static str>,
     met: Option<bool>,
     row: Option<Row>,
     /// Numbers of which two may be chosen, with their words, and the two that help most.
@@ -106,7 +108,12 @@ impl Question for Help {
             }
             (Ok(of), Next::Heading) => {
                 self.next = Next::Row(0);
-                HelpPart { heading: Some(changes_heading(of)), met: Some(of.is_met), ..HelpPart::default() }
+                HelpPart {
+                    heading: Some(changes_heading(of)),
+                    caution: changes_caution(of),
+                    met: Some(of.is_met),
+                    ..HelpPart::default()
+                }
             }
             (Ok(of), Next::Row(place)) => {
                 self.next = if place + 1 < of.variables.len() { Next::Row(place + 1) } else { Next::Choice };

@@ -11,7 +11,7 @@ use standfast::InputError;
 use crate::document::{AnswerFigure, Document};
 use crate::summary::Summary;
 pub use boundary::{boundary_csv, boundary_on_screen};
-pub use single::{ChangeList, ChangeRow, changes_heading, number_words};
+pub use single::{ChangeList, ChangeRow, changes_caution, changes_heading, number_words};
 pub use standfast_answers::design::*;
 pub use text::change_words;
 

@@ -3,6 +3,7 @@
 use standfast_cases::couple::vary;
 use standfast_cases::design::{
     ChangeList, ChangeRow, Design, DesignRequest, Extreme, Found, SingleChanges, Spelling, Target,
+    changes_caution,
 };
 use standfast_cases::{Assessment, Case, CaseFile, Document, Portion};
 
@@ -157,7 +158,8 @@ fn what_is_written_is_proven() {
                 assert_eq!(name(before), name(after));
                 // A comment says of which number it is.
                 let comment = |line: &str| line.split_once("# ").map(|(_, comment)| comment.to_owned());
-                let value = before.split('=').nth(1).and_then(|rest| rest.split('#').next()).unwrap_or_default();
+                let value =
+                    before.split('=').nth(1).and_then(|rest| rest.split('#').next()).unwrap_or_default();
                 let value = value.trim().trim_matches('"');
                 assert_eq!(comment(before).map(|comment| format!("was {value}: {comment}")), comment(after));
             }
@@ -246,6 +248,8 @@ fn a_motion_is_asked_whether_it_overturns() {
                 [motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"8 m/s2\", duration = \"1 s\" }\n";
     let of = SingleChanges::of(&file(text), None).unwrap();
     assert_eq!((of.target.to_string().as_str(), of.is_met), ("overturned=false", false));
+    assert!(changes_caution(&of).is_some_and(|caution| caution.contains("one motion")));
+    assert_eq!(changes_caution(&SingleChanges::of(&file(GODA), None).unwrap()), None);
     let row = |name: &str| {
         let variable = of.variables.iter().find(|variable| variable.name() == name).unwrap();
         let change = of.change(variable, Portion::UNSEEN).unwrap();

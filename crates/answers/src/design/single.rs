@@ -121,6 +121,11 @@ impl SingleChanges {
         Ok(SingleChange { quantity, found })
     }
 
+    /// True if each value is decided by a motion.
+    pub fn follows_motions(&self) -> bool {
+        self.follows
+    }
+
     /// True if each value takes long: a motion, a probability, a base that crushes.
     pub fn is_slow(&self) -> bool {
         let crushes = self.subject.case.ground.is_some_and(|ground| ground.strength().is_some());

@@ -75,6 +75,13 @@ pub fn changes_heading(of: &SingleChanges) -> String {
     }
 }
 
+/// What a list of changes does not tell, where motions decide.
+pub fn changes_caution(of: &SingleChanges) -> Option<&'static str> {
+    const MOTION: &str =
+        "Each value is decided by one motion: a little beyond it the body may overturn again.";
+    of.follows_motions().then_some(MOTION)
+}
+
 /// The meaning of a number in a few words; in more where another number of the list has the same.
 pub fn number_words(of: &SingleChanges, variable: &Variable) -> String {
     let short = |variable: &Variable| {
@@ -224,6 +231,7 @@ impl Document for ChangeList {
             row![&row.vary, &row.present_printed, value, change]
         };
         text += &columns(&told.iter().map(cells).collect::<Vec<_>>(), 2, &[1, 2, 3]);
+        text += &changes_caution(&self.of).map_or(String::new(), |caution| paragraph(caution, 2));
         let mut notes: Vec<&String> = Vec::new();
         for note in told.iter().flat_map(|row| &row.notes) {
             if !notes.contains(&note) {
