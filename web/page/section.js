@@ -9,8 +9,6 @@ const stills = matchMedia("(prefers-reduced-motion: reduce)");
 /** Numbers that stand beside the drawing, where the case has them. */
 const LOOSE = [/^block\.(b1|b2|d|mu_s)$/, /^body\.(mass|density|friction|buoyant_weight)$/, /^load\[\d+\]\.elevation$/, /^wave\.(deep_water_height|Hmax|period)$/, /^earthquake\.(horizontal|vertical)$/, /^motion\.base\.(horizontal|vertical)\.(peak|target_peak|factor)$/, /^ground\.(strength|friction_angle_deg)$/, /^water\.(level|left|right)$/];
 const MOST = 7;
-/** A body narrower than this is hard to see and to hold, pixels. */
-const SMALL = 100;
 /** Keys of the sides of the body. */
 const SIDE = /^body\.(width|height)$/;
 /** Between a number and what it stands beside, and half the width of a ring, pixels. */
@@ -28,9 +26,8 @@ export function connectSection(app) {
   // What is shown: the section to scale, what begins, or the body in motion; of a case in time the last unless another is chosen.
   let view = "";
   let running = !stills.matches;
-  // Pressures stand along their faces, or each as one arrow; until a person chooses, as arrows where else the body is small.
+  // Pressures stand along their faces, or each as one arrow; until a person chooses, as leaves the body room.
   let summed = null;
-  let asDrawn = false;
   let animation = null;
   let settle = 0;
   let scale = 1;
@@ -257,23 +254,13 @@ export function connectSection(app) {
     }
     const width = Math.max(280, place.parentElement.clientWidth);
     const height = Math.max(app.story ? 180 : 240, room(app, place, width, 0.65, 0.52));
-    const drawn = (sums) => JSON.parse(app.explorer.section(width, height, sums));
-    const sides = ({ body: [left, , right] }) => right - left;
-    let sums = summed ?? (app.held ? asDrawn : false);
-    let drawing = drawn(sums);
-    if (summed === null && !app.held && drawing.has_pressures && sides(drawing) < SMALL) {
-      const other = drawn(true);
-      if (sides(other) > sides(drawing)) [drawing, sums] = [other, true];
-      // The library measures a drag in what was drawn last.
-      else drawn(false);
-    }
-    asDrawn = sums;
+    const drawing = JSON.parse(app.explorer.section(width, height, summed));
     picture.innerHTML = drawing.svg;
     put(byId("body-hint"), drawing.body.some((side) => side !== 0) ? "type over a number, pull a ring" : "its positions: a body in pure numbers has no section");
     document.querySelector(".legend").hidden = drawing.words.length === 0;
-    byId("sums").hidden = !drawing.has_pressures;
-    byId("pressures-along").setAttribute("aria-pressed", String(!sums));
-    byId("pressures-summed").setAttribute("aria-pressed", String(sums));
+    byId("sums").hidden = drawing.summed === null;
+    byId("pressures-along").setAttribute("aria-pressed", String(!drawing.summed));
+    byId("pressures-summed").setAttribute("aria-pressed", String(drawing.summed));
     const placed = layOut(drawing, numbers);
     loose(placed, numbers);
     drawLegend(drawing.words);

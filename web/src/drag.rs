@@ -295,15 +295,13 @@ impl Page {
 
 #[cfg(test)]
 mod tests {
-    use standfast_cases::assess::screen::Pressures;
-
     use super::*;
 
     /// Where a hand goes farther than there are answers, the page says why it ended before; and says nothing once it is back.
     #[test]
     fn what_ends_a_drag_is_said() {
         let mut page = page("density = \"2.1 t/m3\"");
-        page.section((560.0, 400.0), Pressures::Along);
+        page.section((560.0, 400.0), None);
         let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
         let place = |metres: f64| (body.x0, body.y1 - metres * scale);
         page.grab();
@@ -326,7 +324,7 @@ mod tests {
         let mut page = Page::default();
         let text = page.text().replace("density = \"2.1 t/m3\"", weight);
         assert!(page.edit(&text) && text.contains(weight));
-        page.section((560.0, 400.0), Pressures::Along);
+        page.section((560.0, 400.0), None);
         page
     }
 
@@ -344,7 +342,7 @@ mod tests {
             let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
             page.grab();
             page.drag_side("body.width", (body.x0 + 18.0 * scale, 0.0), keeps_mass);
-            page.section((560.0, 400.0), Pressures::Along);
+            page.section((560.0, 400.0), None);
             assert_eq!(page.text(), before, "nothing is written while it is held");
             page.release();
             let changed = lines_that_differ(&before, page.text());
@@ -382,7 +380,7 @@ mod tests {
     fn the_sea_goes_with_the_body() {
         let mut page = Page::default();
         assert!(page.open("goda.toml", include_str!("../../examples/goda-2000.toml")));
-        page.section((560.0, 400.0), Pressures::Along);
+        page.section((560.0, 400.0), None);
         let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
         page.grab();
         page.drag_side("body.width", (body.x0 + 16.5 * scale, 0.0), false);
@@ -391,7 +389,7 @@ mod tests {
         let [width, wave] = [Key::Width, Key::CaissonWidth].map(|key| inputs.number(key).unwrap());
         assert!((width - 16.5).abs() < 0.06 && width == wave, "{width} {wave}");
         page.undo();
-        page.section((560.0, 400.0), Pressures::Along);
+        page.section((560.0, 400.0), None);
         let body = page.drawn.body.unwrap();
         page.grab();
         page.drag_side("body.height", (0.0, body.y1 - 11.0 * scale), false);
@@ -489,7 +487,7 @@ mod tests {
     fn an_arrow_is_dragged_along_and_across() {
         let mut page = Page::default();
         let before = page.text().to_owned();
-        page.section((560.0, 400.0), Pressures::Along);
+        page.section((560.0, 400.0), None);
         let (id, arrow) = page.drawn.forces[0];
         let key = id.to_string();
         page.grab();
@@ -503,7 +501,7 @@ mod tests {
         assert!((inputs.number(Key::Force).unwrap() / 1.35e6 - 1.0).abs() < 0.02);
         assert!((inputs.number(Key::Elevation).unwrap() - 9.5).abs() < 0.06);
         // Pulled to its tip, and beyond, it is small and still there.
-        page.section((560.0, 400.0), Pressures::Along);
+        page.section((560.0, 400.0), None);
         page.grab();
         page.drag_force(&key, (arrow.tip.0 + 40.0, arrow.tail.1 + 2.0 * scale));
         page.drag_force(&key, (arrow.tip.0 - 40.0, arrow.tail.1 + 2.0 * scale));
@@ -511,7 +509,7 @@ mod tests {
         let force = page.settled().inputs().number(Key::Force).unwrap();
         assert!(force > 0.0 && force < 2e5, "{force}");
         page.undo();
-        page.section((560.0, 400.0), Pressures::Along);
+        page.section((560.0, 400.0), None);
         page.grab();
         page.drag_force(&key, (f64::NAN, 0.0));
         page.drag_force(&key, (0.0, -1e9));

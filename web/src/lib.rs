@@ -247,9 +247,10 @@ impl Explorer {
         self.page.answered().text()
     }
 
-    /// The section, about `width` by `height` units, with its handles, as JSON; its pressures along their faces, or each as its sum.
-    pub fn section(&mut self, width: f64, height: f64, summed: bool) -> String {
-        self.page.section((width, height), if summed { Pressures::Summed } else { Pressures::Along })
+    /// The section, about `width` by `height` units, with its handles, as JSON; its pressures summed or not, if a person has chosen.
+    pub fn section(&mut self, width: f64, height: f64, summed: Option<bool>) -> String {
+        let of = |summed: bool| if summed { Pressures::Summed } else { Pressures::Along };
+        self.page.section((width, height), summed.map(of))
     }
 
     /// The body with its forces and accelerations; empty where the loads are not one horizontal force.

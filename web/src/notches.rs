@@ -63,17 +63,15 @@ impl Page {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use standfast::Verdict;
     use standfast_cases::Key;
-    use standfast_cases::assess::screen::Pressures;
-
-    use super::*;
 
     /// The side halts at the width from which on the body rests: there it does, and a little below it does not.
     #[test]
     fn a_side_halts_where_the_body_begins_to_rest() {
         let mut page = Page::default();
-        page.section((560.0, 400.0), Pressures::Along);
+        page.section((560.0, 400.0), None);
         let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
         page.grab();
         let json = page.notches("body.width");

@@ -41,6 +41,8 @@ pub struct Drawn {
     pub scale: Option<f64>,
     /// Scale and look of the section.
     pub fit: Option<SectionFit>,
+    /// How its pressures are drawn.
+    pub pressures: Option<Pressures>,
 }
 
 impl Drawn {
@@ -91,17 +93,19 @@ struct SectionShown {
     sides: Vec<Handle>,
     /// The loads by their letters, and sentences on the drawing.
     words: Vec<String>,
-    /// True if pressures may be drawn along their faces or summed.
-    has_pressures: bool,
+    /// True if pressures are drawn as sums; nothing without any.
+    summed: Option<bool>,
 }
 
 impl Page {
-    /// The section, about as large as `size`, with pressures drawn along their faces or summed, as JSON; without a drawing of a body in pure
-    /// numbers.
-    pub fn section(&mut self, size: (f64, f64), pressures: Pressures) -> String {
+    /// The section, about as large as `size`, with pressures drawn as a person has chosen, if one has, as JSON; without a drawing of a body
+    /// in pure numbers.
+    pub fn section(&mut self, size: (f64, f64), chosen: Option<Pressures>) -> String {
         let fit = self.drawn.fit.filter(|_| self.held.as_ref().is_some_and(|held| held.is_sized));
         let pinned = self.pinned.as_ref().and_then(|pinned| pinned.body.as_ref());
-        let view = SectionView { pinned, pressures };
+        // What is held stays as it was drawn.
+        let as_drawn = self.drawn.pressures.filter(|_| self.held.is_some());
+        let view = SectionView { pinned, pressures: chosen.or(as_drawn) };
         let draw = |rest: &Assessment| match fit {
             // A side that is held stays under the hand.
             Some(fit) => section_as_fitted(rest, view, fit).ok(),
@@ -140,7 +144,7 @@ impl Page {
             forces: forces.collect(),
             sides: sides.collect(),
             words: section.words,
-            has_pressures: section.has_pressures,
+            summed: section.pressures.map(|pressures| pressures == Pressures::Summed),
         };
         // An arrow that is held is measured by where it was.
         if self.held.is_none() {
@@ -148,6 +152,7 @@ impl Page {
             self.drawn.body = Some(section.picture.body);
             self.drawn.scale = Some(section.picture.scale);
             self.drawn.fit = Some(section.picture.fit);
+            self.drawn.pressures = section.pressures;
         }
         serde_json::to_string(&shown).unwrap_or_default()
     }

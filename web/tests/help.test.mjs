@@ -82,8 +82,7 @@ test("Try writes the value and what goes with it, as one step; the criteria are 
   const page = await helped(goda);
   assert.equal((await said(page)).summary.met, false);
   const count = (await rows(page)).length;
-  // That each row meets the criteria the library's tests see.
-  for (const i of [0, 1, count - 1]) {
+  for (let i = 0; i < count; i += 1) {
     const button = page.locator("#changes li button").nth(i);
     const label = await button.getAttribute("aria-label");
     await button.focus();

@@ -497,6 +497,10 @@ test("on a phone a body that pressures leave little room has their sums, until a
   await page.click("#pressures-along");
   await drawn(page);
   assert.equal(await page.getAttribute("#pressures-summed", "aria-pressed"), "false");
+  // A choice stays, and is not offered where there is nothing to sum.
+  await page.click("#pressures-summed");
+  await take(page, "air.toml", example("caisson-in-air.toml"));
+  assert.equal(await page.isVisible("#sums"), false);
   await page.close();
 });
 

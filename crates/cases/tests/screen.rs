@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use standfast::loads::{Action, Face};
-use standfast_cases::assess::screen::{Pressures, SectionView, load_plane_on_screen, section_on_screen};
+use standfast_cases::assess::screen::{
+    Pressures, SectionOnScreen, SectionView, load_plane_on_screen, section_on_screen,
+};
 use standfast_cases::{Acting, Assessment, CaseFile};
 use standfast_figures::SectionPicture;
 
@@ -88,7 +90,7 @@ fn forces_on_faces_are_told_with_their_keys() {
 #[test]
 fn pressures_are_drawn_as_their_sums() {
     const STRIPS: usize = 100_000;
-    let summed = SectionView { pressures: Pressures::Summed, ..SectionView::default() };
+    let summed = SectionView { pressures: Some(Pressures::Summed), ..SectionView::default() };
     for name in ["goda-2000.toml", "goda-lower-berm.toml", "quay.toml", "trough.toml"] {
         let (_, assessment) = assessment(name);
         let case = &assessment.case;
@@ -122,7 +124,12 @@ fn pressures_are_drawn_as_their_sums() {
         let size = (560.0, 400.0);
         let along = section_on_screen(&assessment, SectionView::default(), size).unwrap();
         let sums = section_on_screen(&assessment, summed, size).unwrap();
-        assert!(along.has_pressures && sums.has_pressures && forces.len() > 1, "{name}");
+        assert_eq!(
+            [along.pressures, sums.pressures],
+            [Some(Pressures::Along), Some(Pressures::Summed)],
+            "{name}"
+        );
+        assert!(forces.len() > 1, "{name}");
         let beside = sums.picture.arrows.len() - along.picture.arrows.len();
         assert!(beside > 0 && beside <= forces.len(), "{name}: {beside}");
         for (force, place) in forces.iter().zip(&places) {
@@ -148,6 +155,24 @@ fn pressures_are_drawn_as_their_sums() {
         assert!(width(&sums.picture) >= width(&along.picture), "{name}: arrows take no more room");
         // A sum has no ring: it is no number of the case.
         assert_eq!(sums.forces.len(), along.forces.len(), "{name}");
+    }
+}
+
+/// A narrow drawing sums what leaves the body little room, unless somebody says how; without pressures there is nothing to say.
+#[test]
+fn a_small_body_has_the_sums_of_its_pressures() {
+    let drawn = |name: &str, pressures, width| {
+        let (_, assessment) = assessment(name);
+        let view = SectionView { pressures, ..SectionView::default() };
+        section_on_screen(&assessment, view, (width, 300.0)).unwrap()
+    };
+    let width = |section: &SectionOnScreen| section.picture.body.x1 - section.picture.body.x0;
+    let [along, free] = [Some(Pressures::Along), None].map(|pressures| drawn("quay.toml", pressures, 364.0));
+    assert_eq!([along.pressures, free.pressures], [Some(Pressures::Along), Some(Pressures::Summed)]);
+    assert!(width(&free) > width(&along), "{} {}", width(&free), width(&along));
+    assert_eq!(drawn("goda-2000.toml", None, 560.0).pressures, Some(Pressures::Along));
+    for pressures in [None, Some(Pressures::Along), Some(Pressures::Summed)] {
+        assert_eq!(drawn("caisson-in-air.toml", pressures, 364.0).pressures, None);
     }
 }
 

@@ -12,11 +12,8 @@ pub fn digits(x: f64) -> String {
 pub fn factor(x: f64) -> String {
     // A quotient of sums is not known to its last bits.
     const ROUNDING: f64 = 4.0 * f64::EPSILON;
-    match x {
-        f64::INFINITY => "unlimited".to_owned(),
-        x if (x - 1.0).abs() <= ROUNDING => number::beside(1.0, 1.0, 4).to_string(),
-        x => number::beside(x, 1.0, 4).to_string(),
-    }
+    let x = if (x - 1.0).abs() <= ROUNDING { 1.0 } else { x };
+    if x == f64::INFINITY { "unlimited".to_owned() } else { number::beside(x, 1.0, 4).to_string() }
 }
 
 /// A share of a whole in per cent; in more than four digits where it takes them to tell it from the whole.

@@ -28,17 +28,20 @@ pub struct SectionOnScreen {
     pub forces: Vec<(Id, SectionArrow)>,
     /// The loads by their letters, and sentences on the drawing.
     pub words: Vec<String>,
-    /// True if pressures may be drawn in another way.
-    pub has_pressures: bool,
+    /// How its pressures are drawn; `None` without any.
+    pub pressures: Option<Pressures>,
 }
+
+/// A body narrower than this is hard to see and to hold, units.
+const SMALL: f64 = 100.0;
 
 /// What of a section is drawn, and how.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SectionView<'a> {
     /// Another body, in dashes.
     pub pinned: Option<&'a PinnedBody>,
-    /// How pressures are drawn.
-    pub pressures: Pressures,
+    /// How pressures are drawn; if nobody says, along their faces, or summed where else the body is small and so is larger.
+    pub pressures: Option<Pressures>,
 }
 
 /// The section of a case under all of its loads, about as large as `size`.
@@ -50,9 +53,18 @@ pub fn section_on_screen(
     view: SectionView<'_>,
     size: (f64, f64),
 ) -> Result<SectionOnScreen, InputError> {
-    placed(assessment, view, |section| {
-        standfast_figures::section_on_screen_beside(section, view.pinned, size)
-    })
+    let drawn = |pressures| {
+        placed(assessment, pressures, |section| {
+            standfast_figures::section_on_screen_beside(section, view.pinned, size)
+        })
+    };
+    let first = drawn(view.pressures.unwrap_or_default())?;
+    let width = |section: &SectionOnScreen| section.picture.body.x1 - section.picture.body.x0;
+    if view.pressures.is_some() || first.pressures.is_none() || width(&first) >= SMALL {
+        return Ok(first);
+    }
+    let summed = drawn(Pressures::Summed)?;
+    Ok(if width(&summed) > width(&first) { summed } else { first })
 }
 
 /// The section of a case whose body has changed, at the scale and in the look that it had.
@@ -64,17 +76,19 @@ pub fn section_as_fitted(
     view: SectionView<'_>,
     fit: SectionFit,
 ) -> Result<SectionOnScreen, InputError> {
-    placed(assessment, view, |section| standfast_figures::section_as_fitted(section, view.pinned, fit))
+    placed(assessment, view.pressures.unwrap_or_default(), |section| {
+        standfast_figures::section_as_fitted(section, view.pinned, fit)
+    })
 }
 
 fn placed(
     assessment: &Assessment,
-    view: SectionView<'_>,
+    drawn: Pressures,
     draw: impl Fn(&Section<'_>) -> SectionPicture,
 ) -> Result<SectionOnScreen, InputError> {
-    with_section(assessment, view.pressures, |section, loads| {
+    with_section(assessment, drawn, |section, arrows| {
         let picture = draw(section);
-        let force = |index: usize| match said_by(*loads.get(index)?) {
+        let force = |index: usize| match said_by(*arrows.loads.get(index)?) {
             Place::Table(Table::Load, index) => Some(Id::new(Key::Force, index)),
             _ => None,
         };
@@ -108,8 +122,8 @@ fn placed(
         let forces = picture.arrows.iter().filter_map(|arrow| Some((force(arrow.index)?, *arrow))).collect();
         let legend = picture.figure.caption().split(". ").map(str::to_owned);
         let words = legend.chain(section.notes.iter().cloned()).filter(|words| !words.is_empty()).collect();
-        let has_pressures = !section.pressures.is_empty() || view.pressures == Pressures::Summed;
-        SectionOnScreen { numbers, sides, forces, words, has_pressures, picture }
+        let pressures = (arrows.has_sums || !section.pressures.is_empty()).then_some(drawn);
+        SectionOnScreen { numbers, sides, forces, words, pressures, picture }
     })
 }
 

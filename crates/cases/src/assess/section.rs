@@ -42,11 +42,19 @@ pub enum Pressures {
     Summed,
 }
 
-/// Draws the section of a case; the loads that its arrows are of come with it, in their order.
+/// What the arrows of a section are of.
+pub(super) struct Arrows {
+    /// Their loads, in their order.
+    pub loads: Vec<LoadId>,
+    /// True if some are sums of pressures.
+    pub has_sums: bool,
+}
+
+/// Draws the section of a case; what its arrows are of comes with it.
 pub(super) fn with_section<T>(
     assessment: &Assessment,
     drawn: Pressures,
-    draw: impl FnOnce(&Section<'_>, &[LoadId]) -> T,
+    draw: impl FnOnce(&Section<'_>, &Arrows) -> T,
 ) -> Result<T, InputError> {
     let case = &assessment.case;
     let worst = assessment.governing();
@@ -63,24 +71,26 @@ pub(super) fn with_section<T>(
     notes.extend(worst.ground.as_ref().map(|_| under::reaction_words(assessment, worst, reaction.as_ref())));
     let failure = reaction.as_ref().and_then(|reaction| reaction.failure.as_ref());
     notes.extend(failure.zip(worst.ground.as_ref()).map(|(_, ground)| under::failure_words(ground)));
-    let arrows: Vec<_> = situation
-        .loads()
-        .iter()
-        .filter_map(|load| {
-            let sum = || (drawn == Pressures::Summed).then(|| resultant(extent, &situation, load)).flatten();
-            Some((load.id, arrow(extent, &situation, load).or_else(sum)?))
-        })
-        .collect();
-    let along = situation.loads().iter().filter(|load| arrows.iter().all(|(id, _)| *id != load.id));
-    let of: Vec<LoadId> = arrows.iter().map(|(id, _)| *id).collect();
+    let (mut pressures, mut arrows, mut of) =
+        (Vec::new(), Vec::new(), Arrows { loads: Vec::new(), has_sums: false });
+    for load in situation.loads() {
+        let sum = (drawn == Pressures::Summed).then(|| resultant(extent, &situation, load)).flatten();
+        of.has_sums |= sum.is_some();
+        if let Some(arrow) = sum.or_else(|| arrow(extent, &situation, load)) {
+            arrows.push(arrow);
+            of.loads.push(load.id);
+        } else {
+            pressures.extend(pressed(extent, &situation, load));
+        }
+    }
     let section = Section {
         title: case.title.as_deref().unwrap_or_default(),
         parts: &parts(case),
         base: (-left, right),
         centroid: (case.body.centroid_offset(), case.body.centroid_height()),
         levels: levels(case),
-        pressures: along.filter_map(|load| pressed(extent, &situation, load)).collect(),
-        arrows: arrows.into_iter().map(|(_, arrow)| arrow).collect(),
+        pressures,
+        arrows,
         widths,
         heights,
         mound: case.wave.as_ref().and_then(mound),
