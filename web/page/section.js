@@ -90,6 +90,15 @@ export function connectSection(app) {
   // Lengths of the held side at which the answer changes.
   let notches = null;
   let corner = [0, 0];
+  /** Notches take longer than a picture: they come while the side is held, or are no more asked for. */
+  const lookForNotches = async (key) => {
+    const mine = (notches = { key, all: [] });
+    const found = await app.askOnce(`notches ${key}`).catch(() => []);
+    if (notches !== mine || !app.held) return;
+    app.explorer.set_notches(JSON.stringify(found));
+    mine.all = found;
+    app.changed();
+  };
   const ring = (key) => {
     const handle = element("button", { type: "button", className: "ring" });
     handle.dataset.key = key;
@@ -98,8 +107,7 @@ export function connectSection(app) {
     const gripped = () => (held = { ...boxOf(), corner });
     if (SIDE.test(key)) {
       dragged(app, handle, gripped, (event) => {
-        // They are looked for once the side moves, and not for a click.
-        notches ??= { key, all: JSON.parse(app.explorer.notches(key)) };
+        if (!notches) lookForNotches(key);
         const [x, y] = at(event);
         return () => app.explorer.drag_side(key, x, y, event.altKey);
       });
@@ -180,8 +188,8 @@ export function connectSection(app) {
     for (const [key, handle] of rings) if (!handles.has(key)) handle.remove();
     over.querySelectorAll(".notch").forEach((notch) => notch.remove());
     const line = notches && handles.get(notches.key);
-    for (const { along, label } of line ? notches.all : []) {
-      const wide = /width$/.test(notches.key);
+    for (const { length, label } of line ? notches.all : []) {
+      const [wide, along] = [/width$/.test(notches.key), length * drawing.scale];
       const at = wide ? [left + along * scale, line.y * scale] : [line.x * scale, (drawing.body[3] - along) * scale];
       const notch = element("span", { className: wide ? "notch" : "notch upright" }, label);
       Object.assign(notch.style, { left: `${at[0]}px`, top: `${at[1]}px` });

@@ -7,6 +7,7 @@ use standfast_cases::CaseFile;
 
 use crate::help::{Help, TwoNumbers};
 use crate::likely::Likely;
+use crate::notches::NotchesAsked;
 use crate::page::{Page, Version, read};
 use crate::sheet::SheetAsked;
 
@@ -45,6 +46,7 @@ fn question(what: &str, file: CaseFile) -> Option<Box<dyn Question>> {
         ("help", None, None) => Some(Box::new(Help::of(&file))),
         ("likely", None, None) => Some(Box::new(Likely::of(file))),
         ("two", Some(up), Some(across)) => Some(Box::new(TwoNumbers::of(file, [up, across]))),
+        ("notches", Some(key), None) => Some(Box::new(NotchesAsked::of(file, key))),
         (name @ ("sheet" | "short-sheet"), Some(day), None) => {
             Some(Box::new(SheetAsked::of(file, name == "short-sheet", day)))
         }

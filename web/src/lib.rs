@@ -350,9 +350,9 @@ impl Explorer {
         self.page.drag_side(key, (x, y), keeps_mass);
     }
 
-    /// Lengths of the side that is held at which the answer changes, as JSON.
-    pub fn notches(&mut self, key: &str) -> String {
-        self.page.notches(key)
+    /// Takes the lengths of the side that is held at which the answer changes, as JSON.
+    pub fn set_notches(&mut self, json: &str) {
+        self.page.set_notches(json);
     }
 
     /// Makes a side of the body some per cent longer, as one step.

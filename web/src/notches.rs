@@ -1,27 +1,44 @@
 //! Notches on the line of a side of the body while it is held: where it begins to rest, and where it meets all that is asked.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use standfast_cases::design::{End, Found, OuterState, SingleChanges, Target};
 use standfast_cases::{CaseFile, Portion};
 use standfast_inputs::key::Id;
 
+use crate::asked::Question;
 use crate::numbers;
 use crate::page::Page;
 
 /// A length of a side at which the answer changes.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Notch {
     /// Metres, as few digits as stay on the better side.
-    #[serde(skip)]
     pub length: f64,
-    /// From the corner along the line, in units of the drawing.
-    along: f64,
     /// The length, and what begins or ends there.
     label: String,
 }
 
-/// The notches of a side, if they are found within a picture or two.
-fn notches(file: &CaseFile, id: Id, scale: f64) -> Vec<Notch> {
+/// The question for the notches of a side, which has one part.
+#[derive(Debug)]
+pub struct NotchesAsked(Option<(CaseFile, Id)>);
+
+impl NotchesAsked {
+    /// Those of a side, by its key.
+    pub fn of(file: CaseFile, key: &str) -> NotchesAsked {
+        let id = numbers::find(&file, key);
+        NotchesAsked(id.map(|id| (file, id)))
+    }
+}
+
+impl Question for NotchesAsked {
+    fn next_part(&mut self) -> Option<String> {
+        let (file, id) = self.0.take()?;
+        serde_json::to_string(&notches(&file, id)).ok()
+    }
+}
+
+/// The notches of a side, if they are found soon.
+fn notches(file: &CaseFile, id: Id) -> Vec<Notch> {
     let mut found: Vec<Notch> = Vec::new();
     for (target, words) in [(Some(Target::Rest), "rests"), (None, "meets all")] {
         let Ok(changes) = SingleChanges::of(file, target) else { continue };
@@ -37,27 +54,21 @@ fn notches(file: &CaseFile, id: Id, scale: f64) -> Vec<Notch> {
             Found::Unmet(_) => Vec::new(),
         };
         let fails_beyond = |end: &End| matches!(end.beyond, OuterState::Fails(..));
-        found.extend(ends.into_iter().filter(fails_beyond).map(|end| Notch {
-            length: end.rounded,
-            along: end.rounded * scale,
-            label: format!("{words}: {}", end.text),
-        }));
+        found.extend(
+            ends.into_iter()
+                .filter(fails_beyond)
+                .map(|end| Notch { length: end.rounded, label: format!("{words}: {}", end.text) }),
+        );
     }
     found
 }
 
 impl Page {
-    /// The notches of the side that is held, by its key, as JSON; a side that comes near to one halts there.
-    pub fn notches(&mut self, key: &str) -> String {
-        let found = match (numbers::find(self.settled(), key), self.drawn.scale) {
-            (Some(id), Some(scale)) => notches(self.settled(), id, scale),
-            _ => Vec::new(),
-        };
-        let json = serde_json::to_string(&found).unwrap_or_default();
+    /// Takes the notches of the side that is held, as JSON: near to one it halts.
+    pub fn set_notches(&mut self, json: &str) {
         if let Some(held) = &mut self.held {
-            held.notches = found;
+            held.notches = serde_json::from_str(json).unwrap_or_default();
         }
-        json
     }
 }
 
@@ -74,7 +85,8 @@ mod tests {
         page.section((560.0, 400.0), None);
         let (body, scale) = (page.drawn.body.unwrap(), page.drawn.scale.unwrap());
         page.grab();
-        let json = page.notches("body.width");
+        let json = NotchesAsked::of(page.settled().clone(), "body.width").next_part().unwrap();
+        page.set_notches(&json);
         // 0.6 · 2.1 t/m³ · 9.81 m/s² · 12 m · b = 2700 kN/m, rounded up to the next centimetre.
         let least = 2700.0 / (0.6 * 2.1 * 9.81 * 12.0);
         let [notch] = &page.held.as_ref().unwrap().notches[..] else { panic!("{json}") };

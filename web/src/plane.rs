@@ -88,6 +88,8 @@ struct SectionShown {
     size: (f64, f64),
     /// Left, top, right and bottom of the body.
     body: [f64; 4],
+    /// Units for a metre.
+    scale: f64,
     numbers: Vec<ShownNumber>,
     forces: Vec<Handle>,
     sides: Vec<Handle>,
@@ -140,6 +142,7 @@ impl Page {
             svg: section.picture.figure.svg().to_owned(),
             size: section.picture.figure.size(),
             body: [x0, y0, x1, y1],
+            scale: section.picture.scale,
             numbers: numbers.collect(),
             forces: forces.collect(),
             sides: sides.collect(),

@@ -233,7 +233,7 @@ test("a side that is pulled has a notch where the body begins to rest, and halts
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(isWidth ? x + 20 : x, isWidth ? y : y - 20, { steps: 3 });
-    await drawn(page);
+    await page.waitForSelector(".notch");
     assert.equal(await page.textContent(".notch"), label);
     await page.screenshot({ path: path.join(artefacts, `notch-${key}.png`) });
     // Its tick is in the middle of its width, or of its height; a little beside it is on it.
