@@ -52,3 +52,12 @@ def test_the_guide(monkeypatch: pytest.MonkeyPatch) -> None:
         names = test.globs
     plt.close("all")
     assert runner.summarize().failed == 0
+
+
+def test_the_lines_for_someone_who_has_the_wheel(capsys):
+    text = (ROOT / "docs" / "get.md").read_text(encoding="utf-8")
+    (block,) = (part.split("```")[0] for part in text.split("```python\n")[1:])
+    exec(block, {})
+    plt.close("all")
+    said = next(line for line in block.splitlines() if line.startswith("print(")).split("# ")[1]
+    assert capsys.readouterr().out.strip() == said

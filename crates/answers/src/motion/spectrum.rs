@@ -471,9 +471,12 @@ fn overturning(
     // Where nobody says at which factors, they are nearer to each other from a little below the first that overturns the body: a stretch
     // that is missed there is the least.
     let mut more = if request.scale.is_none() { finer(&scales, &bodies) } else { Vec::new() };
+    let mut to_come = of_more;
     while !more.is_empty() {
+        let [now, after] = to_come.parts([3.0, 1.0]);
+        to_come = after;
         let mut all: Vec<_> = scales.into_iter().zip(bodies).collect();
-        all.extend(more.iter().copied().zip(follow(&more, of_more)?));
+        all.extend(more.iter().copied().zip(follow(&more, now)?));
         all.sort_by(|(one, _), (two, _)| one.total_cmp(two));
         (scales, bodies) = all.into_iter().unzip();
         more = finer(&scales, &bodies);
