@@ -55,6 +55,7 @@ mod situation;
 mod span;
 mod stability;
 mod stage;
+mod twofold;
 mod verdict;
 mod wrench;
 

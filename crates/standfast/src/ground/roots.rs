@@ -16,6 +16,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use crate::approx::{Approx, Signed};
 use crate::exact::{Exact, Real};
+use crate::twofold::Twofold;
 
 /// Numbers of roots of a polynomial above zero at which another polynomial is positive, zero and negative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,6 +62,12 @@ fn caged(f: &[Approx], h: &[Approx], near: Option<f64>) -> Option<Ordering> {
 
 /// Half the width of the cage around a root, relatively.
 const CAGE: f64 = 1.0 / (1u64 << 41) as f64;
+
+impl RootSigned for Twofold {
+    fn at_roots(f: &[Twofold], h: &[Twofold], _: Option<f64>) -> Option<RootSigns> {
+        counted(f, h)
+    }
+}
 
 impl RootSigned for Exact {
     fn at_roots(f: &[Exact], h: &[Exact], _: Option<f64>) -> Option<RootSigns> {

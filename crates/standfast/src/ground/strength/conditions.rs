@@ -8,15 +8,18 @@ use crate::approx::Approx;
 use crate::exact::{Exact, Real};
 use crate::ground::roots::{RootSigned, RootSigns};
 use crate::mode::{Corner, Mode, Modes, Slip};
+use crate::twofold::Twofold;
 use crate::verdict::{Decision, Verdict};
 
 pub(super) const SLIPS: [Slip; 2] = [Slip::Left, Slip::Right];
 pub(super) const CORNERS: [Corner; 2] = [Corner::O, Corner::OPrime];
 
-/// Every mode tried: in tracked floating point, or exactly where that cannot tell.
+/// Every mode tried: in tracked floating point, in twice its digits where that cannot tell, or exactly.
 pub(super) fn enumerate(given: &impl CrushProblem) -> Decision {
     let float = given.numbers::<f64>();
-    let found = of(&given.numbers::<Approx>(), &float).or_else(|| of(&given.numbers::<Exact>(), &float));
+    let found = of(&given.numbers::<Approx>(), &float)
+        .or_else(|| of(&given.numbers::<Twofold>(), &float))
+        .or_else(|| of(&given.numbers::<Exact>(), &float));
     found.expect("exact signs are always known")
 }
 

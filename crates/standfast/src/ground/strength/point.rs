@@ -10,6 +10,7 @@ use crate::ground::roots::RootSigned;
 use crate::initiation::Point;
 use crate::mode::{Corner, Mode, Modes, Slip};
 use crate::quantity::Quantity;
+use crate::twofold::Twofold;
 use crate::verdict::Verdict;
 
 use std::cmp::Ordering::{Greater, Less};
@@ -114,7 +115,10 @@ impl CrushPoint {
             return Verdict::Begins(self.point.mode());
         }
         let float = self.numbers::<f64>();
-        let mode = self.decide::<Approx>(&float).or_else(|| self.decide::<Exact>(&float));
+        let mode = self
+            .decide::<Approx>(&float)
+            .or_else(|| self.decide::<Twofold>(&float))
+            .or_else(|| self.decide::<Exact>(&float));
         Verdict::Begins(mode.expect("exact signs are always known"))
     }
 
