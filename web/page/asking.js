@@ -17,9 +17,14 @@ export function connectAsking(app) {
 
   const answers = {};
   /** The answer to a question on the case as it stands, as far as it is known: its parts, whether that is all, and what went wrong. Behind
-   * the name of a question may stand what is asked more closely. While something is dragged it is the answer from before. */
+   * the name of a question may stand what is asked more closely. While something is dragged it is the answer from before, as far as it came:
+   * no thread works beside the hand on what is about to be another case. */
   app.asked = (what) => {
     const [name] = what.split(" ");
+    if (app.held && answers[name]?.done === false) {
+      answers[name].worker.terminate();
+      answers[name].of = "";
+    }
     const of = `${app.explorer.answers()} ${what}`;
     if ((answers[name]?.of !== of || answers[name].from !== app.explorer) && !app.held) {
       answers[name]?.worker.terminate();

@@ -2,6 +2,7 @@
 
 import { byId, element, put, whenChanged } from "dom";
 import { numberField } from "number";
+import { redraw } from "redraw";
 
 /** What is known so far of a case with random numbers: the last probabilities, the draws, what went wrong, and whether that is all. */
 export function likelihood(app, said) {
@@ -87,7 +88,7 @@ export function connectLikely(app) {
   return (said) => {
     const known = likelihood(app, said);
     const inPlane = known?.draws?.in_plane ?? [];
-    over.innerHTML = inPlane.length > 0 && !app.held && app.shownPlate === "k-mu" ? app.explorer.draws_over(new Float64Array(inPlane.flat())) : "";
+    redraw(over, inPlane.length > 0 && !app.held && app.shownPlate === "k-mu" ? app.explorer.draws_over(new Float64Array(inPlane.flat())) : "");
     const svg = over.querySelector("svg");
     if (svg) svg.style.width = `${Number(svg.getAttribute("width")) * app.plateScale}px`;
     if (name !== `${said.name} ${said.title}`) {

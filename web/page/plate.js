@@ -2,7 +2,8 @@
 
 import { byId, put } from "dom";
 import { dragged } from "dragged";
-import { room } from "room";
+import { redraw } from "redraw";
+import { kept, room } from "room";
 
 const STEP = 0.01;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
@@ -122,13 +123,13 @@ export function connectPlate(app) {
   button("farther", () => app.explorer.zoom(1 / 0.7));
   button("reset", () => app.explorer.reset_view());
 
-  app.plateSize = () => {
+  app.plateSize = () => kept(app, map, () => {
     // Where it is not seen it still has a size.
     const pixels = map.clientWidth || 560;
     // On a large screen the drawing is enlarged, on a small one laid out anew.
     const enlarged = pixels > 900 ? pixels / 900 : 1;
-    return { scale: enlarged, width: pixels / enlarged, height: Math.max(app.story ? 200 : 236, room(app, map, pixels, 0.64, 0.52)) / enlarged };
-  };
+    return { scale: enlarged, width: pixels / enlarged, height: Math.max(app.story ? 200 : 236, room(app, map, pixels, 0.64, 0.52)) / enlarged, shown: map.clientWidth };
+  });
   return (said) => {
     app.shownPlate = said.plates.includes(app.plate) ? app.plate : said.plates[0] ?? "";
     for (const one of buttons) {
@@ -144,12 +145,12 @@ export function connectPlate(app) {
     const waits = app.held && !isMap() && drawn === app.shownPlate;
     if (!waits) {
       picture.style.height = "";
-      picture.innerHTML = app.shownPlate ? app.explorer.plate(app.shownPlate, size.width, size.height) : "";
+      redraw(picture, app.shownPlate ? app.explorer.plate(app.shownPlate, size.width, size.height) : "");
       drawn = app.shownPlate;
       const svg = picture.querySelector("svg");
       const own = Number(svg?.getAttribute("width") ?? size.width);
       // What is too wide is made smaller as a whole, and the point with it.
-      scale = svg ? Math.min(size.scale, (map.clientWidth || own) / own) : 1;
+      scale = svg ? Math.min(size.scale, (size.shown || own) / own) : 1;
       if (svg) svg.style.width = `${own * scale}px`;
       app.plateScale = scale;
       // The words below a plane of the load stand in the answer already.

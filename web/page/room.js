@@ -6,8 +6,14 @@ import { byId } from "dom";
 const FIRST = { words: 68, table: 84 };
 /** Margins between the parts of a plate. */
 const MARGINS = 27;
-/** What was left when something was begun to be dragged: a drawing keeps its size under the hand. */
-const held = new WeakMap();
+/** What was measured of a place before something was begun to be dragged: a drawing keeps its size under the hand. */
+const measured = new WeakMap();
+
+/** What `measure` finds of a place; while something is held what it found before, so that the page need not be laid out in between. */
+export function kept(app, place, measure) {
+  if (!app.held || !measured.has(place)) measured.set(place, measure());
+  return measured.get(place);
+}
 
 /** True where a drawing takes what is left of the screen. */
 export const isAlone = (app) => Boolean(app.story || app.only);
@@ -15,12 +21,9 @@ export const isAlone = (app) => Boolean(app.story || app.only);
 /** What is left for a drawing so that the tabs and the first row of one are on the screen, where plates stand side by side. */
 function left(app, plate) {
   if (plate.clientWidth > 0.6 * innerWidth) return Infinity;
-  if (app.held && held.has(plate)) return held.get(plate);
   const above = plate.getBoundingClientRect().top + scrollY + plate.querySelector(".bar").offsetHeight;
   const parts = [...plate.querySelectorAll(".moment, .loose, .legend > summary, #strengths"), byId("transport"), document.querySelector(".tabs")];
-  const found = innerHeight - above - MARGINS - parts.reduce((sum, one) => sum + one.offsetHeight, app.motion ? FIRST.words : FIRST.table);
-  held.set(plate, found);
-  return found;
+  return innerHeight - above - MARGINS - parts.reduce((sum, one) => sum + one.offsetHeight, app.motion ? FIRST.words : FIRST.table);
 }
 
 /** The height of a drawing so wide in a place, at most a share of its width and of the screen. */

@@ -3,7 +3,8 @@
 import { byId, element, put, symbolOf, whenChanged } from "dom";
 import { dragged } from "dragged";
 import { numberField, byKey } from "number";
-import { isAlone, room } from "room";
+import { redraw } from "redraw";
+import { isAlone, kept, room } from "room";
 
 const stills = matchMedia("(prefers-reduced-motion: reduce)");
 /** Numbers that stand beside the drawing, where the case has them. */
@@ -33,10 +34,14 @@ export function connectSection(app) {
   let scale = 1;
 
   // What begins.
-  const bodySize = () => {
+  const bodySize = () => kept(app, body, () => {
     const width = Math.max(260, Math.min(760, place.parentElement.clientWidth));
     return [width, Math.max(app.story ? 180 : 230, isAlone(app) ? room(app, place, width) : Math.min(420, width * 0.62))];
-  };
+  });
+  const sectionSize = () => kept(app, place, () => {
+    const width = Math.max(280, place.parentElement.clientWidth);
+    return [width, Math.max(app.story ? 180 : 240, room(app, place, width, 0.65, 0.52))];
+  });
   const animate = () => {
     animation?.cancel();
     animation = null;
@@ -87,29 +92,32 @@ export function connectSection(app) {
     return { left, top };
   };
   let held = null;
-  // Lengths of the held side at which the answer changes.
+  // Lengths of a side at which the answer changes: of which side, of which case, and those that are known.
   let notches = null;
   let corner = [0, 0];
-  /** Notches take longer than a picture: they come while the side is held, or are no more asked for. */
+  /** Notches take longer than a picture: they are looked for as soon as a hand comes to the side. */
   const lookForNotches = async (key) => {
-    const mine = (notches = { key, all: [] });
-    const found = await app.askOnce(`notches ${key}`).catch(() => []);
-    if (notches !== mine || !app.held) return;
-    app.explorer.set_notches(JSON.stringify(found));
-    mine.all = found;
-    app.changed();
+    const of = `${app.explorer.answers()} ${key}`;
+    if (notches?.of === of) return;
+    const mine = (notches = { of, key, all: null });
+    mine.all = await app.askOnce(`notches ${key}`).catch(() => []);
+    if (notches === mine && app.held) app.changed();
   };
   const ring = (key) => {
     const handle = element("button", { type: "button", className: "ring" });
     handle.dataset.key = key;
     const at = (event) => [(event.clientX - held.left) / scale, (event.clientY - held.top) / scale];
     // What is held is measured in the drawing as it was, and a body whose side is held keeps its lower left corner.
-    const gripped = () => (held = { ...boxOf(), corner });
+    const gripped = () => (held = { ...boxOf(), corner, key });
     if (SIDE.test(key)) {
+      handle.addEventListener("pointerenter", () => app.held || lookForNotches(key));
       dragged(app, handle, gripped, (event) => {
-        if (!notches) lookForNotches(key);
+        lookForNotches(key);
         const [x, y] = at(event);
-        return () => app.explorer.drag_side(key, x, y, event.altKey);
+        return () => {
+          app.explorer.set_notches(JSON.stringify(notches.all ?? []));
+          app.explorer.drag_side(key, x, y, event.altKey);
+        };
       });
       handle.addEventListener("keydown", (event) => {
         const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
@@ -144,26 +152,34 @@ export function connectSection(app) {
   const layOut = (drawing, numbers) => {
     const [width, height] = drawing.size;
     const svg = picture.querySelector("svg");
-    if (!app.held) held = notches = null;
+    if (!app.held) held = null;
     if (held && svg) {
       // What is held stays as large as it was.
       Object.assign(svg.style, { width: `${width * scale}px`, maxWidth: "none" });
     } else {
+      Object.assign(svg?.style ?? {}, { width: "", maxWidth: "" });
       scale = svg && width > 0 ? svg.getBoundingClientRect().width / width : 1;
     }
     over.style.width = `${width * scale}px`;
     over.style.height = `${height * scale}px`;
+    picture.style.translate = over.style.translate = "";
     const placed = new Map();
     for (const { key, x, y } of drawing.numbers) if (!placed.has(key) && numbers.has(key)) placed.set(key, [x, y]);
-    // What stands beside the body does not reach over it, nor the number of a force over its ring; on either side the plate has some room.
-    const [left, , right, base] = drawing.body.map((side) => side * scale);
-    const slack = Math.max(0, (place.clientWidth - width * scale) / 2) + GAP;
-    const ringAt = new Map(drawing.forces.map(({ key, x }) => [key, x * scale]));
-    for (const [key, { box, show }] of [...placed.keys()].map((key) => [key, field(key)])) {
+    const boxes = [...placed.keys()].map((key) => [key, field(key)]);
+    for (const [key, { box, show }] of boxes) {
       show(numbers.get(key));
       if (box.parentElement !== over) over.append(box);
+    }
+    // All that is measured is measured before anything is placed: the page is laid out once.
+    const sizes = boxes.map(([, { box }]) => [box.offsetWidth / 2, box.offsetHeight / 2]);
+    const slack = Math.max(0, (place.clientWidth - width * scale) / 2) + GAP;
+    const at = held ? boxOf() : null;
+    // What stands beside the body does not reach over it, nor the number of a force over its ring; on either side the plate has some room.
+    const [left, , right, base] = drawing.body.map((side) => side * scale);
+    const ringAt = new Map(drawing.forces.map(({ key, x }) => [key, x * scale]));
+    boxes.forEach(([key, { box }], i) => {
       const [x, y] = placed.get(key);
-      const half = box.offsetWidth / 2;
+      const [half, halfHeight] = sizes[i];
       const toLeft = Math.min(left - GAP, ringAt.get(key) - RING || left) - half;
       const toRight = Math.max(right + GAP, ringAt.get(key) + RING || right) + half;
       const across = x * scale;
@@ -172,23 +188,23 @@ export function connectSection(app) {
       // Where the plate ends too near, the number stands below its ring.
       const covered = ringAt.has(key) && Math.abs(inside - ringAt.get(key)) < half + RING;
       box.style.left = `${inside}px`;
-      box.style.top = `${y * scale + (covered ? RING + GAP + box.offsetHeight / 2 : 0)}px`;
-    }
+      box.style.top = `${y * scale + (covered ? RING + GAP + halfHeight : 0)}px`;
+    });
     const handles = new Map([...drawing.forces, ...drawing.sides].filter(({ key }) => numbers.has(key)).map((one) => [one.key, one]));
     for (const [key, { x, y, words }] of handles) {
       if (!rings.has(key)) rings.set(key, ring(key));
       const handle = rings.get(key);
       if (handle.parentElement !== over) over.append(handle);
       const does = SIDE.test(key) ? "drag it, or use arrow keys; the density stays, with Alt the mass" : "drag along it for its size, across for its level; arrow keys change them";
-      handle.title = SIDE.test(key) ? "The density stays; with Alt the mass" : "";
-      handle.setAttribute("aria-label", `${words}, ${key}: ${does}`);
+      const said = `${words}, ${key}: ${does}`;
+      if (handle.ariaLabel !== said) Object.assign(handle, { title: SIDE.test(key) ? "The density stays; with Alt the mass" : "", ariaLabel: said });
       handle.style.left = `${x * scale}px`;
       handle.style.top = `${y * scale}px`;
     }
     for (const [key, handle] of rings) if (!handles.has(key)) handle.remove();
     over.querySelectorAll(".notch").forEach((notch) => notch.remove());
-    const line = notches && handles.get(notches.key);
-    for (const { length, label } of line ? notches.all : []) {
+    const line = notches && held?.key === notches.key && handles.get(notches.key);
+    for (const { length, label } of (line && notches.all) || []) {
       const [wide, along] = [/width$/.test(notches.key), length * drawing.scale];
       const at = wide ? [left + along * scale, line.y * scale] : [line.x * scale, (drawing.body[3] - along) * scale];
       const notch = element("span", { className: wide ? "notch" : "notch upright" }, label);
@@ -196,12 +212,7 @@ export function connectSection(app) {
       over.append(notch);
     }
     corner = [left, drawing.body[3] * scale];
-    const moved = held ? [held.corner[0] - corner[0] + held.left, held.corner[1] - corner[1] + held.top] : null;
-    picture.style.translate = over.style.translate = "";
-    if (moved) {
-      const box = boxOf();
-      picture.style.translate = over.style.translate = `${moved[0] - box.left}px ${moved[1] - box.top}px`;
-    }
+    if (at) picture.style.translate = over.style.translate = `${held.left + held.corner[0] - corner[0] - at.left}px ${held.top + held.corner[1] - corner[1] - at.top}px`;
     return placed;
   };
   const loose = (placed, numbers) => {
@@ -260,10 +271,8 @@ export function connectSection(app) {
       loose(new Map(), numbers);
       return;
     }
-    const width = Math.max(280, place.parentElement.clientWidth);
-    const height = Math.max(app.story ? 180 : 240, room(app, place, width, 0.65, 0.52));
-    const drawing = JSON.parse(app.explorer.section(width, height, summed));
-    picture.innerHTML = drawing.svg;
+    const drawing = JSON.parse(app.explorer.section(...sectionSize(), summed));
+    redraw(picture, drawing.svg);
     put(byId("body-hint"), drawing.body.some((side) => side !== 0) ? "type over a number, pull a ring" : "its positions: a body in pure numbers has no section");
     document.querySelector(".legend").hidden = drawing.words.length === 0;
     byId("sums").hidden = drawing.summed === null;

@@ -1,7 +1,8 @@
 // The body in motion: a drawing made once, of which one group is moved.
 
 import { byId, put } from "dom";
-import { room } from "room";
+import { redraw } from "redraw";
+import { kept, room } from "room";
 
 /** Numbers of a pose: x, y, degrees clockwise, shift of the ground, mode. */
 const STRIDE = 5;
@@ -52,8 +53,10 @@ export function connectStage(app) {
     return moment.clock;
   };
   return () => {
-    const width = Math.max(280, stage.parentElement.clientWidth);
-    const json = app.explorer.stage(fromEarth, Math.floor(width), Math.round(Math.max(app.story ? 180 : 230, room(app, stage, width, 0.6, 0.45))));
+    const json = app.explorer.stage(fromEarth, ...kept(app, stage, () => {
+      const width = Math.max(280, stage.parentElement.clientWidth);
+      return [Math.floor(width), Math.round(Math.max(app.story ? 180 : 230, room(app, stage, width, 0.6, 0.45)))];
+    }));
     app.motion = json ? JSON.parse(json) : null;
     byId("views").hidden = stage.hidden || !app.motion?.shaken;
     byId("moment").hidden = !app.motion;
@@ -64,7 +67,7 @@ export function connectStage(app) {
       put(byId("body-hint"), app.motion.times ? "" : "true scale");
     }
     poses = app.explorer.poses();
-    stage.innerHTML = app.motion.svg;
+    redraw(stage, app.motion.svg);
     parts = {
       floor: stage.querySelector(".sf-floor"),
       body: stage.querySelector(".sf-body"),

@@ -2,6 +2,7 @@
 
 import { byId, element, put, whenChanged } from "dom";
 import { likelihood } from "likely";
+import { refill } from "redraw";
 
 /** Shares beside each other, in their colours. */
 function stacked(strip) {
@@ -16,7 +17,7 @@ export function connectVerdict(app) {
   const live = byId("live");
   let timer = 0;
   const rulers = whenChanged((list) => {
-    byId("rulers").replaceChildren(...list.flatMap(({ name, words, value, before, required, at, bound, good }) => {
+    refill(byId("rulers"), list.flatMap(({ name, words, value, before, required, at, bound, good }) => {
       const line = element("span", { className: good ? "ruler" : "ruler bad" });
       // Of a factor 1 is where the body moves; a bound lies in the middle of its line.
       const tick = element("i", { className: bound === null ? "" : "asked" });
