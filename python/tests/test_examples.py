@@ -1,4 +1,4 @@
-"""The examples: programs, the notebook, and those of docs/python.md."""
+"""The examples: programs, the notebook, and those of the book."""
 
 from __future__ import annotations
 
@@ -36,18 +36,22 @@ def test_notebooks(path: Path) -> None:
     assert {"image/svg+xml", "image/png"} <= shown
 
 
-def test_the_guide(monkeypatch: pytest.MonkeyPatch) -> None:
+PAGES = [page for page in sorted((ROOT / "docs").rglob("*.md")) if "```python\n" in page.read_text(encoding="utf-8") and page.name != "get.md"]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=[page.stem for page in PAGES])
+def test_the_book(monkeypatch: pytest.MonkeyPatch, page: Path) -> None:
     monkeypatch.chdir(ROOT)
-    text = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    text = page.read_text(encoding="utf-8")
     blocks = [block.split("```")[0] for block in text.split("```python\n")[1:]]
-    assert len(blocks) > 10
+    assert len(blocks) > 5
     names: dict[str, object] = {}
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE)
     for number, block in enumerate(blocks):
         if ">>>" not in block:
             exec(block, names)
             continue
-        test = doctest.DocTestParser().get_doctest(block, names, f"docs/python.md, example {number}", None, None)
+        test = doctest.DocTestParser().get_doctest(block, names, f"{page.name}, example {number}", None, None)
         runner.run(test, clear_globs=False)
         names = test.globs
     plt.close("all")

@@ -116,7 +116,7 @@ def test_words_of_limit_states_are_those_of_the_library() -> None:
     source = (ROOT / "crates/standfast/src/initiation/limits.rs").read_text(encoding="utf-8")
     rust = dict((name, words) for words, name in re.findall(r"    /// (.*)\n    pub (\w+): f64,", source))
     python = dict(re.findall(r"^    (\w+): (.*)$", inspect.getdoc(standfast.LimitStates) or "", re.MULTILINE))
-    page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/how-to/python.md").read_text(encoding="utf-8")
     assert [name.lower() for name in python] == [name.lower() for name in rust]
     for name, words in python.items():
         ours = rust[name.lower()]

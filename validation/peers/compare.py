@@ -1,4 +1,4 @@
-"""Modes of random points by standfast, MuJoCo and Rapier: the tables of README.md.
+"""Modes of random points by standfast, MuJoCo and Rapier: the tables of docs/trust/peers.md.
 
     pip install -r requirements.txt
     python compare.py            # the 1,000 points of the tables; some minutes

@@ -1,6 +1,6 @@
 """A second program for the motion in time, apart from the crate: general integrators and root finders of scipy instead of power series.
 
-It follows a block from event to event as docs/theory/6-motion.md describes, with an eighth-order Runge-Kutta method (DOP853, 3e-14) whose
+It follows a block from event to event as docs/theory/motion.md describes, with an eighth-order Runge-Kutta method (DOP853, 3e-14) whose
 dense output is searched for the conditions of the present state, and compares with `standfast simulate`:
 
     pip install numpy scipy

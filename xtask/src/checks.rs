@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::{Child, Command, ExitCode};
 
 use crate::tally::{Tally, cargo};
-use crate::{arm, built, explorer, lints, manifests, programs, python, target};
+use crate::{arm, book, built, explorer, lints, manifests, programs, python, target};
 
 /// All crates with all they can do. The steps select the same crates with the same features, and only by their kind what they need
 /// of them: a dependency whose features differ from step to step would be compiled again and again.
@@ -27,6 +27,7 @@ pub fn run() -> ExitCode {
     tally.count("unit, integration and documentation tests", &mut tests, result_line);
     arm::check(&mut tally);
     python.end(&mut tally);
+    book::check(&mut tally);
     explorer::check(&mut tally);
     ended(&tally)
 }

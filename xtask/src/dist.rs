@@ -16,8 +16,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{explorer, ran, root, target};
-use toolchain::Toolchain;
+use crate::{book, explorer, ran, root, target};
+pub use toolchain::Toolchain;
 pub use toolchain::without_paths;
 
 /// Something that is handed on.
@@ -31,6 +31,7 @@ pub struct Artefact {
 #[derive(Debug, Clone, Copy)]
 enum Kind {
     Explorer,
+    Book,
     Crates,
     Program(System),
     Deb(System),
@@ -112,8 +113,9 @@ const MAC: System = System {
 const MAC_ARM: System =
     System { name: "macos-aarch64", triple: "aarch64-apple-darwin", zig: "aarch64-macos.11.0-none", ..MAC };
 
-const ARTEFACTS: [Artefact; 14] = [
+const ARTEFACTS: [Artefact; 15] = [
     Artefact { name: "explorer", of: Kind::Explorer },
+    Artefact { name: "book", of: Kind::Book },
     Artefact { name: "program-linux-x86_64", of: Kind::Program(LINUX) },
     Artefact { name: "program-linux-aarch64", of: Kind::Program(LINUX_ARM) },
     Artefact { name: "program-windows-x86_64", of: Kind::Program(WINDOWS) },
@@ -177,6 +179,7 @@ impl Artefact {
                 fs::copy(&page, &file).map_err(|error| format!("{}: {error}", page.display()))?;
                 Ok((file, "opened in browsers by the tests of the repository".to_owned()))
             }
+            Kind::Book => return book::packed(toolchain, folder),
             Kind::Program(system) => program::archive(toolchain, &system, folder),
             Kind::Deb(system) => program::deb(toolchain, &system, folder),
             Kind::Wheel(system) => wheel::wheel(toolchain, &system, folder),
@@ -186,7 +189,7 @@ impl Artefact {
 }
 
 /// The version of everything.
-fn version() -> &'static str {
+pub fn version() -> &'static str {
     env!("CARGO_PKG_VERSION")
 }
 
@@ -196,7 +199,7 @@ fn made(folder: &Path) -> Result<(), String> {
 }
 
 /// A folder that is empty.
-fn cleared(folder: &Path) -> Result<(), String> {
+pub fn cleared(folder: &Path) -> Result<(), String> {
     if folder.exists() {
         fs::remove_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
@@ -204,7 +207,7 @@ fn cleared(folder: &Path) -> Result<(), String> {
 }
 
 /// Copies a file, or a folder with what git knows of it.
-fn copied(from: &Path, to: &Path) -> Result<(), String> {
+pub fn copied(from: &Path, to: &Path) -> Result<(), String> {
     let failed = |error: std::io::Error| format!("{}: {error}", from.display());
     if from.is_file() {
         return fs::copy(from, to).map(drop).map_err(failed);
@@ -236,7 +239,7 @@ fn script(toolchain: &Toolchain, name: &str) -> Command {
 }
 
 /// Packs a folder into an archive.
-fn packed(toolchain: &Toolchain, folder: &Path, archive: &Path) -> Result<(), String> {
+pub fn packed(toolchain: &Toolchain, folder: &Path, archive: &Path) -> Result<(), String> {
     ran(script(toolchain, "pack.py").arg(folder).arg(archive))
 }
 
@@ -247,7 +250,7 @@ mod tests {
     #[test]
     fn an_unknown_name_is_refused_with_those_that_there_are() {
         let error = run(&["program-amiga"]).unwrap_err();
-        assert!(error.contains("program-amiga: there are explorer, program-linux-x86_64"), "{error}");
+        assert!(error.contains("program-amiga: there are explorer, book, program-linux-x86_64"), "{error}");
     }
 
     /// What is handed on has no symbols, and is optimised.

@@ -77,16 +77,21 @@ pub fn serve(open: bool) -> Result<(), String> {
     let (address, server) = server(&page, 8420)?;
     println!("{}\n{address}  (Ctrl+C ends it)", page.display());
     if open {
-        let opener = match std::env::consts::OS {
-            "macos" => "open",
-            "windows" => "explorer",
-            _ => "xdg-open",
-        };
-        if let Err(error) = Command::new(opener).arg(&address).spawn() {
-            println!("{opener}: {error}; open the address above yourself");
-        }
+        opened(&address);
     }
     server.join().map_err(|_| "the server stopped".to_owned())
+}
+
+/// Opens an address or a file in the browser.
+pub fn opened(address: &str) {
+    let opener = match std::env::consts::OS {
+        "macos" => "open",
+        "windows" => "explorer",
+        _ => "xdg-open",
+    };
+    if let Err(error) = Command::new(opener).arg(address).spawn() {
+        println!("{opener}: {error}; open the address above yourself");
+    }
 }
 
 /// Serves one page on localhost, at `port` or, if that is taken, at any other.

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod arm;
+mod book;
 mod checks;
 mod dist;
 mod explorer;
@@ -25,11 +26,12 @@ Usage: cargo xtask COMMAND
             these parts alone
   deny      licences, advisories, sources and duplicates of all dependencies, by cargo-deny
   arm       the tests of exact signs on an emulated 64-bit ARM, and the library checked for Windows and macOS
-  gallery   write docs/gallery.md with its figures and the example of a calculation sheet
+  gallery   write docs/reference/gallery.md with its figures and the example of a calculation sheet
   python-versions  all tests of the Python package with every Python it promises to run under, as far as they are found
   dist      build what is handed on into target/dist: programs, packages, wheels, the explorer, with their sums; about an
             hour. --only NAME builds one of them, and may be given again; --try runs the first lines of people who have
             what was built and none of our tools
+  book      build the book of docs into target/book, and as one file; --open opens it in the browser
   explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
   sea-states N  print a table of N synthetic sea states for examples/goda-2000.toml, whose first 100 are examples/sea-states.csv
   help      this text
@@ -50,6 +52,8 @@ fn main() -> ExitCode {
         ["dist", ref options @ ..] => ended(only(options).and_then(|names| dist::run(&names))),
         ["deny"] => ended(manifests::deny()),
         ["gallery"] => ended(ran(&mut tally::cargo(&["run", "--quiet", "--package", "xtask-docs"]))),
+        ["book"] => ended(book::build(false).map(drop)),
+        ["book", "--open"] => ended(book::build(true).map(drop)),
         ["explorer"] => ended(explorer::serve(false)),
         ["explorer", "--open"] => ended(explorer::serve(true)),
         ["sea-states", count] => ended(

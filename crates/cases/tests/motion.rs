@@ -400,7 +400,7 @@ fn at_the_first_instant_the_peaks_act() {
 }
 
 /// Shimosako and Takahashi's duration of Goda's caisson by hand: T = 11.4 s, H = 8.05 m, h = 10.1 m, α* = 0.3223 give 1.557 s, and so the
-/// slide of the example, which has that number. The answer says that the formulas are recalled.
+/// slide of the example, which has that number. The answer says whose formulas they are.
 #[test]
 fn a_duration_by_the_waves() {
     let text = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
@@ -414,8 +414,8 @@ fn a_duration_by_the_waves() {
     let period: f64 = 11.4 * f64::max(0.4, 0.5 - 8.05 / (8.0 * 10.1));
     let expected = period / (0.3223_f64.powf(0.3) + 1.0).powi(2);
     close(*followed.case.problem.loads.last().unwrap().history.times().last().unwrap(), expected, 2e-4);
-    let recalled = followed.warnings.iter().find(|warning| warning.name == "duration-recalled").unwrap();
-    assert!(recalled.words.contains("1.557") && recalled.words.contains("not read"), "{}", recalled.words);
+    let told = followed.warnings.iter().find(|warning| warning.name == "duration-by-formula").unwrap();
+    assert!(told.words.contains("1.557") && told.words.contains("Shimosako"), "{}", told.words);
     for (wrong, expected) in [
         ("shape = \"triangle\", rise = \"0.1 s\", duration = \"shimosako-takahashi\"", "`rise` does not go"),
         ("shape = \"rect\", duration = \"shimosako-takahashi\"", "goes with a triangle only"),

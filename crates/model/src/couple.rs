@@ -5,7 +5,8 @@
 //! 1. The named numbers are set.
 //! 2. What is coupled by *level* is added: the sea's level moves depths, crest and buoyancy, wherever they stand; only a named
 //!    number that moves others itself keeps its value.
-//! 3. What is coupled by *scale* is multiplied, unless it is named: the mass with the width, at constant density.
+//! 3. What goes with the body's size is added or multiplied, unless it is named: the mass with the width, at constant density, the weight
+//!    less buoyancy with the height.
 
 use std::fmt;
 
@@ -276,6 +277,11 @@ pub fn change<'a>(
             varied.set(key, value + by);
         }
     }
+    for (key, by) in moved.sizes {
+        if let Some(value) = varied.number(key).filter(|_| !named(key)) {
+            varied.set(key, value + by);
+        }
+    }
     for (key, ratio) in moved.scales {
         if let Some(value) = varied.number(key).filter(|_| !named(key)) {
             varied.set(key, value * ratio);
@@ -337,8 +343,8 @@ pub fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Key> 
     let named = |key: Key| variables.iter().any(|variable| variable.id == Id::from(key));
     let levels = moved.levels.iter().map(|(key, _)| *key);
     let levels = levels.filter(|key| !named(*key) || key.info().moves == Moves::Alone);
-    let scales = moved.scales.iter().map(|(key, _)| *key).filter(|key| !named(*key));
-    let mut keys: Vec<Key> = levels.chain(scales).filter(|key| inputs.number(*key).is_some()).collect();
+    let sized = moved.sizes.iter().chain(&moved.scales).map(|(key, _)| *key).filter(|key| !named(*key));
+    let mut keys: Vec<Key> = levels.chain(sized).filter(|key| inputs.number(*key).is_some()).collect();
     keys.sort();
     keys.dedup();
     keys
@@ -348,6 +354,7 @@ pub fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Key> 
 #[derive(Default)]
 struct CoupledChanges {
     levels: Vec<(Key, f64)>,
+    sizes: Vec<(Key, f64)>,
     scales: Vec<(Key, f64)>,
 }
 
@@ -420,7 +427,7 @@ impl CoupledChanges {
         let body = &case.body;
         let ratio = (body.height() + by) / body.height();
         self.scale(ratio, &[Key::Mass, Key::CentroidHeight, Key::MomentOfInertia]);
-        self.level(body.mass() * (ratio - 1.0) * case.gravity, &[Key::BuoyantWeight]);
+        self.sizes.push((Key::BuoyantWeight, body.mass() * (ratio - 1.0) * case.gravity));
     }
 
     /// Takes the buoyancy of more water off a given buoyant weight.
@@ -580,6 +587,10 @@ mod tests {
                 ),
             ],
         );
+        // What is named does not grow with the body.
+        for (size, value) in [("height", 11.5), ("width", 18.0)] {
+            close(&varied(&[(size, value), ("body.buoyant_weight", 2.5e6)]), &[(Key::BuoyantWeight, 2.5e6)]);
+        }
         // A number that moves others keeps its own value.
         close(
             &varied(&[("height", 12.0), ("crest_height", 3.0)]),

@@ -212,8 +212,8 @@ fn tokens(text: &str) -> Result<Vec<(usize, Token)>, (usize, &'static str)> {
             }
             (length, Token::Number(number.to_owned()))
         } else if first.is_alphabetic() {
-            let length = taken(&|c| c.is_alphanumeric() || matches!(c, '_' | '\'' | '*' | '\u{308}'));
-            (length, Token::Name(rest[..length].to_owned()))
+            let length = taken(&|c| c.is_alphanumeric() || matches!(c, '_' | '\'' | '′' | '*' | '\u{308}'));
+            (length, Token::Name(rest[..length].replace('′', "'")))
         } else if matches!(first, '+' | '-' | '−' | '/' | '÷' | '^' | '(' | ')' | '|' | ',') {
             (first.len_utf8(), Token::Sign(if first == '−' { '-' } else { first }))
         } else {

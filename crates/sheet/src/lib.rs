@@ -30,6 +30,7 @@
 pub mod browser;
 mod calculation;
 mod date;
+mod displayed;
 mod document;
 mod fault;
 mod formula;
@@ -57,6 +58,7 @@ use thiserror::Error;
 #[cfg(feature = "print")]
 pub use browser::{Paper, PaperError, PrintError};
 pub use date::{Date, DateError};
+pub use displayed::Displayed;
 pub use fault::SheetFault;
 pub use formula::FormulaError;
 

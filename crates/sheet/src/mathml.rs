@@ -180,6 +180,16 @@ fn fenced(open: &str, content: &str, close: &str) -> String {
 /// the corner O′.
 pub fn name(text: &str) -> String {
     let (base, mut subscript) = text.split_once('_').unwrap_or((text, ""));
+    // A derivative in time: x_ddot, θ_dot_0.
+    let (derivative, behind) = subscript.split_once('_').unwrap_or((subscript, ""));
+    let accent = match derivative {
+        "dot" => "˙",
+        "ddot" => "¨",
+        _ => "",
+    };
+    if !accent.is_empty() {
+        subscript = behind;
+    }
     let stem = base.trim_end_matches(['\'', '*']);
     let mut marks = base[stem.len()..].to_owned();
     let mut letters = stem;
@@ -197,9 +207,10 @@ pub fn name(text: &str) -> String {
         }
     }
     let letter = match letters {
-        "ẍ" => over("x"),
-        "ÿ" => over("y"),
-        "θ\u{308}" => over("θ"),
+        "ẍ" => over("x", "¨"),
+        "ÿ" => over("y", "¨"),
+        "θ\u{308}" => over("θ", "¨"),
+        letters if !accent.is_empty() => over(&escape(letters), accent),
         // Several letters stand upright.
         letters => format!("<mi>{}</mi>", escape(letters)),
     };
@@ -225,8 +236,8 @@ pub fn name(text: &str) -> String {
 
 const PRIME: &str = "<mo lspace=\"0\" rspace=\"0\">′</mo>";
 
-fn over(letter: &str) -> String {
-    format!("<mover accent=\"true\"><mi>{letter}</mi><mo stretchy=\"false\">¨</mo></mover>")
+fn over(letter: &str, accent: &str) -> String {
+    format!("<mover accent=\"true\"><mi>{letter}</mi><mo stretchy=\"false\">{accent}</mo></mover>")
 }
 
 /// A symbol on its own, in a line of text.

@@ -1,30 +1,8 @@
-//! References behind a sheet, as a checker orders them. What is known of one only from memory, or from those who cite
-//! it, says so; `docs/theory` says the same.
+//! References behind a sheet, as a checker orders them. `docs/trust/references.md` says which of them were read.
 
 use maud::{Markup, html};
 use standfast::ground::bearing::GroundLaw;
 use standfast_cases::Case;
-
-/// Access to a source: read, or known from others.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Known {
-    /// It was read.
-    Read,
-    /// It was not read; title and place are known from those who cite it.
-    Cited,
-    /// It was not read, and title and place are told from memory.
-    Recalled,
-}
-
-impl Known {
-    fn words(self) -> &'static str {
-        match self {
-            Known::Read => "read",
-            Known::Cited => "not read; year, journal and number from those who cite it, pages recalled",
-            Known::Recalled => "recalled, not read",
-        }
-    }
-}
 
 /// A source.
 struct Source {
@@ -35,7 +13,6 @@ struct Source {
     place: &'static str,
     /// Parts of it that are used.
     used: &'static str,
-    known: Known,
     /// True if it stands behind the sheet of a case.
     applies: fn(&Case) -> bool,
 }
@@ -45,9 +22,8 @@ const SOURCES: [Source; 9] = [
         authors: "Author not named",
         year: "no year",
         title: "Initiation of modes of response of a vertical caisson under a single concentrated horizontal force",
-        place: "report; the copy read has no title page, and this title describes it",
+        place: "report; the copy at hand has no title page, and this title describes it",
         used: "modes of response; the equation numbers in parentheses",
-        known: Known::Read,
         applies: |_| true,
     },
     Source {
@@ -56,7 +32,6 @@ const SOURCES: [Source; 9] = [
         title: "Criteria for initiation of slide, rock, and slide-rock rigid-body modes",
         place: "Journal of Engineering Mechanics, ASCE, 122(7), 690–693",
         used: "the treatment of a shaken base, which the report follows",
-        known: Known::Cited,
         applies: |_| true,
     },
     Source {
@@ -65,7 +40,6 @@ const SOURCES: [Source; 9] = [
         title: "Random Seas and Design of Maritime Structures",
         place: "2nd edition, World Scientific, Singapore; worked example p. 140",
         used: "wave heights and pressures; formulas from a specification that carries them, checked against published numbers",
-        known: Known::Recalled,
         applies: |case| case.wave.is_some(),
     },
     Source {
@@ -74,7 +48,6 @@ const SOURCES: [Source; 9] = [
         title: "A proposal of impulsive pressure coefficient for the design of composite breakwaters",
         place: "Proceedings, Hydro-Port ’94, Yokosuka, 489–504",
         used: "the impulsive coefficient; formulas from a specification that carries them",
-        known: Known::Recalled,
         applies: |case| case.wave.is_some(),
     },
     Source {
@@ -83,7 +56,6 @@ const SOURCES: [Source; 9] = [
         title: "Water pressures on dams during earthquakes",
         place: "Transactions, ASCE, 98, 418–433",
         used: "the problem whose solution for incompressible water gives the added mass",
-        known: Known::Recalled,
         applies: |case| case.added_mass.height().is_some(),
     },
     Source {
@@ -91,8 +63,7 @@ const SOURCES: [Source; 9] = [
         year: "2004",
         title: "EN 1997-1, Eurocode 7: Geotechnical design, Part 1: General rules",
         place: "Annex D, bearing resistance of spread foundations",
-        used: "bearing and inclination factors of a strip without cohesion; those of cohesion recalled",
-        known: Known::Recalled,
+        used: "bearing and inclination factors of a strip",
         applies: |case| law(case) == Some(Law::Ec7),
     },
     Source {
@@ -101,7 +72,6 @@ const SOURCES: [Source; 9] = [
         title: "API RP 2GEO, Geotechnical and foundation design considerations",
         place: "bearing capacity of shallow foundations, after J. Brinch Hansen",
         used: "bearing and inclination factors of a strip; checked against a program that carries them",
-        known: Known::Recalled,
         applies: |case| law(case) == Some(Law::Hansen),
     },
     Source {
@@ -110,7 +80,6 @@ const SOURCES: [Source; 9] = [
         title: "A complete three-dimensional failure envelope for shallow footings on sand",
         place: "Géotechnique, 44(1), 181–184",
         used: "the envelope of inclined and eccentric loads, its slopes and coupling",
-        known: Known::Recalled,
         applies: |case| law(case) == Some(Law::Envelope),
     },
     Source {
@@ -119,7 +88,6 @@ const SOURCES: [Source; 9] = [
         title: "Analytical moment–rotation curves for rigid foundations based on a Winkler model",
         place: "Soil Dynamics and Earthquake Engineering, 23, 367–381",
         used: "the problem of springs that lift and yield; its solution is derived anew",
-        known: Known::Recalled,
         applies: |case| case.ground.is_some_and(|ground| ground.stiffness.is_some()),
     },
 ];
@@ -149,7 +117,7 @@ pub fn list(case: &Case) -> Markup {
             @for source in SOURCES.iter().filter(|source| (source.applies)(case)) {
                 li {
                     (source.authors) " (" (source.year) "), " cite { (source.title) } ". " (source.place) ". "
-                    span.known { "Used: " (source.used) ". Known: " (source.known.words()) "." }
+                    span.known { "Used: " (source.used) "." }
                 }
             }
         }
@@ -160,21 +128,25 @@ pub fn list(case: &Case) -> Markup {
 mod tests {
     use super::*;
 
-    /// A source is told alike on the sheet and on the pages of the theory.
+    /// The page that says which sources were read has each of them.
     #[test]
-    fn the_pages_of_the_theory_have_the_same_sources() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/theory");
-        let pages = ["1-initiation.md", "3-loads.md", "5-base.md"].map(|page| {
-            let text = std::fs::read_to_string(root.join(page)).unwrap();
-            text.split_whitespace().collect::<Vec<_>>().join(" ").replace('*', "")
-        });
-        for source in SOURCES.iter().filter(|source| source.known != Known::Read) {
-            let told = |page: &String| {
-                [source.authors, source.year, source.title, source.place]
-                    .iter()
-                    .all(|part| page.contains(part))
+    fn the_page_of_references_has_every_source() {
+        let page = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/trust/references.md");
+        let page = std::fs::read_to_string(page).unwrap().replace('*', "");
+        let entries: Vec<&str> = page.split("\n").collect();
+        for source in &SOURCES {
+            let family = source.authors.split(',').next().unwrap_or_default();
+            let is_it = |entry: &&&str| {
+                entry.contains(source.title)
+                    && (source.year == "no year" || entry.contains(source.year) && entry.contains(family))
             };
-            assert!(pages.iter().any(told), "{} ({})", source.authors, source.year);
+            assert!(
+                entries.iter().find(is_it).is_some(),
+                "{} ({}): {}",
+                source.authors,
+                source.year,
+                source.title
+            );
         }
     }
 }

@@ -223,7 +223,8 @@ fn every_sheet_has_its_section_and_its_sources() {
         let sources: String = select(&page, ".references li").iter().flat_map(|item| item.text()).collect();
         assert!(sources.contains("Shenton") && sources.contains("690–693"), "{name}");
         assert_eq!(sources.contains("World Scientific"), text.contains("[wave]"), "{name}");
-        assert_eq!(sources.matches("not read").count() + 1, select(&page, ".references li").len(), "{name}");
+        // Which of them were read, the book says.
+        assert!(!sources.contains("not read") && !sources.contains("recalled"), "{name}");
         let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
         let figures = Assessment::of(&case).unwrap().figures(&AssessmentView::default()).unwrap();
         assert_eq!(figures.iter().filter(|figure| figure.is_section()).count(), 1);

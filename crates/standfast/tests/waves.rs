@@ -441,7 +441,7 @@ fn impossible_seas_are_refused() {
 }
 
 /// All branches of the impulsive coefficient, and the other branch of α₂, against a calculation apart from this library
-/// (the formulas of docs/theory/3-loads.md in a few lines of Python).
+/// (the formulas of docs/theory/loads.md in a few lines of Python).
 #[test]
 fn every_branch_of_the_breaking_coefficients() {
     let (sea, _, section) = example();

@@ -331,7 +331,7 @@ def onset(
     4.89, 4.95). Where several modes satisfy every law (force below the centre of mass, friction above 4/3: Painlevé's
     indeterminacy) the report's choice is the mode, and ``others`` holds the rest. Of bearing failure there is no motion: its
     numbers are NaN. On a base that crushes the body turns about a neutral point inside of it, and ``xi`` is where the crushed part
-    bears (docs/theory/5-base.md).
+    bears (docs/theory/base.md).
 
     Raises:
         StandfastError, TypeError, KeyError: as :func:`classify`.

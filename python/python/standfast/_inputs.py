@@ -8,7 +8,7 @@ A function of named operands hands what it was given to :func:`read`::
         values = _standfast.limit_states(arrays, ..., how)     # {"slide": array of operands.shape, ...}
     return form.table(values, missing, point=LimitState, arrays=LimitStates)
 
-and gets back what the table in docs/python.md says: a scalar for scalars, a Series for Series, and so on. What one operand may be
+and gets back what the table in docs/how-to/python.md says: a scalar for scalars, a Series for Series, and so on. What one operand may be
 stands in :mod:`standfast._columns`, what a table in :mod:`standfast._tables`.
 """
 

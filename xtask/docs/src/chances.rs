@@ -55,7 +55,7 @@ pub fn examples(root: &Path) -> io::Result<Vec<Example>> {
     Ok(all)
 }
 
-/// The figures of theory/7-probability.md.
+/// The figures of theory/probability.md.
 pub fn of_theory(root: &Path) -> io::Result<[(&'static str, Figure); 3]> {
     Ok([
         ("gallery/chance-corner.svg", corner()?),

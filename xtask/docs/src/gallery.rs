@@ -1,17 +1,20 @@
-//! docs/gallery.md and what it shows: the report's figures, those of the worked cases, a calculation sheet.
+//! docs/reference/gallery.md and what it shows: the report's figures, those of the worked cases, a calculation sheet.
 
 use std::path::Path;
 use std::{fs, io};
 
+use standfast::Point;
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushMap;
 use standfast_cases::design::{BoundaryRequest, DesignBoundary, DesignRequest, Extreme, Spelling};
 use standfast_cases::motion::{Follow, FollowedMotion, MotionView, Spectrum, SpectrumKind, SpectrumRequest};
 use standfast_cases::{AnswerFigure, Assessment, AssessmentView, CaseFile, Document, Portion};
-use standfast_figures::{DiagramContent, Figure, FigureId, KMuPlane, diagram_with, report_figure};
+use standfast_figures::{
+    DiagramContent, Figure, FigureId, FreeBody, KMuPlane, diagram_with, free_body, report_figure,
+};
 use standfast_sheet::{Sheet, SheetOptions};
 
-use crate::{chances, keys};
+use crate::{chances, commands, evidence, keys, results};
 
 /// A file of the gallery.
 pub struct File {
@@ -19,7 +22,6 @@ pub struct File {
     pub path: String,
     content: String,
     /// The figure, if it is one.
-    #[cfg_attr(not(test), allow(dead_code))]
     figure: Option<Figure>,
 }
 
@@ -31,6 +33,11 @@ impl File {
 
     fn written(path: &str, content: String) -> File {
         File { path: path.to_owned(), content, figure: None }
+    }
+
+    /// What a reader who does not see the picture is told.
+    fn title(&self) -> &str {
+        self.figure.as_ref().map_or(self.path.as_str(), Figure::title)
     }
 }
 
@@ -47,68 +54,93 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
     for id in FigureId::ALL {
         let figure = report_figure(id);
         let path = format!("gallery/fig-{id}.svg");
-        page.push_str(&format!("\n## Fig. {id}\n\n![{}]({path})\n", figure.title()));
+        page.push_str(&format!("\n## Fig. {id}\n\n![{}](../{path})\n", figure.title()));
+        files.push(File::drawn(path, figure));
+    }
+    page.push_str(
+        "\n## Four outcomes\n\nOne body, twice as high as it is wide, and one force at four strengths and frictions. Solid arrows are forces,\n\
+         dashed ones accelerations; the dashed outline is exaggerated.\n",
+    );
+    for (path, figure) in outcomes() {
+        page.push_str(&format!("\n![{}](../{path})\n", figure.title()));
         files.push(File::drawn(path, figure));
     }
     page.push_str(
         "\n## A base that gives way\n\nThe k–μ plane on a base that crushes and on ground that fails, the rigid map dotted behind; see\n\
-         [theory](theory/5-base.md): `standfast diagram --gamma 2 --k-prime 0.8 --omega 0.2 -o crush.svg`, and `--law ec7 --share 0.3`.\n",
+         [theory](../theory/base.md): `standfast diagram --gamma 2 --k-prime 0.8 --omega 0.2 -o crush.svg`, and `--law ec7 --share 0.3`.\n",
     );
     for (path, figure) in bases() {
-        page.push_str(&format!("\n![{}]({path})\n", figure.title()));
+        page.push_str(&format!("\n![{}](../{path})\n", figure.title()));
         files.push(File::drawn(path, figure));
     }
     for (name, figures) in cases(root)? {
-        page.push_str(&format!("\n## Case {name}\n\n[The case file](../examples/{name}.toml)\n"));
+        page.push_str(&format!("\n## Case {name}\n\n[The case file](../../examples/{name}.toml)\n"));
         for file in figures {
-            page.push_str(&format!("\n![{0}]({0})\n", file.path));
+            page.push_str(&format!("\n![{}](../{})\n", file.title(), file.path));
             files.push(file);
         }
     }
     page.push_str(
-        "\n## Motion in time\n\nWhat becomes of a body, by `standfast simulate`, in the colours of its states; see [theory](theory/6-motion.md). The\n\
+        "\n## Motion in time\n\nWhat becomes of a body, by `standfast simulate`, in the colours of its states; see [theory](../theory/motion.md). The\n\
          animations move in a browser. Last, spectra of one sine: `standfast spectrum examples/motion/block-base-pulse.toml`, and with\n\
          `--kind overturning`.\n",
     );
     for (name, figures) in motions(root)? {
-        page.push_str(&format!("\n### {name}\n\n[The case file](../examples/motion/{name}.toml)\n"));
+        page.push_str(&format!("\n### {name}\n\n[The case file](../../examples/motion/{name}.toml)\n"));
         for file in figures {
-            page.push_str(&format!("\n![{0}]({0})\n", file.path));
+            page.push_str(&format!("\n![{}](../{})\n", file.title(), file.path));
             files.push(file);
         }
     }
     page.push_str(
         "\n## How likely\n\nWhat `standfast probability` draws of cases whose numbers are random: draws, modes, what matters, and, where they are asked\n\
-         for, a life of storms and fragility; see [theory](theory/7-probability.md). Fragility is that of\n\
+         for, a life of storms and fragility; see [theory](../theory/probability.md). Fragility is that of\n\
          `standfast probability examples/statue-random.toml --over \"earthquake.horizontal=1.5 m/s2..2.75 m/s2:11\"`.\n",
     );
     for (name, figures) in chances::examples(root)? {
-        page.push_str(&format!("\n### {name}\n\n[The case file](../examples/{name}.toml)\n"));
+        page.push_str(&format!("\n### {name}\n\n[The case file](../../examples/{name}.toml)\n"));
         for file in figures {
-            page.push_str(&format!("\n![{0}]({0})\n", file.path));
+            page.push_str(&format!("\n![{}](../{})\n", file.title(), file.path));
             files.push(file);
         }
     }
     for (path, figure) in chances::of_theory(root)? {
-        page.push_str(&format!("\n![{}]({path})\n", figure.title()));
+        page.push_str(&format!("\n![{}](../{path})\n", figure.title()));
         files.push(File::drawn(path, figure));
     }
     page.push_str(
-        "\n## Design\n\nThe least width of the case goda-2000 for both safety factors to be 1.2, over friction; see [design](design.md):\n\
+        "\n## Design\n\nThe least width of the case goda-2000 for both safety factors to be 1.2, over friction; see [design](../how-to/design.md):\n\
          `standfast design examples/goda-2000.toml --vary width --and friction --target factor=1.2 -o set.svg`.\n\n\
-         ![Least width over friction](gallery/design-goda-2000.svg)\n",
+         ![Least width over friction](../gallery/design-goda-2000.svg)\n",
     );
     files.extend(
         boundary(root, "goda-2000")?.map(|figure| File::drawn("gallery/design-goda-2000.svg", figure)),
     );
     page.push_str(
-        "\n## Calculation sheet\n\n[The sheet of the case goda-2000](gallery/sheet-goda-2000.html), to be opened in a browser:\n\
+        "\n## Calculation sheet\n\n[The sheet of the case goda-2000](../gallery/sheet-goda-2000.html), to be opened in a browser:\n\
          `standfast sheet examples/goda-2000.toml -o sheet.html`.\n",
     );
     files.push(File::written("gallery/sheet-goda-2000.html", sheet(root, "goda-2000")?));
-    files.push(File::written("gallery.md", page));
-    files.push(File::written("case-file.md", keys::page()));
+    files.push(File::written("reference/gallery.md", page));
+    files.push(File::written("reference/keys.md", keys::page()));
+    files.push(File::written("reference/results.md", results::page()));
+    files.push(File::written("trust/evidence.md", evidence::page(evidence::REST)));
+    files.push(File::written("reference/commands.md", commands::page()));
     Ok(files)
+}
+
+/// The body of Fig. 3.11's kind as it rests, slides, rocks, and slides and rocks.
+fn outcomes() -> [(&'static str, Figure); 4] {
+    let drawn = |k, mu| {
+        let point = Point::new(2.0, 0.4, k, mu).expect("a point");
+        free_body(&FreeBody { point, mirrored: false, omega: 0.0 }, (480.0, 420.0)).0
+    };
+    [
+        ("gallery/outcome-rest.svg", drawn(0.25, 0.5)),
+        ("gallery/outcome-slide.svg", drawn(0.35, 0.2)),
+        ("gallery/outcome-rock.svg", drawn(0.6, 0.7)),
+        ("gallery/outcome-slide-rock.svg", drawn(0.9, 0.3)),
+    ]
 }
 
 /// Planes where the base gives way.

@@ -1,4 +1,4 @@
-//! docs/case-file.md: every key of a case file, from the table that parser, errors, `design` and the sheet share.
+//! docs/reference/keys.md: every key of a case file, from the table that parser, errors, `design` and the sheet share.
 
 use standfast_cases::case::history_shapes;
 use standfast_cases::key::{Key, Kind, Moves, Table};
@@ -29,10 +29,14 @@ pub fn page() -> String {
     for table in Table::ALL.into_iter().filter(|table| !table.is_history() && *table != Table::Base) {
         let header = match table {
             Table::Top => "Above all tables".to_owned(),
-            Table::History => format!("A history: {}", table.words()),
-            _ => format!("`{}`: {}", table.header(), table.words()),
+            Table::History => "A history".to_owned(),
+            _ => format!("`{}`", table.header()),
         };
-        page.push_str(&format!("\n## {header}\n\n| key | symbol | what it is | takes | example | if not given |\n|---|---|---|---|---|---|\n"));
+        let words = match table {
+            Table::Top => String::new(),
+            _ => format!("{}.\n\n", capital(table.words())),
+        };
+        page.push_str(&format!("\n## {header}\n\n{words}| key | symbol | what it is | takes | example | if not given |\n|---|---|---|---|---|---|\n"));
         for key in table.keys().filter(|key| !is_further(*key)) {
             page.push_str(&row(key));
         }
@@ -62,15 +66,20 @@ pub fn page() -> String {
     page
 }
 
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
 /// Row of the base's motion, which is a history for each direction.
 const BASE: &str = "| `base` |  | how the base moves: a history for `horizontal`, to the right, and one for `vertical`, upwards; of a body \
     accelerations with their unit | [histories](#a-history) | `base = { horizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" } }` | it does not move |\n";
 
 /// The tables of random numbers, which are of names and laws and not of keys.
 const RANDOM: &str = r#"
-## `[random]`: numbers that are random
+## `[random]`
 
-For `standfast probability`; see [theory](theory/7-probability.md). Names are the keys above, a load by its name as in `load.push.force`, or a
+For `standfast probability`; see [theory](../theory/probability.md). Names are the keys above, a load by its name as in `load.push.force`, or a
 bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U` are given) and `bias.force` (every `[[load]]`).
 
 | entry | what it is | example |

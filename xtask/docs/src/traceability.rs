@@ -1,4 +1,4 @@
-//! Every function and test that the pages of validation and docs/errata.md name exists.
+//! Every function and test that the pages of validation and docs/trust/errata.md name exists.
 
 use std::fs;
 use std::path::Path;
@@ -36,7 +36,7 @@ fn every_function_named_in_the_traceability_table_exists() {
     for directory in ["crates", "xtask"] {
         sources(&root().join(directory), &mut text);
     }
-    for page in ["validation/traceability.md", "validation/loads.md", "docs/errata.md"] {
+    for page in ["docs/trust/traceability.md", "docs/trust/loads.md", "docs/trust/errata.md"] {
         // The last cell of a row names tests only.
         let page = fs::read_to_string(root().join(page)).unwrap();
         let names = functions(&page);
@@ -59,7 +59,7 @@ fn every_function_named_in_the_traceability_table_exists() {
 
 #[test]
 fn every_equation_and_figure_has_a_row() {
-    let page = fs::read_to_string(root().join("validation/traceability.md")).unwrap();
+    let page = fs::read_to_string(root().join("docs/trust/traceability.md")).unwrap();
     let listed: Vec<&str> = page
         .lines()
         .filter_map(|line| line.strip_prefix("| ")?.split(" | ").next())

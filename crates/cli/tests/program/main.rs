@@ -1,6 +1,7 @@
 //! The program as its users meet it. One test program, because each would have to be linked with everything.
 
 mod batch;
+mod book;
 mod case_file;
 mod completions;
 mod files_read;

@@ -67,7 +67,7 @@ fn transcripts_are_real() {
 #[test]
 fn the_complete_case_is_answered() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let cases = ["README.md", "docs/case-file.md"].map(|page| {
+    let cases = ["README.md", "docs/reference/keys.md"].map(|page| {
         let page = fs::read_to_string(root.join(page)).unwrap();
         let blocks: Vec<&str> =
             page.split("```toml\n").skip(1).filter_map(|block| block.split("```").next()).collect();

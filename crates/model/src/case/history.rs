@@ -212,8 +212,7 @@ impl Field<'_> {
     }
 
     /// The history of an impulsive thrust whose duration the waves give: Shimosako and Takahashi's, a triangle with its peak in the
-    /// middle, for τ₀F = max(0.4, 0.5 − H/(8h)) T and k = 1/(α*^0.3 + 1)², α* the larger of α₂ and α_I, of k τ₀F. Both formulas are
-    /// recalled; the original was not read.
+    /// middle, for τ₀F = max(0.4, 0.5 − H/(8h)) T and k = 1/(α*^0.3 + 1)², of k τ₀F.
     fn by_waves(&self, shape: &'static str) -> Result<ReadHistory, Fault> {
         let HistoryOf::Waves(waves) = self.of else { return Err(self.lacks(Key::HistoryDuration)) };
         let words = BY_WAVES.1;
@@ -225,7 +224,7 @@ impl Field<'_> {
         }
         let goda = &waves.goda;
         let period = waves.sea.period * (0.5 - goda.h_max / (8.0 * waves.sea.water_depth)).max(0.4);
-        let share = 1.0 / (goda.alpha_2.max(goda.alpha_impulsive).powf(0.3) + 1.0).powi(2);
+        let share = 1.0 / (goda.alpha_star.powf(0.3) + 1.0).powi(2);
         let duration = share * period;
         let start = self.number(Key::HistoryStart).unwrap_or(0.0);
         let peak = self.number(Key::HistoryPeak).unwrap_or(1.0);
@@ -233,11 +232,11 @@ impl Field<'_> {
         let history =
             history.and_then(|history| history.starting(start)).map_err(|error| self.refused(error))?;
         let words = format!(
-            "the wave's thrust lasts {duration:.4} s by formulas of Shimosako and Takahashi that are recalled: the original was not read"
+            "the wave's thrust lasts {duration:.4} s by the formulas of Shimosako and Takahashi; it is usually measured in a model"
         );
         Ok(ReadHistory {
             history,
-            warnings: vec![MotionWarning { name: "duration-recalled", words }],
+            warnings: vec![MotionWarning { name: "duration-by-formula", words }],
             step: None,
         })
     }
@@ -296,12 +295,13 @@ impl Field<'_> {
             _ => ["", ""],
         };
         let mut warnings: Vec<MotionWarning> = cut(&record.values, name).into_iter().collect();
-        warnings.push(MotionWarning {
-            name: "record-drift",
-            words: format!(
+        // Of a force the ground does not move.
+        if matches!(self.of, HistoryOf::Base | HistoryOf::Pure) {
+            let words = format!(
                 "{name} ends with a velocity of {velocity}{speed} and a displacement of {displacement}{metres} of the ground"
-            ),
-        });
+            );
+            warnings.push(MotionWarning { name: "record-drift", words });
+        }
         let history = record.history(factor).and_then(|history| history.starting(start));
         let history = history.map_err(|error| self.refused(error))?;
         let longest = record.times.windows(2).map(|pair| pair[1] - pair[0]).reduce(f64::max);

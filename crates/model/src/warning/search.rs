@@ -776,7 +776,7 @@ mod tests {
     fn messages_have_the_value_the_usual_and_the_key() {
         let [schema, page] = [
             include_str!("../../../../docs/answer.schema.json"),
-            include_str!("../../../../docs/theory/3-loads.md"),
+            include_str!("../../../../docs/reference/warnings.md"),
         ];
         let dry = format!("{BLOCK}{FORCE}");
         let sea = format!("{BLOCK}[water]\nlevel = 6\n{SEA}");

@@ -14,7 +14,7 @@
 //! S = [(s−1)²/8 − 1/(96s²)] · Rτ₀²/m   above
 //! ```
 //!
-//! m with the water that moves along. As published by Shimosako and Takahashi (recalled, the original was not read):
+//! m with the water that moves along. By Shimosako and Takahashi:
 //! S = τ₀²(F_S − R)³(F_S + R)/(8 m R F_S²).
 
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};

@@ -1,0 +1,475 @@
+//! docs/trust/evidence.md: how far each claim is known. Every number of its first table comes from another file of the repository, which
+//! is named beside it; a test asks whether it still stands there.
+
+/// The page without its first table, which stands where its line `{table}` is.
+pub const REST: &str = include_str!("evidence.md");
+
+/// A number, the file of the repository that it comes from, and the text there.
+type Place = (&'static str, &'static str, &'static str);
+
+/// A row of the table.
+struct Row {
+    claim: &'static str,
+    against: &'static str,
+    independent: &'static str,
+    count: &'static str,
+    result: &'static str,
+    repeat: &'static str,
+    /// Whether it is held against measurements: the row is bold.
+    measured: bool,
+    /// Where its numbers come from.
+    #[cfg_attr(not(test), allow(dead_code, reason = "a test reads it, the page does not show it"))]
+    places: &'static [Place],
+}
+
+const EXACTNESS: &str = "crates/standfast/tests/exactness.rs";
+const ENUMERATION: &str = "crates/standfast/tests/enumeration.rs";
+const COMMON: &str = "crates/standfast/tests/common/mod.rs";
+const WAVES: &str = "crates/standfast/tests/waves.rs";
+const BEARING: &str = "crates/standfast/tests/ground_bearing.rs";
+const MEASURED: &str = "crates/motion/tests/measured.rs";
+const ORACLE: &str = "crates/motion/tests/oracle.rs";
+const PERFORMANCE: &str = "docs/trust/performance.md";
+const PEERS: &str = "docs/trust/peers.md";
+const MOTION: &str = "docs/theory/motion.md";
+
+const ROWS: &[Row] = &[
+    Row {
+        claim: "mode at onset, any γ, k', k, μ",
+        against: "the report's inequalities in rational arithmetic",
+        independent: "no: the same formulas, another arithmetic",
+        count: "1,000,000 random; 100,000 within 3 ulps of each of 15 boundaries",
+        result: "0 differ",
+        repeat: "`cargo test -p standfast --test exactness`",
+        measured: false,
+        places: &[
+            ("1,000,000", EXACTNESS, "fn a_million_random_points_agree_with_rational_arithmetic()"),
+            ("1,000,000", EXACTNESS, "(0..tries(250_000)).for_each(|_| check(random.point()))"),
+            ("1,000,000", EXACTNESS, "for seed in 0..4 {"),
+            ("100,000", EXACTNESS, "(0..tries(100_000)).for_each(|_| check(boundary.point(&mut random)))"),
+            (
+                "3",
+                EXACTNESS,
+                "fn points_within_three_ulps_of_every_boundary_agree_with_rational_arithmetic()",
+            ),
+            ("15", COMMON, "pub const ALL: [Boundary; 15]"),
+            ("0", EXACTNESS, "assert_eq!((ours.mode(), ours.others()), oracle(point)"),
+        ],
+    },
+    Row {
+        claim: "mode, uniqueness, the other consistent modes",
+        against: "every contact mode tried by the laws of motion",
+        independent: "yes: another derivation",
+        count: "300,000 random; 20,000 on each of 15 boundaries",
+        result: "0 differ",
+        repeat: "`cargo test -p standfast --test enumeration`",
+        measured: false,
+        places: &[
+            ("300,000", ENUMERATION, "(0..tries(300_000)).for_each(|_| check(random.point()))"),
+            ("20,000", ENUMERATION, "(0..tries(20_000)).for_each(|_| check(boundary.point(&mut random)))"),
+            ("15", COMMON, "pub const ALL: [Boundary; 15]"),
+            ("0", ENUMERATION, "assert_eq!(closed_form, enumerate(&point)"),
+        ],
+    },
+    Row {
+        claim: "any block and wrench: a mode exists, and is the only one below Painlevé's bound",
+        against: "the laws of motion, for every mode returned",
+        independent: "the theorem is proven on the page of contact; this tests the program",
+        count: "200,000 random",
+        result: "0 without a mode, 0 with two below the bound",
+        repeat: "`cargo test -p standfast --test enumeration`",
+        measured: false,
+        places: &[
+            ("200,000", ENUMERATION, "for _ in 0..tries(200_000) {"),
+            (
+                "0",
+                ENUMERATION,
+                "fn the_general_problem_has_an_answer_and_it_is_unique_below_painleves_bound()",
+            ),
+        ],
+    },
+    Row {
+        claim: "the fast kernels, for columns of points",
+        against: "exact arithmetic",
+        independent: "no: the same formulas, another arithmetic",
+        count: "10⁹, of which a fifth within 3 ulps of a boundary",
+        result: "0 differ",
+        repeat: "`cargo bench -p standfast --bench agreement -- 1000000000`",
+        measured: false,
+        places: &[
+            ("10⁹", PERFORMANCE, "Of 10⁹ points none differed"),
+            ("0", PERFORMANCE, "Of 10⁹ points none differed"),
+            ("3", PERFORMANCE, "| 200 015 872 | 0 | 114 315 578 | within three ulps of a boundary |"),
+        ],
+    },
+    Row {
+        claim: "mode, where one is consistent",
+        against: "the physics engines MuJoCo and Rapier, tuned",
+        independent: "yes: other codes, made for other ends",
+        count: "850",
+        result: "96.8 % and 98.6 % agree; more than 5 % from a boundary 97.8 % and 99.2 %",
+        repeat: "`python validation/peers/compare.py`",
+        measured: false,
+        places: &[
+            (
+                "850",
+                PEERS,
+                "| all points with one consistent mode | 850 | 48.6 % | 96.8 % | 78.7 % | 98.6 % |",
+            ),
+            (
+                "96.8",
+                PEERS,
+                "| all points with one consistent mode | 850 | 48.6 % | 96.8 % | 78.7 % | 98.6 % |",
+            ),
+            (
+                "98.6",
+                PEERS,
+                "| all points with one consistent mode | 850 | 48.6 % | 96.8 % | 78.7 % | 98.6 % |",
+            ),
+            ("5", PEERS, "| more than 5 % from a boundary | 783 | 49.4 % | 97.8 % | 80.1 % | 99.2 % |"),
+            ("97.8", PEERS, "| more than 5 % from a boundary | 783 | 49.4 % | 97.8 % | 80.1 % | 99.2 % |"),
+            ("99.2", PEERS, "| more than 5 % from a boundary | 783 | 49.4 % | 97.8 % | 80.1 % | 99.2 % |"),
+        ],
+    },
+    Row {
+        claim: "mode, where several are consistent: the one reported",
+        against: "the same engines",
+        independent: "yes; the answer depends on how contacts give way",
+        count: "150",
+        result: "0.0 % and 26.0 % agree: not decided",
+        repeat: "`python validation/peers/compare.py`, `compliant.py`",
+        measured: false,
+        places: &[
+            (
+                "150",
+                PEERS,
+                "| several consistent modes: the one `standfast` reports | 150 | 0.0 % | 0.0 % | 13.3 % | 26.0 % |",
+            ),
+            (
+                "0.0",
+                PEERS,
+                "| several consistent modes: the one `standfast` reports | 150 | 0.0 % | 0.0 % | 13.3 % | 26.0 % |",
+            ),
+            (
+                "26.0",
+                PEERS,
+                "| several consistent modes: the one `standfast` reports | 150 | 0.0 % | 0.0 % | 13.3 % | 26.0 % |",
+            ),
+        ],
+    },
+    Row {
+        claim: "Goda's pressures, forces, factors",
+        against: "the example of his book, second hand; test values of Deltares' coastal structures toolbox",
+        independent: "yes: published",
+        count: "1; 3",
+        result: "1e-4; 3e-4",
+        repeat: "`cargo test -p standfast --test waves`",
+        measured: false,
+        places: &[
+            ("1", "validation/goda.toml", "name = \"Goda (2000), worked example\""),
+            ("3", "validation/goda.toml", "name = \"vertical wall, base case (no impulsive coefficient)\""),
+            ("3", "validation/goda.toml", "name = \"the same, longer and higher waves\""),
+            ("3", "validation/goda.toml", "name = \"the same, lower berm\""),
+            ("1e-4", WAVES, "assert!(agrees(found, *expected, digits, 1e-4)"),
+            ("3e-4", WAVES, "agrees(found, expected, 0.0, 3e-4)"),
+        ],
+    },
+    Row {
+        claim: "bearing resistance by `hansen`, without cohesion",
+        against: "groundhog",
+        independent: "yes: another code of the same formula",
+        count: "168",
+        result: "1e-8",
+        repeat: "`python validation/peers/bearing.py`, `cargo test -p standfast --test ground_bearing`",
+        measured: false,
+        places: &[
+            ("168", BEARING, "assert_eq!(rows, 168)"),
+            ("1e-8", BEARING, "assert!((ours / resistance - 1.0).abs() < 1e-8"),
+        ],
+    },
+    Row {
+        claim: "a case on a base that gives way",
+        against: "a second program, from the formulas",
+        independent: "the same rules, another code",
+        count: "600 cases, 3800 numbers",
+        result: "all agree, within the steps of the second program",
+        repeat: "`python validation/peers/base.py 600 PATH/TO/standfast`",
+        measured: false,
+        places: &[("600", PEERS, "Of 600 cases (seeds 0 to 599"), ("3800", PEERS, "3800 numbers agree")],
+    },
+    Row {
+        claim: "slide under a record, one way",
+        against: "pyslammer",
+        independent: "yes: another code",
+        count: "79",
+        result: "0.01 % in the median, 1.1 % at most",
+        repeat: "`python validation/peers/newmark.py PATH/TO/standfast`",
+        measured: false,
+        places: &[
+            ("79", PEERS, "79 slides above 1 µm"),
+            ("0.01", PEERS, "0.01 % in the median, 0.08 % at 90 %, 1.1 % at most"),
+            ("1.1", PEERS, "0.01 % in the median, 0.08 % at 90 %, 1.1 % at most"),
+        ],
+    },
+    Row {
+        claim: "events of a motion in time",
+        against: "the same rules by scipy's integrator",
+        independent: "the same rules, another code",
+        count: "300",
+        result: "298 have the same events, at the same times to 1e-7",
+        repeat: "`python validation/peers/motion_events.py PATH/TO/standfast 0 300`",
+        measured: false,
+        places: &[
+            ("300", PEERS, "python motion_events.py PATH/TO/standfast 0 300"),
+            ("298", PEERS, "cases 298 have the same events, at the same times to 1e-7"),
+            ("1e-7", PEERS, "cases 298 have the same events, at the same times to 1e-7"),
+        ],
+    },
+    Row {
+        claim: "phases of rocking and slide-rocking, each to its end",
+        against: "another integrator, in the tests",
+        independent: "the same equations, another method",
+        count: "300 problems, more than 300 phases",
+        result: "1e-9 in time, angle and place",
+        repeat: "`cargo test -p standfast-motion --test oracle`",
+        measured: false,
+        places: &[
+            ("300", ORACLE, "for seed in 0..300 {"),
+            ("300", ORACLE, "checked.iter().sum::<i32>() > 300"),
+            ("1e-9", ORACLE, "assert!((t - end).abs() < 1e-9"),
+        ],
+    },
+    Row {
+        claim: "reliability index β",
+        against: "OpenTURNS, pystra",
+        independent: "yes: other codes",
+        count: "3 limit states",
+        result: "2 agree where they answer; at the kink of the third none of the other programs ends at the nearest point",
+        repeat: "`python validation/peers/reliability.py PATH/TO/standfast`",
+        measured: false,
+        places: &[
+            ("3", PEERS, "| μ − k, normals | 5.1993376 | 5.1993376 | 5.1993376 | 5.1993376 | 5.1993376 |"),
+            (
+                "3",
+                PEERS,
+                "| 1 − kγ(1 + k'), Gumbel | 2.0677557 | \"not on the limit state\" | 2.0677557 | 2.0677557 | 2.0677557 |",
+            ),
+            ("3", PEERS, "| Goda's caisson, four numbers, a kink in H₀' | 1.7807113 |"),
+            ("2", PEERS, "At the kink none of the four ends where the nearest point is."),
+        ],
+    },
+    Row {
+        claim: "probability of each mode, of Goda's caisson",
+        against: "a second program: quadrature, Sobol' points",
+        independent: "the same laws, another code and method",
+        count: "10 problems of two and three numbers; 7 of four to eight",
+        result: "4e-10; inside the interval of 95 %, with the error of the second program",
+        repeat: "`python validation/peers/probability.py PATH/TO/standfast`",
+        measured: false,
+        places: &[
+            (
+                "10",
+                PEERS,
+                "| 10 of Goda's caisson, two and three numbers | not rest, SL, other modes above 1e-6 | 4e-10 |",
+            ),
+            (
+                "4e-10",
+                PEERS,
+                "| 10 of Goda's caisson, two and three numbers | not rest, SL, other modes above 1e-6 | 4e-10 |",
+            ),
+            ("7", PEERS, "| 7 of the caisson, four to eight numbers"),
+            ("95", PEERS, "inside the interval of 95 % and three standard errors of the script"),
+        ],
+    },
+    Row {
+        claim: "distance that a cube slides",
+        against: "measured slides (ContactNets)",
+        independent: "nature, but its friction was fitted on these slides",
+        count: "82",
+        result: "3.8 % in the median, 14 % at most; fitted on one half, the other is within 4.4 and 3.4 % in the median",
+        repeat: "`cargo test -p standfast-motion --test measured`",
+        measured: true,
+        places: &[
+            ("82", MEASURED, "assert_eq!(errors.len(), 82)"),
+            ("3.8", MOTION, "3.8 % in the median, 14 % at most"),
+            ("14", MOTION, "3.8 % in the median, 14 % at most"),
+            ("4.4", MOTION, "is within 4.4 and 3.4 % in the median, 14 % at most"),
+            ("3.4", MOTION, "is within 4.4 and 3.4 % in the median, 14 % at most"),
+        ],
+    },
+    Row {
+        claim: "where a tossed cube comes to rest",
+        against: "measured tosses of the same cube, with the friction of the slides",
+        independent: "nature",
+        count: "36",
+        result: "35 faces right; it travels 0.66 of the measured way in the median, for the real cube bounces",
+        repeat: "`cargo test -p standfast-motion --test measured`",
+        measured: true,
+        places: &[
+            ("36", MEASURED, "assert_eq!(all.len(), 36)"),
+            ("35", MOTION, "35 final faces right; it travels 0.66 of the way in the median"),
+            ("0.66", MOTION, "35 final faces right; it travels 0.66 of the way in the median"),
+        ],
+    },
+    none("a column or block that rocks on a shaking table"),
+    none("a caisson in a flume or at sea"),
+    none("a footing that is loaded until its ground fails"),
+];
+
+/// A claim that no measurement was held against.
+const fn none(claim: &'static str) -> Row {
+    Row {
+        claim,
+        against: "measurements",
+        independent: "–",
+        count: "–",
+        result: "none yet",
+        repeat: "–",
+        measured: false,
+        places: &[],
+    }
+}
+
+/// The table of claims.
+pub fn table() -> String {
+    let mut table = String::from(
+        "| claim | held against | independent? | n | result | how to repeat it |\n|---|---|---|---|---|---|\n",
+    );
+    for row in ROWS {
+        let cells = [row.claim, row.against, row.independent, row.count, row.result];
+        for cell in cells {
+            let cell = if row.measured { format!("**{cell}**") } else { cell.to_owned() };
+            table.push_str(&format!("| {cell} "));
+        }
+        table.push_str(&format!("| {} |\n", row.repeat));
+    }
+    table
+}
+
+/// The page: the table in its place in the rest.
+pub fn page(rest: &str) -> String {
+    rest.replace("{table}\n", &table())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    /// The numbers of a cell, without the signs around them.
+    fn numbers(cell: &str) -> Vec<&str> {
+        cell.split_whitespace()
+            .map(|word| word.trim_matches(|c: char| !c.is_alphanumeric()))
+            .filter(|word| word.starts_with(|c: char| c.is_ascii_digit()))
+            .collect()
+    }
+
+    fn stands(file: &str, text: &str) {
+        let source =
+            fs::read_to_string(crate::root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
+        assert!(source.contains(text), "{file} says no longer: {text}");
+    }
+
+    #[test]
+    fn every_number_of_the_table_stands_where_it_comes_from() {
+        for row in ROWS {
+            let cells = [row.claim, row.against, row.independent, row.count, row.result];
+            let told: Vec<&str> = cells.into_iter().flat_map(numbers).collect();
+            for number in &told {
+                let known = row.places.iter().any(|(of, _, _)| of == number);
+                assert!(known, "{}: {number} comes from nowhere", row.claim);
+            }
+            for (number, file, text) in row.places {
+                assert!(told.contains(number), "{}: {number} is not told", row.claim);
+                stands(file, text);
+            }
+        }
+    }
+
+    /// A row or a sentence of the page, and the lines of the output that say so.
+    const DECIDED: &[(&str, &[&str])] = &[
+        (
+            "draws 40,000 vertical\ncaissons under Goda's waves",
+            &["caissons under waves: 40000", "statues, racks, columns under an earthquake: 40000"],
+        ),
+        (
+            "| drawn | 24,020 | 15,980 | 40,000 |",
+            &["of these, as wide as high or wider: 24020", "of these, higher than wide: 15980"],
+        ),
+        (
+            "| both factors 1.2 or more: it rests | 15,029 of 15,029 | 5012 of 5012 | 9095 of 9095 |",
+            &[
+                "both factors 1.2 or more: 15029, of which rest 15029",
+                "both factors 1.2 or more: 5012, of which rest 5012",
+                "both factors 1.2 or more: 9095, of which rest 9095",
+            ],
+        ),
+        (
+            "| sliding alone below 1: it slides | 5169 of 5169 | 2285 of 2285 | 1446 of 1446 |",
+            &["5169 of 5169, 100.0 %", "2285 of 2285, 100.0 %", "1446 of 1446, 100.0 %"],
+        ),
+        (
+            "| overturning alone below 1: it rocks | none drawn | 68 of 68 | 9854 of 9854 |",
+            &["68 of 68, 100.0 %", "9854 of 9854, 100.0 %"],
+        ),
+        (
+            "| both below 1, sliding the lesser: it slides | 1318 of 1318 | 5507 of 5522 | 4177 of 4177 |",
+            &["1318 of 1318, 100.0 %", "5507 of 5522, 99.7 %", "4177 of 4177, 100.0 %"],
+        ),
+        (
+            "| both below 1, overturning the lesser: it rocks | none drawn | **221 of 1295** | **9732 of 13,207** |",
+            &["221 of 1295, 17.1 %", "9732 of 13207, 73.7 %"],
+        ),
+        (
+            "| the same, but it slide-rocks | – | 839 | 2384 |",
+            &["221         839   221 of 1295", "9732        2384   9732 of 13207"],
+        ),
+        (
+            "| the same, but it only slides | – | 235 | 1091 |",
+            &["1295     235     221", "13207    1091    9732"],
+        ),
+        (
+            "| overturning below 1, and nothing turns | 1318 of 1318 | 5742 of 6885 | 5268 of 27,238 |",
+            &[
+                "overturning below 1, and nothing turns: 1318 of 1318",
+                "overturning below 1, and nothing turns: 5742 of 6885",
+                "overturning below 1, and nothing turns: 5268 of 27238",
+            ],
+        ),
+        ("| the answer is not unique | 0 | 0 | 0 |", &["answer not unique: 0"]),
+        ("higher than wide 17.1 % then rock", &["221 of 1295, 17.1 %"]),
+        ("statues, racks and columns 73.7 % rock", &["9732 of 13207, 73.7 %"]),
+        ("below 1, 86.1 % only slide", &["overturning below 1, and nothing turns: 7060 of 8203, 86.1 %"]),
+        (
+            "none of these has one",
+            &[
+                "overturning 1 or more, and yet it turns: 0 of the 15657 that move",
+                "overturning 1 or more, and yet it turns: 0 of the 28684 that move",
+            ],
+        ),
+        ("for 98.7 % of the caissons and for all", &["39474 of 40000, 98.7 %", "40000 of 40000, 100.0 %"]),
+        (
+            "leaves rest at 1.14 to 1.23 times the wave's load, half of them below 1.18",
+            &[
+                "lesser factor 1.20 to 1.25: 967; they leave rest at 1.14 to 1.23 times the load, half below 1.18",
+            ],
+        ),
+    ];
+
+    #[test]
+    fn every_number_of_the_decisions_stands_in_the_output_of_the_script() {
+        for (told, lines) in DECIDED {
+            assert!(REST.contains(told), "the page says no longer: {told}");
+            for line in *lines {
+                stands("validation/decision/decisions.txt", line);
+            }
+        }
+    }
+
+    #[test]
+    fn the_page_has_one_place_for_the_table() {
+        assert_eq!(REST.matches("{table}\n").count(), 1);
+        assert!(page(REST).contains("| none yet |"));
+    }
+}
