@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use standfast_cases::design::{
-    BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, boundary_csv,
+    BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, Target, boundary_csv,
 };
 use standfast_cases::{CaseFile, Document};
 
@@ -28,9 +28,18 @@ const SPELLING: Spelling = Spelling {
 type Ends = [Option<String>; 2];
 
 /// A request; `wanted` are the target, and whether the greatest value that meets it is.
-fn request(vary: String, (target, greatest): &(String, bool), [from, to]: Ends) -> PyResult<DesignRequest> {
-    let target =
-        target.parse().map_err(|error| StandfastError::new_err(format!("target is {target:?}; {error}")))?;
+fn request(
+    file: &CaseFile,
+    vary: String,
+    (target, greatest): &(Option<String>, bool),
+    [from, to]: Ends,
+) -> PyResult<DesignRequest> {
+    let target = match target {
+        Some(target) => target
+            .parse()
+            .map_err(|error| StandfastError::new_err(format!("target is {target:?}; {error}")))?,
+        None => Target::own(file).map_err(|error| of_design(&error))?,
+    };
     let extreme = if *greatest { Extreme::Greatest } else { Extreme::Least };
     Ok(DesignRequest { vary, target, extreme, from, to, spelling: &SPELLING })
 }
@@ -41,13 +50,13 @@ pub(crate) fn design(
     py: Python<'_>,
     file: (String, String),
     vary: String,
-    wanted: (String, bool),
+    wanted: (Option<String>, bool),
     ends: Ends,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, String, Vec<Slip>)> {
-    let request = request(vary, &wanted, ends)?;
+    let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
+    let request = request(&file, vary, &wanted, ends)?;
     watched(py, progress.as_ref(), move |portion| {
-        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
         let design = Design::of(&file, request, portion).map_err(|error| of_design(&error))?;
         Ok((design.text(&()), design.json(&(), &[]), slips(&design.found().answer.case)))
     })?
@@ -62,12 +71,13 @@ pub(crate) fn boundary(
     py: Python<'_>,
     file: (String, String),
     vary: String,
-    wanted: (String, bool),
+    wanted: (Option<String>, bool),
     ends: Ends,
     and_: (String, Ends),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Rendered> {
-    let design = request(vary, &wanted, ends)?;
+    let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
+    let design = request(&file, vary, &wanted, ends)?;
     watched(py, progress.as_ref(), move |portion| {
         let (and, [from, to]) = and_;
         let request = BoundaryRequest { design, and, from, to };
@@ -75,7 +85,6 @@ pub(crate) fn boundary(
             let svg = figures(&boundary, &())?.pop().map(|(_, _, svg, _)| svg);
             Ok((boundary.text(&()), boundary.json(&(), &[]), boundary_csv(&boundary), svg))
         };
-        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
         DesignBoundary::of(&file, request, portion).map_err(|error| of_design(&error)).and_then(rendered)
     })?
 }

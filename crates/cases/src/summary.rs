@@ -1,5 +1,7 @@
 //! Top of an answer: what is asked first, in three sentences.
 
+use std::fmt;
+
 use serde::Serialize;
 use standfast_answers::assess::{AnyCheck, predicate};
 use standfast_answers::motion::MotionValue;
@@ -25,6 +27,9 @@ pub struct Summary {
     pub near: Option<String>,
     /// The names of the warnings.
     pub warnings: Vec<&'static str>,
+    /// Their sentences.
+    #[serde(skip)]
+    pub warned: Vec<String>,
 }
 
 /// The criterion of which most is used.
@@ -51,16 +56,39 @@ impl GoverningCriterion {
 }
 
 impl Summary {
-    /// The sentences, each a paragraph, and the names of the warnings.
+    /// The sentences, each a paragraph, and the names of the warnings, of which more is said below.
     pub fn text(&self) -> String {
-        let sentences = [self.criteria.as_ref(), Some(&self.answer), self.near.as_ref()];
-        let mut text: String =
-            sentences.into_iter().flatten().map(|sentence| paragraph(sentence, 0)).collect();
+        let mut text = self.sentences();
         if !self.warnings.is_empty() {
             text += &paragraph(&format!("Warnings: {}.", self.warnings.join(", ")), 0);
         }
         text
     }
+
+    /// The sentences, each a paragraph, and the warnings with theirs: all that is said.
+    pub fn alone(&self) -> String {
+        let warned = self.warned.iter().map(|words| paragraph(words, 0));
+        warned.fold(self.sentences(), |text, warning| text + &warning)
+    }
+
+    fn sentences(&self) -> String {
+        let sentences = [self.criteria.as_ref(), Some(&self.answer), self.near.as_ref()];
+        sentences.into_iter().flatten().map(|sentence| paragraph(sentence, 0)).collect()
+    }
+}
+
+/// Warnings with their sentences, each once.
+pub(crate) fn warned<'a, W: fmt::Display + 'a>(
+    all: impl Iterator<Item = (&'static str, &'a W)>,
+) -> Vec<String> {
+    let mut found = Vec::new();
+    for (name, warning) in all {
+        let words = format!("Warning ({name}): {warning}.");
+        if !found.contains(&words) {
+            found.push(words);
+        }
+    }
+    found
 }
 
 /// Names, each once, in their order.

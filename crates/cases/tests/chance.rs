@@ -628,7 +628,7 @@ fn figures_of_answers_are_tidy() {
         gamma = { normal = { mean = 0.8, sd = 0.1 } }\n";
     let cases: [(&str, Option<&str>, &[&str]); 5] = [
         (tall, None, &["-draws", "-modes", "-matters", "-convergence"]),
-        (plinth, Some("pga=0.3 g..0.9 g:3"), &["-draws", "-modes", "-overturning"]),
+        (plinth, Some("pga=0.3 g..0.9 g:3"), &["-draws", "-modes", "-overturns"]),
         (
             statue,
             Some("earthquake.horizontal=1.5 m/s2..2.75 m/s2:6"),
@@ -650,7 +650,7 @@ fn figures_of_answers_are_tidy() {
         let suffixes: Vec<&str> = figures.iter().map(|figure| &*figure.suffix).collect();
         assert_eq!(suffixes, expected);
         for figure in &figures {
-            if figure.suffix == "-overturning" {
+            if figure.suffix == "-overturns" {
                 // One shaking: points, without a line through them or a band, and the reason.
                 let (_, band, _) = standfast_figures::colours().find(|colour| colour.0 == "band").unwrap();
                 let caption = figure.figure.caption();

@@ -382,9 +382,9 @@ pub struct DesignArgs {
     pub case: PathBuf,
     /// Quantity to vary: width, height, mass, friction, water_level, crest_height, or any number of the case as in wave.period; without
     /// one, the least change of each number that a person can change
-    #[arg(long, value_name = "QUANTITY", requires = "target")]
+    #[arg(long, value_name = "QUANTITY")]
     pub vary: Option<String>,
-    /// The target, one of those below; without a quantity to vary it may be left out: the criteria of the case, or rest
+    /// The target, one of those below [default: the criteria of the case; without any that it rests, in time that it does not overturn]
     #[arg(long, value_name = "TARGET")]
     pub target: Option<Target>,
     /// The least value that meets the target (default)

@@ -7,7 +7,8 @@ use std::str::FromStr;
 
 use standfast_cases::Document;
 use standfast_cases::design::{
-    BoundaryRequest, ChangeList, Design, DesignBoundary, DesignRequest, Extreme, Spelling, boundary_csv,
+    BoundaryRequest, ChangeList, Design, DesignBoundary, DesignRequest, Extreme, Spelling, Target,
+    boundary_csv,
 };
 
 use crate::args::DesignArgs;
@@ -70,13 +71,13 @@ pub fn design(args: &DesignArgs) -> Result<String> {
         // Before a boundary is looked for, or the first of several files is written.
         read.refuse(output.path())?;
     }
-    let (Some(vary), Some(target)) = (args.vary.clone(), args.target) else {
+    let Some(vary) = args.vary.clone() else {
         let list = watched(|portion| ChangeList::of(&file, args.target, portion))?;
         return Ok(Shown::of(args.brief, args.format).text(&list, &(), &[]));
     };
     let request = DesignRequest {
         vary,
-        target,
+        target: args.target.map_or_else(|| Target::own(&file), Ok)?,
         extreme: if args.greatest { Extreme::Greatest } else { Extreme::Least },
         from: args.from.clone(),
         to: args.to.clone(),

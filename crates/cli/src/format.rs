@@ -33,7 +33,7 @@ impl Shown {
         match self {
             Shown::Whole(Format::Text) => answer.text(view),
             Shown::Whole(Format::Json) => answer.json(view, figures),
-            Shown::Brief => answer.summary().map_or_else(|| answer.text(view), |summary| summary.text()),
+            Shown::Brief => answer.summary().map_or_else(|| answer.text(view), |summary| summary.alone()),
         }
     }
 }

@@ -34,8 +34,13 @@ pub enum Problem {
     #[error(transparent)]
     Random(Box<RandomProblem>),
     /// The text is not TOML.
-    #[error("this is not valid TOML: {0}")]
-    Syntax(String),
+    #[error("this is not valid TOML: {message}")]
+    Syntax {
+        /// What the reader of TOML says.
+        message: String,
+        /// The line on which it says so.
+        line: String,
+    },
     /// A key that no case file has.
     #[error("{} has no key `{}`", table.header(), shortened(name))]
     UnknownKey {

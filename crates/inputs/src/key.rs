@@ -678,7 +678,7 @@ listed! {
     AngleDeg = key(Wave, "angle_deg", Plain(NotNegative), "β_g", "angle of the waves from the wall’s normal", "15")
         .gives(&[Quantity::WaveAngle]);
     WaveWaterDensity = key(Wave, "water_density", Measured(Dimension::Density, Positive), "ρ", "density of the sea", "\"1030 kg/m3\"")
-        .moves(Moves::WaterDensity).gives(&[Quantity::WaterDensity]);
+        .silent("density of the sea: that of [water]").moves(Moves::WaterDensity).gives(&[Quantity::WaterDensity]);
     DeepWaterHeight =
         key(Wave, "deep_water_height", length(Positive), "H_0'", "equivalent deep-water wave height", "\"6.3 m\"")
         .gives(&[Quantity::DeepWaterHeight]);

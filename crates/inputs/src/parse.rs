@@ -65,8 +65,11 @@ impl CaseText {
                 return Err(PlacedProblem { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 });
             }
             let document = DeTable::parse(text).map_err(|error| {
-                let problem = Problem::Syntax(error.message().to_owned());
-                PlacedProblem { problem, span: error.span().unwrap_or(0..0) }
+                let span = error.span().unwrap_or(0..0);
+                let at = span.start.min(text.len());
+                let begin = text[..at].rfind('\n').map_or(0, |newline| newline + 1);
+                let line = text[begin..].lines().next().unwrap_or_default().to_owned();
+                PlacedProblem { problem: Problem::Syntax { message: error.message().to_owned(), line }, span }
             })?;
             file.read_document(text, &document)
         })

@@ -4,7 +4,7 @@
 //! farther than there is probability enough to be seen in any answer.
 //! Along each the pattern of the pieces is scanned, and where it changes, bisected to the last bit; an outer integral is parted
 //! where the list of patterns along the inner one changes. Between the kinks panels are halved until Gauss's rule and Kronrod's about it
-//! agree: that difference is the error stated, far more than that of the finer rule, which is the answer.
+//! agree: that difference is the error stated, far more than that of the finer rule, which is the answer, where the scan met every kink.
 
 use crate::problem::{Frame, Outcomes, RandomVector, Scratch, mixed};
 use crate::{REACH, legendre, normal};

@@ -7,7 +7,7 @@
 //!
 //! | module | method | for |
 //! |---|---|---|
-//! | [`integrate`] | panels between the kinks, two inputs beside the line at most | all digits |
+//! | [`integrate`] | panels between the kinks, two inputs beside the line at most | all digits, where the scan met every kink |
 //! | [`sample::sobol`] | scrambled Sobol' points, with an interval | more inputs |
 //! | [`sample::importance`] | the same about design points | small probabilities |
 //! | [`sample::monte_carlo`] | everything drawn, hits counted | to be believed by anyone |

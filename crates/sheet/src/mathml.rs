@@ -226,11 +226,12 @@ pub fn name(text: &str) -> String {
         letters if inner.is_empty() => format!("<mi>{}</mi>", escape(letters)),
         letters => row(&format!("<mi>{}</mi>{PRIME}", escape(letters))),
     };
+    let stars = format!("<mo>{}</mo>", "∗".repeat(marks.matches('*').count()));
     match (bare.is_empty(), marks.contains('*')) {
         (true, false) => letter,
         (false, false) => format!("<msub>{letter}{below}</msub>"),
-        (true, true) => format!("<msup>{letter}<mo>∗</mo></msup>"),
-        (false, true) => format!("<msubsup>{letter}{below}<mo>∗</mo></msubsup>"),
+        (true, true) => format!("<msup>{letter}{stars}</msup>"),
+        (false, true) => format!("<msubsup>{letter}{below}{stars}</msubsup>"),
     }
 }
 

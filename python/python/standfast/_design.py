@@ -95,7 +95,7 @@ def design(
     case: Case,
     *,
     vary: str,
-    target: str,
+    target: str | None = None,
     greatest: bool = False,
     lower: float | str | None = None,
     upper: float | str | None = None,
@@ -106,7 +106,7 @@ def design(
     case: Case,
     *,
     vary: str,
-    target: str,
+    target: str | None = None,
     greatest: bool = False,
     lower: float | str | None = None,
     upper: float | str | None = None,
@@ -119,7 +119,7 @@ def design(
     case: Case,
     *,
     vary: str,
-    target: str,
+    target: str | None = None,
     greatest: bool = False,
     lower: float | str | None = None,
     upper: float | str | None = None,
@@ -138,7 +138,8 @@ def design(
             number of the case by table and key, as ``"wave.period"`` or ``"load[2].force"``; with where to look behind it, in place of
             ``lower`` and ``upper``, as ``"width=10 m..20 m"``.
         target: ``"rest"``, ``"factor=1.2"`` (both safety factors), ``"no-rock"``, ``"no-slide"``, ``"criteria"`` of the case,
-            ``"utilisation=0.9"`` of them, or one criterion, as ``"bearing_max=300kPa"`` or ``"load_factor=1.2"``.
+            ``"utilisation=0.9"`` of them, or one criterion, as ``"bearing_max=300kPa"`` or ``"load_factor=1.2"``. Without one the criteria
+            of the case; without any that it rests, in time that it does not overturn.
         greatest: the greatest value that meets the target in place of the least.
         lower, upper: where to look, a number in SI units or a text with a unit, as the case file has the quantity; a fifth and
             five times the present value if not given.
@@ -171,7 +172,7 @@ def design(
     15.46
     """
     for name, text in (("vary", vary), ("target", target), ("and_", and_)):
-        if not isinstance(text, str) and not (text is None and name == "and_"):
+        if not isinstance(text, str) and not (text is None and name != "vary"):
             raise TypeError(f"{name} is {text!r}; expected a text")
     if not isinstance(greatest, (bool, np.bool_)):
         raise TypeError(f"greatest is {greatest!r}; expected True or False")

@@ -289,8 +289,8 @@ class Diagram:
             points: load cases to mark, ``{name: (k, μ)}``; or a cloud of points without names: an array with rows of (k, μ),
                 or a table with the columns ``k`` and ``mu`` (and ``name``, if they have names). Every point with a name is
                 named: beside its marker, or farther away with a line to it, or by a number that a list right of the axes
-                explains. Without a ``window`` of its own the diagram widens to hold all points; with one, an arrow at its edge
-                points at a named point outside.
+                explains. Without a ``window`` of its own the diagram is laid around all points and the corner where regions meet;
+                with one, an arrow at its edge points at a named point outside.
             formulas: whether the lines carry their equations.
             by_mode: whether points have a marker for each mode, with a legend that counts them.
 

@@ -157,12 +157,12 @@ def contact_rows(
 def contact_conditions(row: Sequence[float], code: int | None) -> list[_Relation]: ...
 def explain(gamma: float, k_prime: float, k: float, mu: float, omega: float, right: bool) -> tuple[str, str]: ...
 def design(
-    file: tuple[str, str], vary: str, wanted: tuple[str, bool], ends: _Ends, progress: _Progress
+    file: tuple[str, str], vary: str, wanted: tuple[str | None, bool], ends: _Ends, progress: _Progress
 ) -> tuple[str, str, list[tuple[str, str]]]: ...
 def boundary(
     file: tuple[str, str],
     vary: str,
-    wanted: tuple[str, bool],
+    wanted: tuple[str | None, bool],
     ends: _Ends,
     and_: tuple[str, _Ends],
     progress: _Progress,

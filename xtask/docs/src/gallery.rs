@@ -14,7 +14,7 @@ use standfast_figures::{
 };
 use standfast_sheet::{Sheet, SheetOptions};
 
-use crate::{chances, commands, evidence, keys, results};
+use crate::{chances, commands, errors, evidence, keys, results};
 
 /// A file of the gallery.
 pub struct File {
@@ -125,6 +125,7 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
     files.push(File::written("reference/keys.md", keys::page()));
     files.push(File::written("reference/results.md", results::page()));
     files.push(File::written("trust/evidence.md", evidence::page(evidence::REST)));
+    files.push(File::written("reference/errors.md", errors::page(root)?));
     files.push(File::written("reference/commands.md", commands::page()));
     Ok(files)
 }

@@ -9,6 +9,7 @@ pub mod pages;
 
 mod chances;
 mod commands;
+mod errors;
 mod evidence;
 mod keys;
 mod results;

@@ -15,7 +15,7 @@ pub fn wheel(toolchain: &Toolchain, system: &System, folder: &Path) -> Result<(P
     let place = target().join("dist-build").join(format!("wheel-{}", system.name));
     cleared(&place)?;
     let mut build = toolchain.command("maturin", system)?;
-    build.args(["build", "--quiet", "--locked", "--profile", "dist", "--target", system.triple]);
+    build.args(["build", "--quiet", "--locked", "--profile", "dist-wheel", "--target", system.triple]);
     build.args(["--manifest-path", "python/Cargo.toml", "--out"]).arg(&place);
     if !system.wheel.is_empty() {
         build.args(["--compatibility", system.wheel]);

@@ -13,7 +13,7 @@ use crate::couple::{Variable, vary};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Table};
 use crate::rounded::Towards;
-use standfast_model::{CaseFile, MotionCriterion};
+use standfast_model::CaseFile;
 use standfast_watch::{Portion, Stopped};
 
 /// Significant digits of a number that goes with the one that is changed; more where the target takes more.
@@ -74,11 +74,7 @@ impl SingleChanges {
     /// If the case makes no sense, or has no such target.
     pub fn of(file: &CaseFile, target: Option<Target>) -> Result<SingleChanges, DesignError> {
         let subject = Subject::of(file)?;
-        let target = target.unwrap_or(match &subject.time {
-            _ if !subject.case.criteria.is_empty() || subject.asks_of_motion() => Target::Utilisation(1.0),
-            Some(_) => Target::Motion(MotionCriterion::NotOverturned),
-            None => Target::Rest,
-        });
+        let target = target.unwrap_or_else(|| subject.own_target());
         let follows = subject.follows(target)?;
         answerable(target, &subject)?;
         let varied = Varied { subject: &subject, follows, held: None };
@@ -186,10 +182,10 @@ impl SingleChanges {
 /// alone, which would leave a gap.
 fn is_free(id: Id) -> bool {
     use Key::{
-        BlockGravity, BuoyantWeight, CaissonWidth, CentroidHeight, EnvelopeCoupling, EnvelopeHorizontal,
-        EnvelopeMoment, Gravity, HistoryStart, KineticFriction, Lambda1, Lambda2, Lambda3, MomentOfInertia,
-        MuImpact, MuK, PartDensity, PartDensityBelow, Phase, RecordStep, SeaBottomSlope, TMax, TurnDeg,
-        WaterDensity, WaterDepth, WaterMass, WaveWaterDensity, WeightArm,
+        BlockGravity, BuoyantWeight, CaissonWidth, EnvelopeCoupling, EnvelopeHorizontal, EnvelopeMoment,
+        Gravity, HistoryStart, KineticFriction, Lambda1, Lambda2, Lambda3, MomentOfInertia, MuImpact, MuK,
+        PartDensity, PartDensityBelow, Phase, RecordStep, SeaBottomSlope, TMax, TurnDeg, WaterDensity,
+        WaterDepth, WaterMass, WaveWaterDensity, WeightArm,
     };
     let bound = matches!(
         id.key,
@@ -210,7 +206,6 @@ fn is_free(id: Id) -> bool {
             | CaissonWidth
             | BuoyantWeight
             | WeightArm
-            | CentroidHeight
             | MomentOfInertia
             | KineticFriction
             | MuK

@@ -55,6 +55,15 @@ impl Subject {
         self.time.as_ref().map(|time| time.note.clone())
     }
 
+    /// The target that a case has of its own: its criteria, or without any that it rests, in time that it does not overturn.
+    pub(super) fn own_target(&self) -> Target {
+        match &self.time {
+            _ if !self.case.criteria.is_empty() || self.asks_of_motion() => Target::Utilisation(1.0),
+            Some(_) => Target::Motion(MotionCriterion::NotOverturned),
+            None => Target::Rest,
+        }
+    }
+
     /// True if something is asked of the motion.
     pub(super) fn asks_of_motion(&self) -> bool {
         self.time.as_ref().is_some_and(|time| !time.criteria.is_empty())

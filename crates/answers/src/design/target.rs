@@ -6,7 +6,9 @@ use std::str::FromStr;
 use standfast::{Mode, Verdict};
 use thiserror::Error;
 
+use super::error::DesignError;
 use super::quantity::fault;
+use super::subject::Subject;
 use super::{least, load_factor, overturning, sliding};
 use crate::assess::predicate;
 use crate::assess::{Assessed, Assessment, CaseCheck};
@@ -20,7 +22,7 @@ use crate::motion::MotionCheck;
 use crate::parse::read;
 use crate::suggest::closest;
 use crate::units::Extent;
-use standfast_model::{Bound, Criterion, MotionCriterion};
+use standfast_model::{Bound, CaseFile, Criterion, MotionCriterion};
 
 /// Beyond any factor that a design aims at.
 const FAR: f64 = 1e4;
@@ -98,6 +100,16 @@ fn known() -> String {
         criteria.join(", "),
         MOTION_CRITERIA.join(", ")
     )
+}
+
+impl Target {
+    /// The target that a case has of its own: its criteria, or without any that it rests, in time that it does not overturn.
+    ///
+    /// # Errors
+    /// If the case makes no sense.
+    pub fn own(file: &CaseFile) -> Result<Target, DesignError> {
+        Ok(Subject::of(file)?.own_target())
+    }
 }
 
 impl FromStr for Target {

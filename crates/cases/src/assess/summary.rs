@@ -6,7 +6,7 @@ use super::{AnyCheck, Assessed, Assessment, ground, predicate, verdict};
 use crate::json::CheckEntry;
 use crate::layout::{self, percent};
 use crate::summary::{
-    GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted, sentence,
+    GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted, sentence, warned,
 };
 
 /// A body at rest.
@@ -28,6 +28,7 @@ pub(super) fn summary(assessment: &Assessment) -> Summary {
             GoverningCriterion::of(CheckEntry::of(check), place(assessment, check.assessed(assessment)))
         }),
         near: near(assessment),
+        warned: warned(assessment.case.warnings().iter().map(|warning| (warning.name(), warning))),
         warnings: once(assessment.case.warnings().iter().map(standfast_model::Warning::name)),
     }
 }

@@ -9,7 +9,7 @@ use crate::couple::Variable;
 use crate::document::{AnswerFigure, Document};
 use crate::json::SCHEMA;
 use crate::layout::{columns, paragraph, row, significant};
-use crate::summary::{Summary, once};
+use crate::summary::{Summary, once, warned};
 use crate::units::Dimension;
 use standfast_model::CaseFile;
 use standfast_watch::Portion;
@@ -216,6 +216,7 @@ impl Document for ChangeList {
             met: Some(met),
             governing: None,
             near: None,
+            warned: warned(self.of.present.case.warnings().iter().map(|warning| (warning.name(), warning))),
             warnings: once(self.of.present.case.warnings().iter().map(standfast_model::Warning::name)),
         })
     }

@@ -1,7 +1,7 @@
 //! Top of a design: whether the present value meets the target, the value found, what fails just beyond it.
 
 use super::{Design, Extreme};
-use crate::summary::{Summary, once};
+use crate::summary::{Summary, once, warned};
 
 pub(super) fn summary(design: &Design) -> Summary {
     let Design { request, quantity, .. } = design;
@@ -24,6 +24,7 @@ pub(super) fn summary(design: &Design) -> Summary {
         met: Some(meets),
         governing: None,
         near: found.beyond.brief().map(|words| format!("Just beyond, {words}.")),
+        warned: warned(found.answer.case.warnings().iter().map(|warning| (warning.name(), warning))),
         warnings: once(found.answer.case.warnings().iter().map(standfast_model::Warning::name)),
     }
 }

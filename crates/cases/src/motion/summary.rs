@@ -9,7 +9,9 @@ use super::FollowedMotion;
 use super::text::{far, verdict};
 use crate::json::CheckEntry;
 use crate::layout::{digits, significant};
-use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted};
+use crate::summary::{
+    GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted, warned,
+};
 
 /// Relative spread of inputs of which nothing else is known.
 const SPREAD: f64 = 1e-3;
@@ -42,6 +44,7 @@ pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
             .map(|check| GoverningCriterion::of(CheckEntry::of_motion(check), situation.clone())),
         answer: format!("{place}{rigid}{}{}", verdict(worst), far(worst)),
         near: near(worst),
+        warned: warned(worst.warnings.iter().map(|warning| (warning.name, &warning.words))),
         warnings: once(names),
     }
 }

@@ -44,7 +44,7 @@ pub(super) fn all(answer: &Probability) -> Vec<AnswerFigure> {
         matters.map(|drawn| AnswerFigure::new("-matters", "What matters", drawn)),
         course.map(|drawn| AnswerFigure::new("-convergence", "Convergence", drawn)),
         along.map(|drawn| AnswerFigure::new("-fragility", "Fragility", drawn)),
-        over.map(|drawn| AnswerFigure::new("-overturning", "Overturning", drawn)),
+        over.map(|drawn| AnswerFigure::new("-overturns", "Overturning", drawn)),
         slides.map(|drawn| AnswerFigure::new("-sliding", "Slides", drawn)),
     ]
     .into_iter()

@@ -8,7 +8,7 @@ use super::{Chances, Fragility, FragilityPoint, Happening, Overturning, PeakChan
 use crate::json::RequiredBound;
 use crate::key::Key;
 use crate::layout::{apart, digits, factor, significant};
-use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, once};
+use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, once, warned};
 
 /// So few records tell nothing of how the next one differs.
 pub(super) const FEW: usize = 3;
@@ -30,6 +30,7 @@ pub(super) fn summary(answer: &Probability) -> Summary {
             utilisation: Some(criterion.counted() / criterion.required),
         }),
         near: near(answer),
+        warned: warned(answer.warnings().iter().map(|warning| (warning.name(), warning))),
         warnings: once(answer.warnings().iter().map(standfast_model::Warning::name)),
     }
 }

@@ -165,7 +165,7 @@ fn overturns(answer: &Probability, overturning: &Overturning) -> String {
             probability(moved.value),
             probability(rocked.value),
             below_or(*overturned),
-            format!("{} … {}", probability(overturned.low), probability(overturned.high))
+            format!("{} … {}", probability(lower_end(overturned.low)), probability(overturned.high))
         ]);
     }
     let mut text = paragraph(&words, 0);
@@ -404,8 +404,13 @@ fn modes_table(method: Method, modes: &[(Happening, Estimate)], not_rest: Estima
 
 /// The interval, where it is more than its value.
 pub(super) fn within(e: Estimate, words: &dyn Fn(f64) -> String) -> Option<String> {
-    let (low, high) = (words(e.low), words(e.high));
+    let (low, high) = (words(lower_end(e.low)), words(e.high));
     (low != high).then(|| format!("{low} … {high}"))
+}
+
+/// The lower end of an interval, for reading: so near to nothing no count tells a number.
+fn lower_end(low: f64) -> f64 {
+    if low > 0.0 && low < 1e-15 { 0.0 } else { low }
 }
 
 fn line(words: &str, e: Estimate, method: Method) -> Vec<String> {

@@ -56,6 +56,9 @@ impl Problem {
                     UnitError::Unknown(unit) if *key == Key::Gravity && unit == "g" => {
                         format!("{units}; this key says what g is, for example {}", line(*key))
                     }
+                    UnitError::Unknown(_) if dimension == Dimension::Density && weight_for_mass(written).is_some() => {
+                        format!("{units}; a unit weight over gravity is a density, {}", weight_for_mass(written)?)
+                    }
                     UnitError::Unknown(unit) => match other_extent(dimension, unit) {
                         Some(words) => format!("{units}; {words}"),
                         None => units,
@@ -80,9 +83,7 @@ impl Problem {
                 "add one of them, for example density = \"2.1 t/m3\"".into()
             }
             Problem::Neither { .. } => "add sides = \"right\" or \"both\" for a wall, or the mass of water, for example \"50 t/m\", or \"200 kg\" of a single object".into(),
-            Problem::Syntax(message) if message.contains("missing value") || message.contains("quot") => {
-                "texts and numbers with a unit stand in quotes, e.g. width = \"15 m\"".into()
-            }
+            Problem::Syntax { message, line } => syntax(message, line)?,
             Problem::WaterTwice => "keep [water] to work with the total weight and explicit pressures, or \
                  `buoyant_weight` to work with W'"
                 .into(),
@@ -187,8 +188,7 @@ impl Problem {
             Problem::Height { base_depth, crest_height, .. } => {
                 format!("with them the height is {} m", plain(base_depth + crest_height))
             }
-            Problem::Syntax(_)
-            | Problem::Mechanics(_)
+            Problem::Mechanics(_)
             | Problem::KineticFriction { .. }
             | Problem::OneLevel { .. }
             | Problem::Lengths { .. }
@@ -295,6 +295,40 @@ fn shapes() -> &'static str {
     expected_type(Key::HistoryShape.info().kind)
 }
 
+/// What to write in place of a line that is no TOML.
+fn syntax(message: &str, line: &str) -> Option<String> {
+    let line = line.split('#').next().unwrap_or_default().trim();
+    let value = line.split_once('=').map_or("", |(_, value)| value.trim());
+    let quoted = |text: &str| format!("texts and numbers with a unit stand in quotes, e.g. {text}");
+    let number: String =
+        value.chars().take_while(|letter| letter.is_ascii_digit() || ".,-+".contains(*letter)).collect();
+    let unit = value[number.len()..].trim();
+    Some(if message.contains("duplicate key") {
+        "a key stands once in its table, and a table once in a file: keep one of the lines, or put those of both tables under one header"
+            .to_owned()
+    } else if line.contains(['“', '”', '„', '‘', '’', '«', '»']) {
+        "quotes are straight: \"15 m\"".to_owned()
+    } else if line.starts_with('[') {
+        "the name of a table stands in brackets, with a point between its parts: [body], [[load]], [motion.base]".to_owned()
+    } else if line.matches('"').count() % 2 == 1 {
+        "a quote is missing, at the beginning or at the end of the text".to_owned()
+    } else if unit.is_empty() && number.matches(',').count() == 1 && number.len() > 2 {
+        format!("decimals take a point: {}", number.replace(',', "."))
+    } else if !unit.is_empty() && number.chars().any(|letter| letter.is_ascii_digit()) {
+        quoted(&format!("{} = \"{} {unit}\"", line.split_once('=')?.0.trim(), number.replace(',', ".")))
+    } else if message.contains("missing value") || message.contains("quot") {
+        quoted("width = \"15 m\"")
+    } else {
+        return None;
+    })
+}
+
+/// The density whose unit weight was written: 25 kN/m3 is 2.549 t/m3.
+fn weight_for_mass(written: &str) -> Option<String> {
+    let weight = Dimension::UnitWeight.parse(written.trim_matches(['"', '\''])).ok()?;
+    Some(format!("\"{} t/m3\"", digits(weight / 9.81 / 1e3)))
+}
+
 /// The word of a key that a written one resembles.
 pub(super) fn known_word(key: Key, written: &str) -> Option<&'static str> {
     let Kind::Choice { of, .. } = key.info().kind else { return None };
@@ -304,10 +338,21 @@ pub(super) fn known_word(key: Key, written: &str) -> Option<&'static str> {
 fn known(table: Table, name: &str) -> String {
     let names = names(table);
     let known = format!("the keys understood here: {}", names.join(", "));
-    match meant_key(table, name) {
-        Some(suggestion) => format!("did you mean `{suggestion}`? {known}"),
-        None => known,
+    // One that stands in another table as it is written is no slip of a letter; a table's name at the top may be.
+    let others = Table::ALL
+        .into_iter()
+        .filter(|other| *other != table && names_keys(*other, name))
+        .collect::<Vec<_>>();
+    match (meant_key(table, name), &others[..]) {
+        (Some(suggestion), _) if table == Table::Top => format!("did you mean `{suggestion}`? {known}"),
+        (_, [other]) => format!("`{name}` belongs in {}; {known}", other.header()),
+        (Some(suggestion), _) => format!("did you mean `{suggestion}`? {known}"),
+        (None, _) => known,
     }
+}
+
+fn names_keys(table: Table, name: &str) -> bool {
+    table.keys().any(|key| key.entry() == name)
 }
 
 /// The name of a table that a written one resembles.

@@ -144,7 +144,8 @@ impl Reader<'_> {
 
     /// The arm of the weight of parts less the water that they displace under the waves' still water.
     fn arm_of_parts<T: Scalar>(&self, body: &Body<T>, section: &Section) -> Option<T> {
-        let (depth, density) = (self.number(Key::BaseDepth)?, self.number(Key::WaveWaterDensity)?);
+        let density = self.number(Key::WaveWaterDensity).or(self.number(Key::WaterDensity))?;
+        let depth = self.number(Key::BaseDepth)?;
         let [o, _] = section.base();
         let displaced = section.below(depth);
         let buoyancy = density * displaced.area;
@@ -292,7 +293,11 @@ impl Reader<'_> {
             sea_bottom_slope: self.required(Key::SeaBottomSlope)?,
             period: self.required(Key::Period)?,
             angle_deg: self.required(Key::AngleDeg)?,
-            water_density: self.required(Key::WaveWaterDensity)?,
+            // The water that stands beside the body is the sea's.
+            water_density: match self.number(Key::WaveWaterDensity).or(self.number(Key::WaterDensity)) {
+                Some(density) => density,
+                None => self.required(Key::WaveWaterDensity)?,
+            },
             gravity,
         };
         let heights = self.heights()?;
