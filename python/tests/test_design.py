@@ -120,7 +120,13 @@ def test_an_interrupt_ends_the_call() -> None:
         signal.signal(signal.SIGALRM, before)
 
 
+def test_without_a_target_it_is_that_of_the_case() -> None:
+    assert standfast.design(BLOCK, vary="width").value == standfast.design(BLOCK, vary="width", target="rest").value
+    quay = standfast.design(ROOT / "examples/quay.toml", vary="load[1].force", greatest=True)
+    assert quay.value == standfast.design(ROOT / "examples/quay.toml", vary="load[1].force", greatest=True, target="criteria").value
+
+
 def test_wrong_types() -> None:
-    for given in (dict(vary=1), dict(target=None), dict(lower=True), dict(upper=[1]), dict(and_upper=2)):
+    for given in (dict(vary=1), dict(target=1), dict(lower=True), dict(upper=[1]), dict(and_upper=2)):
         with pytest.raises(TypeError):
             standfast.design(BLOCK, **({"vary": "width", "target": "rest"} | given))

@@ -35,8 +35,10 @@ fn pages() -> Result<PathBuf, String> {
     let preprocessor = format!("{} preprocess", built("xtask-docs").display());
     let mut mdbook = Command::new(mdbook()?);
     mdbook.args(["build", "--dest-dir"]).arg(&folder).arg(root().join("docs"));
-    let output =
-        mdbook.env("MDBOOK_PREPROCESSOR__STANDFAST__COMMAND", preprocessor).env("RUST_LOG", "warn").output();
+    let output = mdbook
+        .env("MDBOOK_PREPROCESSOR__STANDFAST__COMMAND", preprocessor)
+        .env("MDBOOK_LOG", "warn")
+        .output();
     let output = output.map_err(|error| format!("mdBook: {error}"))?;
     let said =
         [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).trim().to_owned()).concat();

@@ -2,7 +2,7 @@
 
 #[path = "../../../../xtask/docs/src/pages.rs"]
 #[allow(dead_code, reason = "the crate that makes the book uses the rest")]
-mod pages;
+pub mod pages;
 
 use std::fs;
 use std::path::{Path, PathBuf};

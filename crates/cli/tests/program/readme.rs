@@ -4,24 +4,15 @@ use std::path::Path;
 use std::process::Command;
 use std::{fs, str};
 
-/// Command line and output of every block that begins with `$ `.
-fn transcripts(page: &str) -> Vec<(&str, &str)> {
-    let blocks = page.split("```").skip(1).step_by(2);
-    let bodies = blocks.filter_map(|block| block.split_once('\n').map(|(_, body)| body));
-    bodies.filter_map(|body| body.strip_prefix("$ ")?.split_once('\n')).collect()
-}
+use crate::book::pages::{blocks, commands, stands_in};
 
-/// What is between lines of `…` stands in the output, in this order.
-fn stands_in(output: &str, expected: &str) -> bool {
-    let mut rest = output;
-    let parts = expected.split("…\n").filter(|part| !part.is_empty());
-    parts.into_iter().all(|part| match rest.find(part) {
-        Some(at) if at == 0 || rest[..at].ends_with('\n') => {
-            rest = &rest[at + part.len()..];
-            true
-        }
-        _ => false,
-    })
+/// Command line and output of every block of the console.
+fn transcripts(page: &str) -> Vec<(&str, &str)> {
+    blocks(page)
+        .into_iter()
+        .filter(|block| block.language == "console")
+        .flat_map(|block| commands(block.text))
+        .collect()
 }
 
 #[test]
