@@ -238,7 +238,7 @@ fn the_list_says_what_helps_and_what_does_not() {
         SAND.split("[criteria]").next().unwrap().to_owned() + "[criteria]\nbearing_max = \"20 kPa\"\n";
     let list = ChangeList::of(&file(&pressed), None, Portion::UNSEEN).unwrap();
     let text = list.text(&());
-    assert!(text.contains("body.friction: whatever its value, bearing_max is "), "{text}");
+    assert!(text.contains("body.friction: no value of it helps: bearing_max is "), "{text}");
 }
 
 /// In time what is asked of the motion decides.

@@ -137,7 +137,7 @@ impl ChangeRow {
 /// Reason why no value of a number helps, beside its name.
 fn why_none(error: &DesignError) -> String {
     match error {
-        DesignError::NoInfluence { binding, .. } => format!("whatever its value, {binding}"),
+        DesignError::NoInfluence { binding, .. } => format!("no value of it helps: {binding}"),
         DesignError::Unmet { range, best, .. } => format!("not {range}; {best}"),
         DesignError::NoCase { range, at, why, .. } => {
             format!("no value {range} makes a case; at {at}: {why}")
