@@ -1,6 +1,7 @@
 // What would help: the least change of each number, a row as it is found; and for two numbers the boundary of the values that would do.
 
 import { byId, element, put, say } from "dom";
+import { redraw } from "redraw";
 
 /** Below this a column is a phone's. */
 const NARROW = 520;
@@ -70,7 +71,6 @@ export function connectHelp(app) {
   });
 
   const picture = byId("two-picture");
-  let drawn = "";
   const boundary = (answer) => {
     const choice = answer.parts.at(-1);
     byId("two").hidden = !choice || choice.numbers.length < 2;
@@ -93,7 +93,7 @@ export function connectHelp(app) {
     const width = Math.floor(byId("two").clientWidth);
     const svg = part ? (width < NARROW ? part.narrow : part.wide) : "";
     // The drawing before stays until the next is there.
-    if (svg !== drawn && (part || waits)) picture.innerHTML = drawn = svg;
+    if (part || waits) redraw(picture, svg);
     const image = picture.querySelector("svg");
     if (image) image.style.width = `${Math.min(width, ENLARGED * Number(image.getAttribute("width")))}px`;
   };

@@ -3,6 +3,7 @@
 
 import { byId, element, whenChanged } from "dom";
 import { dragged } from "dragged";
+import { redraw } from "redraw";
 
 const HEIGHT = 190;
 /** Of the drawing's width or height, with an arrow key. */
@@ -52,7 +53,7 @@ function courseOf(app, key) {
       const { svg, corners } = json ? JSON.parse(json) : { svg: "", corners: [] };
       place.hidden = !svg;
       hint.hidden = corners.length === 0;
-      picture.innerHTML = svg;
+      redraw(picture, svg);
       picture.classList.toggle("drawable", corners.length > 0);
       while (rings.length < corners.length) rings.push(ring(rings.length));
       for (const gone of rings.splice(corners.length)) gone.remove();

@@ -55,7 +55,7 @@ pub use standfast_inputs::{
 };
 pub use standfast_model::{Acting, Bound, Case, CaseFile, Criterion, Warning, case, couple};
 pub use standfast_watch::{Portion, Stopped, Watch};
-pub use summary::{GoverningCriterion, Summary};
+pub use summary::{GoverningCriterion, Summary, capital};
 
 use standfast_inputs::{explained, record};
 

@@ -6,7 +6,7 @@ use serde::Serialize;
 use standfast_answers::assess::{AnyCheck, predicate};
 use standfast_answers::motion::MotionValue;
 use standfast_answers::results::ResultValue;
-use standfast_model::{Bound, Key, MotionCriterion};
+use standfast_model::{Bound, Key, MotionCriterion, Warning};
 
 use crate::json::{CheckEntry, RequiredBound, optional_number_or_word};
 use crate::layout::paragraph;
@@ -77,24 +77,30 @@ impl Summary {
     }
 }
 
-/// Warnings with their sentences, each once.
-pub(crate) fn warned<'a, W: fmt::Display + 'a>(
-    all: impl Iterator<Item = (&'static str, &'a W)>,
-) -> Vec<String> {
-    let mut found = Vec::new();
-    for (name, warning) in all {
-        let words = format!("Warning ({name}): {warning}.");
-        if !found.contains(&words) {
-            found.push(words);
-        }
-    }
-    found
+/// A warning by its name, with its sentence.
+pub(crate) fn warning_words(name: &str, warning: &dyn fmt::Display) -> String {
+    format!("Warning ({name}): {warning}.")
 }
 
-/// Names, each once, in their order.
-pub(crate) fn once(names: impl Iterator<Item = &'static str>) -> Vec<&'static str> {
-    let mut found: Vec<&'static str> = Vec::new();
-    names.for_each(|name| {
+/// The names of warnings, and their sentences, each once; `told` gives the name and the words of one.
+pub(crate) fn warned<'a, W>(
+    all: &'a [W],
+    told: impl Fn(&'a W) -> (&'static str, &'a dyn fmt::Display),
+) -> (Vec<&'static str>, Vec<String>) {
+    let all: Vec<_> = all.iter().map(told).collect();
+    let words = all.iter().map(|(name, warning)| warning_words(name, warning));
+    (once(all.iter().map(|(name, _)| *name)), once(words))
+}
+
+/// The same of warnings of a case.
+pub(crate) fn warned_of_case(all: &[Warning]) -> (Vec<&'static str>, Vec<String>) {
+    warned(all, |warning| (warning.name(), warning))
+}
+
+/// Texts, each once, in their order.
+pub(crate) fn once<T: PartialEq>(texts: impl Iterator<Item = T>) -> Vec<T> {
+    let mut found = Vec::new();
+    texts.for_each(|name| {
         if !found.contains(&name) {
             found.push(name);
         }
@@ -111,8 +117,8 @@ pub(crate) fn listed(words: &[String]) -> String {
     }
 }
 
-/// A sentence with a capital at its beginning.
-pub(crate) fn sentence(words: &str) -> String {
+/// Words with a capital letter in front.
+pub fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

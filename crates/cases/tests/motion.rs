@@ -203,6 +203,22 @@ fn shaken(text: &str, values: &[f64], dt: f64) -> Vec<FollowedMotion> {
         .unwrap()
 }
 
+/// A record of a force moves no ground, and nothing is said of where that ends.
+#[test]
+fn a_record_of_a_force_has_no_drift() {
+    let text = "[body]\nwidth = 3\nheight = 5\nmass = 36e3\nfriction = 0.6\n[motion]\n[[load]]\nforce = 1\nelevation = 2\n\
+        history = { shape = \"file\", file = \"f.csv\" }\n";
+    let read = |_: &str| Ok("t_s,force_kN_m\n0,0\n0.1,50\n0.2,0\n".to_owned());
+    let file = CaseFile::read("case.toml", text, &read).unwrap();
+    for followed in FollowedMotion::of_file(&file, &Follow::default()).unwrap() {
+        assert!(
+            followed.warnings.iter().all(|warning| warning.name != "record-drift"),
+            "{:?}",
+            followed.warnings
+        );
+    }
+}
+
 /// A record that is given takes the place of the file's: a steady acceleration k₀ over T slides a low block by D k₀ T²/(2 μ) to the
 /// other side, D = k₀ − μ.
 #[test]
@@ -416,6 +432,12 @@ fn a_duration_by_the_waves() {
     close(*followed.case.problem.loads.last().unwrap().history.times().last().unwrap(), expected, 2e-4);
     let told = followed.warnings.iter().find(|warning| warning.name == "duration-by-formula").unwrap();
     assert!(told.words.contains("1.557") && told.words.contains("Shimosako"), "{}", told.words);
+    // Without impulsive pressures α* is α₂ = (h_b − d)/(3 h_b) (H/d)², of h_b = 10.39 m and d = 5.6 m.
+    let alpha_2 = (10.39 - 5.6) / (3.0 * 10.39) * (8.05_f64 / 5.6).powi(2);
+    let answers = follow(&by_waves.replace("[wave]\n", "[wave]\nimpulsive = false\n"));
+    let loads = &answers[0].case.problem.loads;
+    let expected = period / (alpha_2.powf(0.3) + 1.0).powi(2);
+    close(*loads.last().unwrap().history.times().last().unwrap(), expected, 2e-4);
     for (wrong, expected) in [
         ("shape = \"triangle\", rise = \"0.1 s\", duration = \"shimosako-takahashi\"", "`rise` does not go"),
         ("shape = \"rect\", duration = \"shimosako-takahashi\"", "goes with a triangle only"),

@@ -241,6 +241,19 @@ fn the_list_says_what_helps_and_what_does_not() {
     assert!(text.contains("body.friction: no value of it helps: bearing_max is "), "{text}");
 }
 
+/// The centre of mass is lowered by what a person builds, where the case says where it is.
+#[test]
+fn a_lower_centre_of_mass_is_among_the_changes() {
+    let statue = "[body]\nwidth = \"0.7 m\"\nlength = \"0.7 m\"\nheight = \"2.1 m\"\nmass = \"1400 kg\"\nfriction = 0.6\n\
+        centroid_height = \"0.95 m\"\n[earthquake]\nhorizontal = \"0.4 g\"\n";
+    // It begins to rock at 0.35 m/y_C of g.
+    let list = ChangeList::of(&file(statue), None, Portion::UNSEEN).unwrap();
+    assert!(list.text(&()).contains("body.centroid_height   0.95 m   0.875 m"), "{}", list.text(&()));
+    let silent = statue.replace("centroid_height = \"0.95 m\"\n", "");
+    let list = ChangeList::of(&file(&silent), None, Portion::UNSEEN).unwrap();
+    assert!(!list.text(&()).contains("centroid_height"), "{}", list.text(&()));
+}
+
 /// In time what is asked of the motion decides.
 #[test]
 fn a_motion_is_asked_whether_it_overturns() {

@@ -3,7 +3,7 @@
 //! and taken away, and histories are put.
 
 mod history;
-mod random;
+pub(crate) mod random;
 
 use std::ops::Range as Span;
 

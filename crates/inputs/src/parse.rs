@@ -13,6 +13,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::digits::shortened;
+use crate::edit::random::line_of;
 use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
 use crate::inputs::{Inputs, Value, dimension};
 use crate::key::{Id, Key, Kind, Range, Table};
@@ -66,9 +67,7 @@ impl CaseText {
             }
             let document = DeTable::parse(text).map_err(|error| {
                 let span = error.span().unwrap_or(0..0);
-                let at = span.start.min(text.len());
-                let begin = text[..at].rfind('\n').map_or(0, |newline| newline + 1);
-                let line = text[begin..].lines().next().unwrap_or_default().to_owned();
+                let line = text[line_of(text, &(span.start..span.start))].trim_end().to_owned();
                 PlacedProblem { problem: Problem::Syntax { message: error.message().to_owned(), line }, span }
             })?;
             file.read_document(text, &document)
@@ -666,6 +665,37 @@ impl Field<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Explained;
+
+    /// What is typed by habit is answered by what to type instead.
+    #[test]
+    fn a_slip_is_answered_by_what_to_type() {
+        for (text, help) in [
+            ("[body]\nfriction = 0,6", "a point, with a digit on each side: friction = 0.6"),
+            ("[body]\nfriction = .6", "friction = 0.6"),
+            ("[body]\nwidth = 12,5 m   # 3\" pipe", "stand in quotes, e.g. width = \"12.5 m\""),
+            ("[body]\nwidth = 1e3 m", "width = \"1000 m\""),
+            ("[body]\nwidth = 1,000", "a point stands before decimals, nothing between thousands"),
+            ("[body]\nwidth = 1.000,5 m", "a point stands before decimals, nothing between thousands"),
+            ("[body]\nwidth = “12 m”", "quotes are straight"),
+            ("title = \"Wall #3", "a quote is missing"),
+            ("[motion base]", "a point between its parts: [body], [[load]], [motion.base]"),
+            ("[body]\nwidth = 1\n[body]\nheight = 2", "under one header"),
+            ("[[load]]\nfriction = 0.6", "`friction` belongs in [body] or [storm]"),
+            ("[body]\nlevel = 3", "`level` belongs in [water]"),
+            ("waves = 3", "did you mean `wave`?"),
+            ("[body]\nfricton = 0.6", "did you mean `friction`?"),
+            ("[body]\ndensity = \"25 kN/m3\"", "a unit weight over gravity is a density, \"2.548 t/m3\""),
+        ] {
+            let error = CaseText::parse("t.toml", text).map(drop).unwrap_err();
+            let found = error.help().unwrap_or_default();
+            assert!(found.contains(help), "{text}: {found}");
+        }
+        // What is no slip of these has no help that misleads.
+        for text in ["title = \"Wall #3\" x", "[body]\nwidth : 3"] {
+            assert_eq!(CaseText::parse("t.toml", text).map(drop).unwrap_err().help(), None, "{text}");
+        }
+    }
 
     #[test]
     fn entries_are_as_written_with_their_comments() {

@@ -62,9 +62,18 @@ pub fn typed(text: &str, units: TypedUnits) -> Result<Typed, String> {
     if text.is_empty() {
         return Err("A number is missing.".to_owned());
     }
-    let (number, unit) = text.split_at(end_of_number(text));
+    let (number, unit) = number_and_rest(text)?;
+    Ok(Typed { number, unit: known(unit, units)? })
+}
+
+/// The number at the beginning of a text, and what stands behind it, whatever that is.
+///
+/// # Errors
+/// As [`typed`].
+pub(crate) fn number_and_rest(text: &str) -> Result<(f64, &str), String> {
+    let (number, rest) = text.split_at(end_of_number(text));
     let value = value(number.trim()).map_err(|fault| fault.sentence(number.trim(), text))?;
-    Ok(Typed { number: value, unit: known(unit, units)? })
+    Ok((value, rest))
 }
 
 /// Reason why a text is not one number.

@@ -145,6 +145,8 @@ pub enum Weight<T = f64> {
 pub struct Waves {
     /// The sea.
     pub sea: Sea,
+    /// Key that gives the density of its water: that of the waves, or that of still water.
+    pub density_key: Key,
     /// The wave heights as they are given.
     pub heights: Heights,
     /// The caisson and its berm.

@@ -17,7 +17,6 @@ use standfast_cases::assess::{shown, situation_title};
 use standfast_cases::{Assessed, Assessment, AssessmentView, Inputs};
 
 pub use classical::TARGET;
-pub use mode::capital;
 
 use crate::SheetError;
 use crate::steps::SheetSteps;

@@ -2,7 +2,7 @@
 
 use crate::fault::SheetFault;
 use crate::formula::Formula;
-use crate::mathml::{FormulaContent, draw};
+use crate::mathml::{FormulaContent, draw, escape, operator};
 
 /// Signs between two sides.
 const RELATIONS: [char; 9] = ['=', '<', '>', '≤', '≥', '≠', '≈', '→', '≡'];
@@ -14,7 +14,7 @@ const GAP: &str = "   ";
 pub struct Displayed {
     /// Its formulas, each as a `math` element.
     pub formulas: Vec<String>,
-    /// The condition or the name of the formulas, in words; it may be empty.
+    /// The condition or the name of the formulas, in words, as HTML; it may be empty.
     pub words: String,
     /// Number of the equation, without parentheses; it may be empty.
     pub number: String,
@@ -29,37 +29,25 @@ impl Displayed {
         let mut parts = line.split(GAP).map(str::trim).filter(|part| !part.is_empty());
         let first = parts.next().unwrap_or_default();
         let mut rest: Vec<&str> = parts.collect();
-        let is_number = |part: &&str| part.starts_with('(') && part.ends_with(')');
-        let number = rest.pop_if(|part| is_number(&&**part)).unwrap_or_default();
+        let number = rest.pop_if(|part| part.starts_with('(') && part.ends_with(')')).unwrap_or_default();
         let formulas = first.split(';').map(|text| relations(text.trim(), line)).collect::<Result<_, _>>()?;
-        Ok(Displayed { formulas, words: rest.join(" "), number: number.trim_matches(['(', ')']).to_owned() })
+        Ok(Displayed {
+            formulas,
+            words: escape(&rest.join(" ")),
+            number: number.trim_matches(['(', ')']).to_owned(),
+        })
     }
 }
 
 fn relations(text: &str, line: &str) -> Result<String, SheetFault> {
     let mut row = String::new();
-    let mut rest = text;
-    loop {
-        let at = rest.find(RELATIONS);
-        let side = rest[..at.unwrap_or(rest.len())].trim();
-        let formula = Formula::parse(side)
-            .map_err(|source| SheetFault::Formula {
-                place: format!("the line “{}”", line.trim()), source
-            })?;
+    let mut signs = text.matches(RELATIONS);
+    for side in text.split(RELATIONS) {
+        let place = || format!("the line “{}”", line.trim());
+        let formula =
+            Formula::parse(side.trim()).map_err(|source| SheetFault::Formula { place: place(), source })?;
         row += &draw(&formula, FormulaContent::Symbols, true);
-        let Some((sign, behind)) = at.and_then(|at| {
-            let sign = rest[at..].chars().next()?;
-            Some((sign, &rest[at + sign.len_utf8()..]))
-        }) else {
-            break;
-        };
-        let sign = match sign {
-            '<' => "&lt;".to_owned(),
-            '>' => "&gt;".to_owned(),
-            other => other.to_string(),
-        };
-        row += &format!("<mo form=\"infix\">{sign}</mo>");
-        rest = behind;
+        row += &signs.next().map_or(String::new(), |sign| operator(&escape(sign)));
     }
     Ok(format!("<math displaystyle=\"true\"><mrow>{row}</mrow></math>"))
 }

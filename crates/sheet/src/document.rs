@@ -192,7 +192,7 @@ fn spaced(hash: &str) -> String {
 
 /// Heading of a field of the title block: its key, with a capital.
 fn heading(key: Key) -> String {
-    calculation::capital(key.name())
+    standfast_cases::capital(key.name())
 }
 
 /// Room for signatures, and what the checker confirms.

@@ -85,7 +85,8 @@ fn times(right: &str, drawn: FormulaContent) -> String {
     }
 }
 
-fn operator(sign: &str) -> String {
+/// A sign between two operands.
+pub fn operator(sign: &str) -> String {
     format!("<mo form=\"infix\">{sign}</mo>")
 }
 
@@ -260,7 +261,8 @@ pub fn prose(text: &str) -> Result<Markup, SheetFault> {
     Ok(PreEscaped(sentence))
 }
 
-fn escape(text: &str) -> String {
+/// A text as the content of an element.
+pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 

@@ -134,65 +134,32 @@ mod tests {
     use dashu_ratio::Relaxed as Rational;
 
     use super::*;
+    use crate::calculated_twice::{self, distance, operands, rational};
 
-    /// Pair of the same calculation in tracked floating point and in rational arithmetic.
-    #[derive(Clone)]
-    struct Both {
-        approx: Approx,
-        exact: Rational,
-    }
+    type Both = calculated_twice::Both<Approx>;
 
     impl Both {
-        fn of(x: f64) -> Both {
-            Both { approx: Approx::of(x), exact: rational(x) }
-        }
-
-        fn add(&self, other: &Both) -> Both {
-            Both { approx: self.approx + other.approx, exact: &self.exact + &other.exact }
-        }
-
-        fn sub(&self, other: &Both) -> Both {
-            Both { approx: self.approx - other.approx, exact: &self.exact - &other.exact }
-        }
-
-        fn mul(&self, other: &Both) -> Both {
-            Both { approx: self.approx * other.approx, exact: &self.exact * &other.exact }
-        }
-
         /// The true error of the value.
         fn error(&self) -> Rational {
-            let error = rational(self.approx.value) - &self.exact;
-            if error < rational(0.0) { -error } else { error }
+            distance(&rational(self.tracked.value), &self.exact)
         }
 
         /// True if the true error is within the bound.
         fn is_bounded(&self) -> bool {
-            self.error() <= rational(self.approx.error)
+            self.error() <= rational(self.tracked.error)
         }
 
         /// True if the true error is more than this share of the bound.
         fn reaches(&self, share: f64) -> bool {
-            self.error() > rational(share) * rational(self.approx.error)
+            self.error() > rational(share) * rational(self.tracked.error)
         }
-    }
-
-    fn rational(x: f64) -> Rational {
-        Rational::try_from(x).unwrap()
-    }
-
-    /// Numbers whose sums and products round by as much as half a unit in the last place, cancel, or underflow.
-    fn operands() -> Vec<Both> {
-        let ε = f64::EPSILON;
-        let sizes = [1.0, 1.0 + ε, 1.0 - ε / 2.0, 1.5 + ε, 2.0 - ε, 0.1, 1.0 / 3.0, ε / 2.0, 0.75 * ε];
-        let far = [1e-3, 12345.678, 1e17, 1e150, 1e-150, 3e-200, f64::MIN_POSITIVE, 5e-324];
-        sizes.into_iter().chain(far).flat_map(|x| [x, -x]).map(Both::of).collect()
     }
 
     /// Every operation on every pair of operands, and again on the results: the bound holds, a sign that is told is right,
     /// and each operation comes near its bound.
     #[test]
     fn every_bound_holds_and_is_no_larger_than_needed() {
-        let operands = operands();
+        let operands: Vec<Both> = operands();
         let mut results = Vec::new();
         for one in &operands {
             for two in &operands {
@@ -200,9 +167,9 @@ mod tests {
             }
         }
         let check = |both: &Both| {
-            let Approx { value, error } = both.approx;
+            let Approx { value, error } = both.tracked;
             assert!(both.is_bounded(), "{value:e} ± {error:e}: {}", both.exact);
-            if let Some(sign) = both.approx.sign() {
+            if let Some(sign) = both.tracked.sign() {
                 assert_eq!(sign, both.exact.cmp(&rational(0.0)), "{value:e} ± {error:e}: {}", both.exact);
             }
         };
@@ -212,10 +179,10 @@ mod tests {
         for (i, one) in results.iter().enumerate() {
             for two in results.iter().skip(i % 601).step_by(601).chain(&operands[i % 4..i % 4 + 4]) {
                 for both in [one.add(two), one.sub(two), one.mul(two), two.mul(one)] {
-                    if both.approx.value.is_finite() && both.approx.error.is_finite() {
+                    if both.tracked.value.is_finite() && both.tracked.error.is_finite() {
                         check(&both);
                     } else {
-                        assert_eq!(both.approx.sign(), None);
+                        assert_eq!(both.tracked.sign(), None);
                     }
                 }
             }
@@ -234,7 +201,7 @@ mod tests {
         let (worn, three) = (worn(64), Both::of(3.0));
         // 1 − 1, of which nothing is left but the error.
         let lost = worn.sub(&Both::of(1.0));
-        assert_eq!(lost.approx.value, 0.0);
+        assert_eq!(lost.tracked.value, 0.0);
         for (name, both) in [
             ("sum", worn.clone()),
             ("difference", Both::of(2.0).sub(&worn)),
@@ -249,11 +216,11 @@ mod tests {
             ("nothing known of one factor", lost.mul(&three)),
             ("nothing known of the other", three.mul(&lost)),
         ] {
-            assert!(both.is_bounded() && both.reaches(0.45), "{name}: {:?}", both.approx);
+            assert!(both.is_bounded() && both.reaches(0.45), "{name}: {:?}", both.tracked);
         }
         let square = lost.mul(&lost);
-        assert!(square.is_bounded() && square.reaches(0.2), "{:?}", square.approx);
-        assert_eq!([lost.approx.sign(), square.approx.sign()], [None, None]);
+        assert!(square.is_bounded() && square.reaches(0.2), "{:?}", square.tracked);
+        assert_eq!([lost.tracked.sign(), square.tracked.sign()], [None, None]);
     }
 
     /// A value counts as precise if its bound is below 2⁻⁴⁰ of it; then as many bits are right.
@@ -266,8 +233,8 @@ mod tests {
         };
         for t in -60..0 {
             let rest = rest(t);
-            assert_eq!(rest.approx.precise().is_some(), t >= -12, "{t}");
-            if let Some(value) = rest.approx.precise() {
+            assert_eq!(rest.tracked.precise().is_some(), t >= -12, "{t}");
+            if let Some(value) = rest.tracked.precise() {
                 assert!(rest.error() * rational(2f64.powi(40)) < rational(value.abs()), "{t}");
             }
         }

@@ -32,6 +32,8 @@ mod approx;
 mod ball;
 pub mod batch;
 mod body;
+#[cfg(test)]
+mod calculated_twice;
 pub mod contact;
 mod departure;
 pub mod diagram;

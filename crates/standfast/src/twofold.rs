@@ -21,9 +21,8 @@ pub(crate) struct Twofold {
 const LOST: f64 = f64::EPSILON;
 /// Covers the roundings of a bound that is made of few terms.
 const WIDER: f64 = 1.0 + 1e-12;
-/// Products beyond these lose digits of their low part, or all.
+/// A product smaller than this may lose digits of its low part. One that overflows has a low part that is no number.
 const SMALL: f64 = 1e-270;
-const LARGE: f64 = 1e290;
 
 /// The sum and what it lost: exact unless it overflows.
 #[inline(always)]
@@ -41,7 +40,7 @@ fn split(x: f64) -> (f64, f64) {
     (upper, x - upper)
 }
 
-/// The product and what it lost: exact between the sizes above.
+/// The product and what it lost: exact above the size above.
 #[inline(always)]
 fn product(a: f64, b: f64) -> (f64, f64) {
     let high = a * b;
@@ -121,22 +120,16 @@ impl Mul for Twofold {
         let low = lost + lows;
         let passed = self.size() * other.error + other.size() * self.error + self.error * other.error;
         let is_plain = self.low == 0.0 && other.low == 0.0 && self.error == 0.0 && other.error == 0.0;
-        let is_within = high.abs() > SMALL && high.abs() < LARGE;
-        let rounded = match is_plain && is_within {
+        let rounded = match is_plain && high.abs() > SMALL {
             true => 0.0,
-            // The product of the low parts is left out; what underflows in this line and in the one before is less than the last term.
+            // The product of the low parts is left out; what underflows here, in the line before and in `product` is less than the last term.
             false => {
                 LOST * (crossed[0].abs() + crossed[1].abs() + lows.abs() + low.abs())
                     + (self.low * other.low).abs()
                     + f64::MIN_POSITIVE
             }
         };
-        let outside = match () {
-            () if is_within => 0.0,
-            () if high.abs() >= LARGE => f64::INFINITY,
-            () => 8.0 * SMALL,
-        };
-        Twofold::put_together(high, low, passed + rounded + outside)
+        Twofold::put_together(high, low, passed + rounded)
     }
 }
 
@@ -145,62 +138,37 @@ mod tests {
     use dashu_ratio::Relaxed as Rational;
 
     use super::*;
+    use crate::calculated_twice::{self, distance, operands, rational};
 
-    /// Pair of the same calculation in two parts and in rational arithmetic.
-    #[derive(Clone)]
-    struct Both {
-        twofold: Twofold,
-        exact: Rational,
-    }
-
-    fn rational(x: f64) -> Rational {
-        Rational::try_from(x).unwrap()
-    }
+    type Both = calculated_twice::Both<Twofold>;
 
     impl Both {
-        fn of(x: f64) -> Both {
-            Both { twofold: Twofold::of(x), exact: rational(x) }
-        }
-
         fn all(&self, other: &Both) -> [Both; 3] {
-            [
-                Both { twofold: self.twofold + other.twofold, exact: &self.exact + &other.exact },
-                Both { twofold: self.twofold - other.twofold, exact: &self.exact - &other.exact },
-                Both { twofold: self.twofold * other.twofold, exact: &self.exact * &other.exact },
-            ]
+            [self.add(other), self.sub(other), self.mul(other)]
         }
 
         /// The true error of the value.
         fn error(&self) -> Rational {
-            let error = rational(self.twofold.high) + rational(self.twofold.low) - &self.exact;
-            if error < rational(0.0) { -error } else { error }
+            distance(&(rational(self.tracked.high) + rational(self.tracked.low)), &self.exact)
         }
 
         fn check(&self) {
-            let Twofold { high, low, error } = self.twofold;
+            let Twofold { high, low, error } = self.tracked;
             if !high.is_finite() || !low.is_finite() || !error.is_finite() {
-                assert_eq!(self.twofold.sign(), None);
+                assert_eq!(self.tracked.sign(), None);
                 return;
             }
             assert!(self.error() <= rational(error), "{high:e} {low:e} ± {error:e}: {}", self.exact);
-            if let Some(sign) = self.twofold.sign() {
+            if let Some(sign) = self.tracked.sign() {
                 assert_eq!(sign, self.exact.cmp(&rational(0.0)), "{high:e} {low:e} ± {error:e}");
             }
         }
     }
 
-    /// Numbers whose sums and products round, cancel, or underflow.
-    fn operands() -> Vec<Both> {
-        let ε = f64::EPSILON;
-        let sizes = [1.0, 1.0 + ε, 1.0 - ε / 2.0, 1.5 + ε, 2.0 - ε, 0.1, 1.0 / 3.0, ε / 2.0, 0.75 * ε];
-        let far = [1e-3, 12345.678, 1e17, 1e150, 1e-150, 3e-200, f64::MIN_POSITIVE, 5e-324];
-        sizes.into_iter().chain(far).flat_map(|x| [x, -x]).map(Both::of).collect()
-    }
-
     /// Three operations deep, on every pair of operands and a share of the results: the bound holds, and a sign that is told is right.
     #[test]
     fn every_bound_holds() {
-        let operands = operands();
+        let operands: Vec<Both> = operands();
         let mut results: Vec<Both> = Vec::new();
         for one in &operands {
             results.extend(operands.iter().flat_map(|two| one.all(two)));

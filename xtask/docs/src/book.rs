@@ -119,18 +119,13 @@ fn displayed(text: &str, fault: &mut impl FnMut(String)) -> String {
                 let number = if number.is_empty() { String::new() } else { format!("({number})") };
                 let _ = writeln!(
                     rows,
-                    "<div><span>{formulas}</span><span class=\"words\">{}</span><span class=\"number\">{number}</span></div>",
-                    escaped(&words)
+                    "<div><span>{formulas}</span><span class=\"words\">{words}</span><span class=\"number\">{number}</span></div>"
                 );
             }
             Err(error) => fault(error.to_string()),
         }
     }
     rows + "</div>\n"
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Words in which formulas between backticks that begin with a sign of equality, `= a/b`, are drawn, without that sign.

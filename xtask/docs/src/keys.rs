@@ -1,5 +1,6 @@
 //! docs/reference/keys.md: every key of a case file, from the table that parser, errors, `design` and the sheet share.
 
+use standfast_cases::capital;
 use standfast_cases::case::history_shapes;
 use standfast_cases::key::{Key, Kind, Moves, Table};
 use standfast_cases::units::Dimension;
@@ -64,11 +65,6 @@ pub fn page() -> String {
     }
     page.push_str(RANDOM);
     page
-}
-
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// Row of the base's motion, which is a history for each direction.

@@ -6,7 +6,7 @@ use super::{AnyCheck, Assessed, Assessment, ground, predicate, verdict};
 use crate::json::CheckEntry;
 use crate::layout::{self, percent};
 use crate::summary::{
-    GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted, sentence, warned,
+    GoverningCriterion, Summary, ToldCriterion, capital, criteria, criterion_words, quoted, warned_of_case,
 };
 
 /// A body at rest.
@@ -20,6 +20,7 @@ pub(super) fn summary(assessment: &Assessment) -> Summary {
         words: check_words(assessment, check),
     };
     let told: Vec<ToldCriterion> = checks.iter().map(told).collect();
+    let (warnings, warned) = warned_of_case(&assessment.case.warnings());
     Summary {
         criteria: criteria(&told),
         answer: happens(assessment, "the body", predicate),
@@ -28,8 +29,8 @@ pub(super) fn summary(assessment: &Assessment) -> Summary {
             GoverningCriterion::of(CheckEntry::of(check), place(assessment, check.assessed(assessment)))
         }),
         near: near(assessment),
-        warned: warned(assessment.case.warnings().iter().map(|warning| (warning.name(), warning))),
-        warnings: once(assessment.case.warnings().iter().map(standfast_model::Warning::name)),
+        warnings,
+        warned,
     }
 }
 
@@ -62,7 +63,7 @@ pub(super) fn happens(assessment: &Assessment, who: &str, does: fn(Option<Verdic
     let place = match assessment.in_time {
         None if springs => format!("Under loads raised slowly {who}"),
         Some(_) => format!("With all loads held at their peaks {who}"),
-        None => sentence(who),
+        None => capital(who),
     };
     let each = match (count, assessment.case.combinations.is_empty()) {
         (1, _) => String::new(),
@@ -143,7 +144,7 @@ fn near(assessment: &Assessment) -> Option<String> {
         }
         false => "",
     };
-    let departs = if departs.is_empty() { departs } else { sentence(&(head + &departs)) };
+    let departs = if departs.is_empty() { departs } else { capital(&(head + &departs)) };
     let words = format!("{departs}{factor}{points}");
     let in_time = in_time(assessment);
     let slowly = in_time.as_ref().filter(|_| !assessment.case.criteria.is_empty());
@@ -174,5 +175,5 @@ fn in_time(assessment: &Assessment) -> Option<String> {
     let (assessed, event) =
         events.min_by(|(_, one), (_, two)| one.load_factor.total_cmp(&two.load_factor))?;
     let head = place(assessment, assessed).map_or(String::new(), |name| format!("under {}, ", quoted(&name)));
-    Some(sentence(&(head + &ground::in_time(event))))
+    Some(capital(&(head + &ground::in_time(event))))
 }

@@ -11,6 +11,7 @@ use super::{
 use crate::case::Case;
 use crate::describe::{self, Scale};
 use crate::layout::{columns, digits, paragraph, row};
+use crate::summary::warning_words;
 use standfast_model::Warning;
 
 pub(super) fn render(assessment: &Assessment, view: &AssessmentView) -> String {
@@ -114,7 +115,7 @@ pub(crate) fn note(case: &Case) -> String {
 /// Warnings of a kind, each a paragraph.
 pub(super) fn warnings(case: &Case, of: impl Fn(&Warning) -> bool) -> String {
     let warnings = case.warnings().into_iter().filter(|warning| of(warning));
-    warnings.map(|warning| paragraph(&format!("Warning ({}): {warning}.", warning.name()), 2)).collect()
+    warnings.map(|warning| paragraph(&warning_words(warning.name(), &warning), 2)).collect()
 }
 
 /// The answer to one situation; `first` has the notes that hold for all.

@@ -9,7 +9,7 @@ use crate::couple::Variable;
 use crate::document::{AnswerFigure, Document};
 use crate::json::SCHEMA;
 use crate::layout::{columns, paragraph, row, significant};
-use crate::summary::{Summary, once, warned};
+use crate::summary::{Summary, warned_of_case};
 use crate::units::Dimension;
 use standfast_model::CaseFile;
 use standfast_watch::Portion;
@@ -207,6 +207,7 @@ impl Document for ChangeList {
             }
         });
         let target = self.of.target;
+        let (warnings, warned) = warned_of_case(&self.of.present.case.warnings());
         Some(Summary {
             criteria: Some(match met {
                 true => format!("The case meets the target {target}."),
@@ -216,8 +217,8 @@ impl Document for ChangeList {
             met: Some(met),
             governing: None,
             near: None,
-            warned: warned(self.of.present.case.warnings().iter().map(|warning| (warning.name(), warning))),
-            warnings: once(self.of.present.case.warnings().iter().map(standfast_model::Warning::name)),
+            warnings,
+            warned,
         })
     }
 

@@ -1,7 +1,7 @@
 //! Top of a design: whether the present value meets the target, the value found, what fails just beyond it.
 
 use super::{Design, Extreme};
-use crate::summary::{Summary, once, warned};
+use crate::summary::{Summary, warned_of_case};
 
 pub(super) fn summary(design: &Design) -> Summary {
     let Design { request, quantity, .. } = design;
@@ -9,6 +9,7 @@ pub(super) fn summary(design: &Design) -> Summary {
     let found = design.found();
     let meets = request.target.is_met(&design.present);
     let present = quantity.shown(quantity.present);
+    let (warnings, warned) = warned_of_case(&found.answer.case.warnings());
     Summary {
         criteria: Some(match meets {
             true => format!("The present {name}, {present}, meets the target."),
@@ -24,8 +25,8 @@ pub(super) fn summary(design: &Design) -> Summary {
         met: Some(meets),
         governing: None,
         near: found.beyond.brief().map(|words| format!("Just beyond, {words}.")),
-        warned: warned(found.answer.case.warnings().iter().map(|warning| (warning.name(), warning))),
-        warnings: once(found.answer.case.warnings().iter().map(standfast_model::Warning::name)),
+        warnings,
+        warned,
     }
 }
 

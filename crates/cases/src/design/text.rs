@@ -11,6 +11,7 @@ use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, note, title};
 use crate::key::Key;
 use crate::layout::{columns, digits, factor, paragraph, row, significant};
+use crate::summary::capital;
 
 pub(super) fn render(design: &Design) -> String {
     let Design { request, quantity, present, .. } = design;
@@ -158,9 +159,7 @@ fn apart(Stretch { least, greatest }: &Stretch) -> String {
 
 /// Words as a sentence of their own.
 pub(super) fn sentence(words: String) -> String {
-    let mut characters = words.chars();
-    let first = characters.next().map(|first| first.to_uppercase().collect::<String>());
-    format!("{}{}.", first.unwrap_or_default(), characters.as_str())
+    capital(&words) + "."
 }
 
 /// A change with its sign, to five decimals.

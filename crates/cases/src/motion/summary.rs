@@ -9,9 +9,7 @@ use super::FollowedMotion;
 use super::text::{far, verdict};
 use crate::json::CheckEntry;
 use crate::layout::{digits, significant};
-use crate::summary::{
-    GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, once, quoted, warned,
-};
+use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, criterion_words, quoted, warned};
 
 /// Relative spread of inputs of which nothing else is known.
 const SPREAD: f64 = 1e-3;
@@ -35,7 +33,7 @@ pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
         .map_or(String::new(), |name| format!("Under {}, the worst of {count}: ", quoted(name)));
     let gives_way = worst.warnings.iter().any(|warning| warning.name == "ground-left-out");
     let rigid = if gives_way { "On a rigid base, as [ground] is not followed in time: " } else { "" };
-    let names = worst.warnings.iter().map(|warning| warning.name);
+    let (warnings, warned) = warned(&worst.warnings, |warning| (warning.name, &warning.words));
     Summary {
         criteria: criteria(&told),
         met: worst.met(),
@@ -44,8 +42,8 @@ pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
             .map(|check| GoverningCriterion::of(CheckEntry::of_motion(check), situation.clone())),
         answer: format!("{place}{rigid}{}{}", verdict(worst), far(worst)),
         near: near(worst),
-        warned: warned(worst.warnings.iter().map(|warning| (warning.name, &warning.words))),
-        warnings: once(names),
+        warnings,
+        warned,
     }
 }
 

@@ -9,7 +9,7 @@ use super::summary::near;
 use super::{FollowedMotion, MotionView};
 use crate::assess::met_words;
 use crate::layout::{columns, digits, paragraph, row, significant};
-use crate::summary::sentence;
+use crate::summary::capital;
 
 /// So many events are shown one by one.
 const SHOWN: usize = 24;
@@ -78,7 +78,7 @@ pub(super) fn far(followed: &FollowedMotion) -> String {
             significant(100.0 * followed.of_balance(), 3)
         ));
     }
-    if parts.is_empty() { String::new() } else { format!(" {}.", sentence(&parts.join("; "))) }
+    if parts.is_empty() { String::new() } else { format!(" {}.", capital(&parts.join("; "))) }
 }
 
 /// Outcome for the body, in a sentence.

@@ -8,7 +8,7 @@ use super::{Chances, Fragility, FragilityPoint, Happening, Overturning, PeakChan
 use crate::json::RequiredBound;
 use crate::key::Key;
 use crate::layout::{apart, digits, factor, significant};
-use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, once, warned};
+use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, warned_of_case};
 
 /// So few records tell nothing of how the next one differs.
 pub(super) const FEW: usize = 3;
@@ -18,6 +18,7 @@ const NEARLY_ALL: f64 = 0.99;
 
 pub(super) fn summary(answer: &Probability) -> Summary {
     let told = told_criterion(answer);
+    let (warnings, warned) = warned_of_case(&answer.warnings());
     Summary {
         criteria: criteria(told.as_slice()),
         answer: asked(answer),
@@ -30,8 +31,8 @@ pub(super) fn summary(answer: &Probability) -> Summary {
             utilisation: Some(criterion.counted() / criterion.required),
         }),
         near: near(answer),
-        warned: warned(answer.warnings().iter().map(|warning| (warning.name(), warning))),
-        warnings: once(answer.warnings().iter().map(standfast_model::Warning::name)),
+        warnings,
+        warned,
     }
 }
 

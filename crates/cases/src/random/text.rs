@@ -12,6 +12,7 @@ use super::{
 };
 use crate::layout::{columns, digits, paragraph, percent, row, significant};
 use crate::summary::listed;
+use crate::summary::warning_words;
 
 /// The answer as text: its top, what was asked for, and what it rests on.
 pub(super) fn text(answer: &Probability) -> String {
@@ -62,11 +63,8 @@ fn static_modes(answer: &Probability) -> String {
 }
 
 fn warnings(answer: &Probability) -> String {
-    let warnings = answer.warnings();
-    warnings
-        .iter()
-        .map(|warning| paragraph(&format!("Warning ({}): {warning}.", warning.name()), 0))
-        .collect()
+    let words = answer.warnings().into_iter().map(|warning| warning_words(warning.name(), &warning));
+    words.map(|words| paragraph(&words, 0)).collect()
 }
 
 fn note(answer: &Probability) -> String {
@@ -486,4 +484,16 @@ fn along(fragility: &Fragility, floor: f64) -> String {
         None => String::new(),
     };
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_interval_begins_at_a_number_that_a_count_can_tell() {
+        let interval = |low| within(Estimate { value: 0.1, low, high: 0.5 }, &probability);
+        assert_eq!(interval(6.58e-103), Some("0 … 0.5".to_owned()));
+        assert_eq!(interval(2e-9), Some("2e-9 … 0.5".to_owned()));
+    }
 }

@@ -142,7 +142,7 @@ pub(super) fn braces(text: &str, span: &Span<usize>) -> Option<Span<usize>> {
 }
 
 /// The whole lines of a span, with the end of the last.
-pub(super) fn line_of(text: &str, span: &Span<usize>) -> Span<usize> {
+pub(crate) fn line_of(text: &str, span: &Span<usize>) -> Span<usize> {
     let start = text[..span.start].rfind('\n').map_or(0, |at| at + 1);
     let end = text[span.end..].find('\n').map_or(text.len(), |at| span.end + at + 1);
     start..end

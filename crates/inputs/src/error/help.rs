@@ -6,10 +6,12 @@ use standfast_motion::MotionError;
 
 use super::Problem;
 use crate::digits::{digits, plain};
+use crate::inputs::GRAVITY;
 use crate::key::MOTION_CRITERIA;
 use crate::key::{Key, Kind, Range, Table};
 use crate::random::RANDOM;
 use crate::suggest::closest;
+use crate::typed::number_and_rest;
 use crate::units::{Dimension, Extent, UnitError};
 
 const SKELETON: &str = "a case file has a body and one or more loads, for example:\n\n\
@@ -56,13 +58,13 @@ impl Problem {
                     UnitError::Unknown(unit) if *key == Key::Gravity && unit == "g" => {
                         format!("{units}; this key says what g is, for example {}", line(*key))
                     }
-                    UnitError::Unknown(_) if dimension == Dimension::Density && weight_for_mass(written).is_some() => {
-                        format!("{units}; a unit weight over gravity is a density, {}", weight_for_mass(written)?)
+                    UnitError::Unknown(unit) => {
+                        let extent = other_extent(dimension, unit).map(str::to_owned);
+                        match extent.or_else(|| weight_for_mass(dimension, written)) {
+                            Some(words) => format!("{units}; {words}"),
+                            None => units,
+                        }
                     }
-                    UnitError::Unknown(unit) => match other_extent(dimension, unit) {
-                        Some(words) => format!("{units}; {words}"),
-                        None => units,
-                    },
                     _ => units,
                 }
             }
@@ -297,36 +299,49 @@ fn shapes() -> &'static str {
 
 /// What to write in place of a line that is no TOML.
 fn syntax(message: &str, line: &str) -> Option<String> {
-    let line = line.split('#').next().unwrap_or_default().trim();
-    let value = line.split_once('=').map_or("", |(_, value)| value.trim());
+    let line = without_comment(line).trim();
     let quoted = |text: &str| format!("texts and numbers with a unit stand in quotes, e.g. {text}");
-    let number: String =
-        value.chars().take_while(|letter| letter.is_ascii_digit() || ".,-+".contains(*letter)).collect();
-    let unit = value[number.len()..].trim();
-    Some(if message.contains("duplicate key") {
-        "a key stands once in its table, and a table once in a file: keep one of the lines, or put those of both tables under one header"
-            .to_owned()
-    } else if line.contains(['“', '”', '„', '‘', '’', '«', '»']) {
-        "quotes are straight: \"15 m\"".to_owned()
-    } else if line.starts_with('[') {
-        "the name of a table stands in brackets, with a point between its parts: [body], [[load]], [motion.base]".to_owned()
-    } else if line.matches('"').count() % 2 == 1 {
-        "a quote is missing, at the beginning or at the end of the text".to_owned()
-    } else if unit.is_empty() && number.matches(',').count() == 1 && number.len() > 2 {
-        format!("decimals take a point: {}", number.replace(',', "."))
-    } else if !unit.is_empty() && number.chars().any(|letter| letter.is_ascii_digit()) {
-        quoted(&format!("{} = \"{} {unit}\"", line.split_once('=')?.0.trim(), number.replace(',', ".")))
-    } else if message.contains("missing value") || message.contains("quot") {
-        quoted("width = \"15 m\"")
-    } else {
-        return None;
+    if message.contains("duplicate key") {
+        let words = "a key stands once in its table, and a table once in a file: keep one of the lines, or put those of both tables \
+            under one header";
+        return Some(words.to_owned());
+    }
+    if line.contains(['“', '”', '„', '‘', '’', '«', '»']) {
+        return Some("quotes are straight: \"15 m\"".to_owned());
+    }
+    if line.starts_with('[') {
+        let words = "the name of a table stands in brackets, with a point between its parts: [body], [[load]], [motion.base]";
+        return Some(words.to_owned());
+    }
+    if line.matches('"').count() % 2 == 1 {
+        return Some("a quote is missing, at the beginning or at the end of the text".to_owned());
+    }
+    let (key, value) = line.split_once('=').map(|(key, value)| (key.trim(), value.trim()))?;
+    let is_number = value.starts_with(|letter: char| letter.is_ascii_digit() || "+-−.,".contains(letter));
+    Some(match number_and_rest(value) {
+        Ok((number, "")) => {
+            format!("decimals take a point, with a digit on each side: {key} = {}", plain(number))
+        }
+        Ok((number, unit)) => quoted(&format!("{key} = \"{} {unit}\"", plain(number))),
+        Err(_) if is_number => "a point stands before decimals, nothing between thousands".to_owned(),
+        Err(_) if message.contains("missing value") || message.contains("quot") => quoted("width = \"15 m\""),
+        Err(_) => return None,
     })
 }
 
-/// The density whose unit weight was written: 25 kN/m3 is 2.549 t/m3.
-fn weight_for_mass(written: &str) -> Option<String> {
+/// A line without its comment; one in quotes is none.
+fn without_comment(line: &str) -> &str {
+    let begins = |at: &usize| line[..*at].matches('"').count().is_multiple_of(2);
+    let at = line.match_indices('#').map(|(at, _)| at).find(begins);
+    &line[..at.unwrap_or(line.len())]
+}
+
+/// The density whose unit weight was written: 25 kN/m3 is 2.548 t/m3.
+fn weight_for_mass(dimension: Dimension, written: &str) -> Option<String> {
     let weight = Dimension::UnitWeight.parse(written.trim_matches(['"', '\''])).ok()?;
-    Some(format!("\"{} t/m3\"", digits(weight / 9.81 / 1e3)))
+    let density = digits(weight / GRAVITY / 1e3);
+    (dimension == Dimension::Density)
+        .then(|| format!("a unit weight over gravity is a density, \"{density} t/m3\""))
 }
 
 /// The word of a key that a written one resembles.
@@ -338,16 +353,18 @@ pub(super) fn known_word(key: Key, written: &str) -> Option<&'static str> {
 fn known(table: Table, name: &str) -> String {
     let names = names(table);
     let known = format!("the keys understood here: {}", names.join(", "));
+    /// A key of more tables than these tells nothing by them.
+    const FEW: usize = 3;
     // One that stands in another table as it is written is no slip of a letter; a table's name at the top may be.
-    let others = Table::ALL
-        .into_iter()
-        .filter(|other| *other != table && names_keys(*other, name))
-        .collect::<Vec<_>>();
-    match (meant_key(table, name), &others[..]) {
-        (Some(suggestion), _) if table == Table::Top => format!("did you mean `{suggestion}`? {known}"),
-        (_, [other]) => format!("`{name}` belongs in {}; {known}", other.header()),
-        (Some(suggestion), _) => format!("did you mean `{suggestion}`? {known}"),
-        (None, _) => known,
+    let others = Table::ALL.into_iter().filter(|other| *other != table && names_keys(*other, name));
+    let others: Vec<&str> = others.map(|other| other.header()).collect();
+    let belongs =
+        (1..=FEW).contains(&others.len()).then(|| format!("`{name}` belongs in {}", others.join(" or ")));
+    let meant = meant_key(table, name).map(|suggestion| format!("did you mean `{suggestion}`?"));
+    match if table == Table::Top { (meant, belongs) } else { (belongs, meant) } {
+        (Some(words), _) | (None, Some(words)) if words.ends_with('?') => format!("{words} {known}"),
+        (Some(words), _) | (None, Some(words)) => format!("{words}; {known}"),
+        (None, None) => known,
     }
 }
 

@@ -144,14 +144,20 @@ impl Reader<'_> {
 
     /// The arm of the weight of parts less the water that they displace under the waves' still water.
     fn arm_of_parts<T: Scalar>(&self, body: &Body<T>, section: &Section) -> Option<T> {
-        let density = self.number(Key::WaveWaterDensity).or(self.number(Key::WaterDensity))?;
-        let depth = self.number(Key::BaseDepth)?;
+        let (depth, density) = (self.number(Key::BaseDepth)?, self.number(self.sea_density_key())?);
         let [o, _] = section.base();
         let displaced = section.below(depth);
         let buoyancy = density * displaced.area;
         let (mass, arm) = (body.mass().value(), body.heel_distance().value());
         let weight = mass - buoyancy;
         (weight > 0.0).then(|| T::computed((mass * arm - buoyancy * (displaced.x - o)) / weight))
+    }
+
+    /// Key that gives the density of the sea: its own, or that of the water that stands beside the body.
+    fn sea_density_key(&self) -> Key {
+        let by_water =
+            self.number(Key::WaveWaterDensity).is_none() && self.number(Key::WaterDensity).is_some();
+        if by_water { Key::WaterDensity } else { Key::WaveWaterDensity }
     }
 
     pub(super) fn water<T: Scalar>(
@@ -288,16 +294,13 @@ impl Reader<'_> {
         gravity: f64,
         motion: Option<&mut CaseMotion>,
     ) -> Result<Waves, Fault> {
+        let density_key = self.sea_density_key();
         let sea = Sea {
             water_depth: self.required(Key::WaterDepth)?,
             sea_bottom_slope: self.required(Key::SeaBottomSlope)?,
             period: self.required(Key::Period)?,
             angle_deg: self.required(Key::AngleDeg)?,
-            // The water that stands beside the body is the sea's.
-            water_density: match self.number(Key::WaveWaterDensity).or(self.number(Key::WaterDensity)) {
-                Some(density) => density,
-                None => self.required(Key::WaveWaterDensity)?,
-            },
+            water_density: self.required(density_key)?,
             gravity,
         };
         let heights = self.heights()?;
@@ -333,7 +336,7 @@ impl Reader<'_> {
             let problem = Problem::Height { base_depth, crest_height, height: body.height() };
             return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));
         }
-        let mut waves = Waves { sea, heights, section, choices, goda, history: None };
+        let mut waves = Waves { sea, density_key, heights, section, choices, goda, history: None };
         let history = self.history(Table::WaveHistory, 0, HistoryOf::Waves(&waves))?;
         waves.history = self.taken(history, motion, Table::WaveHistory, 0)?;
         Ok(waves)

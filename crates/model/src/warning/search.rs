@@ -335,7 +335,7 @@ impl Case {
                 .chain(wet.and_then(|below| of(Key::PartDensityBelow, below)))
                 .collect::<Vec<_>>()
         }));
-        let of_wave = self.wave.as_ref().map(|wave| (Key::WaveWaterDensity, wave.sea.water_density));
+        let of_wave = self.wave.as_ref().map(|wave| (wave.density_key, wave.sea.water_density));
         let water = of_wave.or(self.water.map(|water| (Key::WaterDensity, water.density())));
         if let Some((key, density)) = water.filter(|(_, density)| !WATER.contains(*density)) {
             warnings.push(Warning::WaterDensity { key, density });
@@ -515,6 +515,12 @@ mod tests {
         let sea = format!("{}{SEA}", BLOCK.replace("mass", "buoyant_weight = 1650e3\nmass"));
         let water = ["water_density = 1000", "water_density = 1100"];
         limits(&sea, "water_density = 1030", "water-density", &water, &["water_density = 1101"]);
+        // The sea without a density has that of [water], and the key to blame is that of [water].
+        let shared =
+            format!("{BLOCK}[water]\nlevel = 6\ndensity = 1101\n{}", SEA.replace("water_density = 1030", ""));
+        assert!(
+            warnings(&shared).iter().any(|warning| warning.to_string().starts_with("water.density = 1101"))
+        );
         let [warning] = warnings(&sea.replace("density = 1030", "density = 1101"))[..] else { panic!() };
         assert!(
             warning.is_about_waves() && warning.to_string().starts_with("wave.water_density = 1101 kg/m³")

@@ -3,7 +3,6 @@
 use standfast_cases::Bound;
 use standfast_cases::{Assessed, Case, CaseCheck, Key};
 
-use super::mode::capital;
 use crate::measured::{FACTOR, KILOPASCAL, METRE, MRAD, NONE, SheetUnit};
 use crate::steps::SheetSteps;
 
@@ -20,7 +19,12 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) {
 
 fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
     let criterion = &check.criterion;
-    let about = format!("{}, {}: {}", capital(criterion.words()), criterion.required(), check.met_words());
+    let about = format!(
+        "{}, {}: {}",
+        standfast_cases::capital(criterion.words()),
+        criterion.required(),
+        check.met_words()
+    );
     let name = format!("u_{}", letters(criterion.key));
     let (bound, least) = match criterion.bound {
         Bound::AtLeast(bound) => (bound, true),

@@ -66,7 +66,7 @@ pub(super) fn decision(steps: &mut SheetSteps, assessed: &Assessed, reduced: &Re
     steps.note(&format!(
         "{}. Modes are tried in the report's order; one holds if all of its inequalities do. The decision is exact for the \
          numbers given, without tolerance.",
-        capital(chart.case().words()).replace('\'', "′")
+        standfast_cases::capital(chart.case().words()).replace('\'', "′")
     ));
     let bounds = || trace.steps.iter().flat_map(|step| &step.relations).map(|relation| relation.bound);
     if bounds().any(|bound| bound.contains("a k")) {
@@ -161,10 +161,4 @@ fn shown(crossings: &[Crossing]) -> impl Iterator<Item = (String, &Crossing)> {
 
 fn arrow(reduced: &Reduced, crossing: &Crossing) -> Markup {
     html! { (reduced.orient(crossing.from)) " → " (reduced.orient(crossing.to)) }
-}
-
-/// Words with a capital letter in front.
-pub fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
