@@ -30,6 +30,7 @@ use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use standfast::{InputError, Mode, Verdict};
+use standfast_cases::beginnings::BEGINNINGS;
 
 use crate::errors::StandfastError;
 
@@ -77,6 +78,12 @@ fn at_index(error: PyErr, index: &[usize]) -> PyErr {
     })
 }
 
+/// The cases to begin from, as (name, title, text).
+#[pyfunction]
+fn beginnings() -> Vec<(&'static str, &'static str, &'static str)> {
+    BEGINNINGS.iter().map(|beginning| (beginning.name, beginning.title, beginning.text)).collect()
+}
+
 type Codes<'py> = Bound<'py, PyArrayDyn<u8>>;
 
 #[pymodule]
@@ -87,6 +94,8 @@ mod _standfast {
     use super::arrow_out::{ArrowArray, ArrowTable};
     #[pymodule_export]
     use super::assess::{CaseAnswer, assess};
+    #[pymodule_export]
+    use super::beginnings;
     #[pymodule_export]
     use super::contact::{contact_names, contact_rows};
     #[pymodule_export]

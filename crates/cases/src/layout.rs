@@ -15,8 +15,8 @@ pub fn paragraph(text: &str, indent: usize) -> String {
 /// Words in lines that have at most 88 characters after `indent` others; a longer word has a line of its own.
 pub(crate) fn wrapped(text: &str, indent: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    // A number and its percent sign stay on one line.
-    let text = text.replace(" %", "\u{a0}%");
+    // A number stays on one line with its percent sign, and an acceleration in brackets with its unit.
+    let text = text.replace(" %", "\u{a0}%").replace(" g)", "\u{a0}g)");
     for word in text.split([' ', '\n']).filter(|word| !word.is_empty()) {
         let word = word.replace('\u{a0}', " ");
         match lines.last_mut() {

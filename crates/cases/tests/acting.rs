@@ -551,3 +551,22 @@ fn a_load_is_followed_from_the_full_load_to_a_million_times() {
         assert_eq!(error.to_string(), "expected a load factor from 1 to 1000000, as 2");
     }
 }
+
+/// A share of one force, or of a shaking to the sides, stands beside what it amounts to; by hand.
+#[test]
+fn a_share_is_told_with_what_it_amounts_to() {
+    let body = "[body]\nwidth = 1\nheight = 2\nmass = 1000\nfriction = 0.9\n";
+    let near = |loads: &str| assess(&format!("{body}{loads}")).summary().unwrap().near.unwrap();
+    // m g b/e = 9810 · 0.5/1.25 N.
+    let push = "[[load]]\nforce = \"2 kN/m\"\nelevation = \"1.25 m\"\n";
+    assert!(near(push).starts_with("At 196.2 % of the force (3.924 kN/m) it rocks"), "{}", near(push));
+    // b/d = 0.5; water that moves along counts with the body.
+    let shaken = "[earthquake]\nhorizontal = \"0.2 g\"\n";
+    assert!(near(shaken).starts_with("At 250 % of the earthquake (0.5 g) it rocks"), "{}", near(shaken));
+    let in_water = near("[earthquake]\nhorizontal = \"0.2 g\"\n[added_mass]\nmass = 250\nelevation = 1\n");
+    assert!(in_water.contains("of the earthquake (0.4 g) it rocks"), "{in_water}");
+    // Of two quantities neither is the amount.
+    for two in [format!("{shaken}vertical = \"0.1 g\"\n"), format!("{push}together = true\n{shaken}")] {
+        assert!(!near(&two).contains(" g)") && !near(&two).contains("kN/m)"), "{}", near(&two));
+    }
+}

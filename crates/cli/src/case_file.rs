@@ -52,6 +52,15 @@ pub(crate) fn beside(case: &Path, files: &FilesRead) -> impl Fn(&str) -> Result<
     }
 }
 
+/// The file that an editor made of `path`, where there is one: Windows hides the `.txt` that it puts behind a name.
+fn ending_in_txt(path: &Path) -> Option<String> {
+    let mut with_txt = path.as_os_str().to_owned();
+    with_txt.push(".txt");
+    let there = !path.exists() && Path::new(&with_txt).exists();
+    there
+        .then(|| format!("; there is {}: type that name, or rename the file", Path::new(&with_txt).display()))
+}
+
 /// The text of a case file.
 ///
 /// # Errors
@@ -62,7 +71,10 @@ pub(crate) fn read(path: &Path, files: &FilesRead) -> Result<String> {
     } else {
         files.read(path, FilePurpose::Case)
     };
-    let bytes = read.map_err(|cause| CommandError::Read { name: name(path), cause: cause.to_string() })?;
+    let bytes = read.map_err(|cause| CommandError::Read {
+        name: name(path),
+        cause: cause.to_string() + &ending_in_txt(path).unwrap_or_default(),
+    })?;
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();

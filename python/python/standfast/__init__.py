@@ -7,6 +7,7 @@ why, and when would it be another?                        :func:`explain`
 how far is each inequality from failing?                  :func:`limit_states`
 any body under any wrench: added mass, two frictions      :func:`contact`
 what does the whole k-μ plane look like?                  :class:`Diagram`
+a case to begin from: caisson, statue, rack, wall         :func:`new`
 a body with its loads: water, waves, earthquakes          :func:`assess`
 many of them: tables, sweeps, samples                     :func:`assess_table`
 the least width, the greatest force that is enough        :func:`design`
@@ -32,6 +33,7 @@ from ._figure import Figure
 from ._limits import LimitStates, LimitStatesArrays, limit_states
 from ._mode_arrays import ModeArray, ModeNames
 from ._modes import Mode, Modes
+from ._new import new
 from ._probability import Probability, draws, probability
 from ._sheet import sheet
 from ._simulate import Simulation, simulate
@@ -86,6 +88,7 @@ __all__ = [
     "draws",
     "explain",
     "limit_states",
+    "new",
     "onset",
     "probability",
     "sheet",

@@ -19,6 +19,7 @@ __all__ = [
     "Sweep",
     "__version__",
     "assess",
+    "beginnings",
     "boundary",
     "classify",
     "classify_columns",
@@ -281,6 +282,7 @@ def draws(
 
 _Polyline = list[tuple[float, float]]
 
+def beginnings() -> list[tuple[str, str, str]]: ...
 def modes() -> list[tuple[str, str, str]]: ...
 def classify(
     arrays: Sequence[NDArray[Any]], mask: _Mask, out: NDArray[np.uint8] | None, run: _Run

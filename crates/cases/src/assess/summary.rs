@@ -116,7 +116,7 @@ fn near(assessment: &Assessment) -> Option<String> {
                 _ => String::new(),
             };
             let rigid = on_rigid_ground(assessed).unwrap_or_default();
-            format!("the ground fails at {} of {loads}{range}.{rigid}", percent(factor))
+            format!("the ground fails at {}{range}.{rigid}", verdict::share_of_loads(assessed, factor))
         }
         Departure::At { factor, verdict } => {
             let goes = verdict
@@ -124,7 +124,7 @@ fn near(assessment: &Assessment) -> Option<String> {
             let less = less.filter(|less| *less < factor).map_or(String::new(), |less| {
                 format!("; with an angle of friction 2° less the ground fails before, at {}", percent(less))
             });
-            format!("at {} of {loads} {goes}{less}.", percent(factor))
+            format!("at {} {goes}{less}.", verdict::share_of_loads(assessed, factor))
         }
         Departure::Never if assessed.rises() => format!("no multiple of {loads} moves it."),
         Departure::Never => String::new(),

@@ -1,6 +1,6 @@
 //! Sentences on the body under the full load at once, and while it rises: those of every face.
 
-use standfast::loads::LoadSource;
+use standfast::loads::{Load, LoadSource};
 use standfast::{Boundary, Departure, Mode, Outcome, Response, Verdict};
 
 use super::{Assessed, AssessmentView, BaseResponse, predicate};
@@ -68,6 +68,35 @@ pub fn is_object(assessed: &Assessed) -> bool {
                     | LoadSource::Force
             )
         })
+}
+
+/// A multiple of the variable loads as a share of them, and as what it amounts to where that is one force, or a base shaken sideways.
+pub fn share_of_loads(assessed: &Assessed, factor: f64) -> String {
+    let share = format!("{} of {}", percent(factor), risen_loads(assessed));
+    match risen(assessed, factor) {
+        Some(amount) => format!("{share} ({amount})"),
+        None => share,
+    }
+}
+
+/// What a multiple of the variable loads amounts to, where they are one force, or the base shaken to a side.
+fn risen(assessed: &Assessed, factor: f64) -> Option<String> {
+    let variable: Vec<_> = assessed.situation.loads().iter().filter(|load| !load.permanent).collect();
+    match variable[..] {
+        [force] if force.source == LoadSource::Force => {
+            let wrench = assessed.situation.wrench_of(force);
+            Some(assessed.extent.kilonewtons(factor * wrench.x.hypot(wrench.p)))
+        }
+        [first, ..] if variable.iter().all(|load| is_shaken_sideways(load)) => {
+            let acceleration = first.factor * assessed.earthquake?.horizontal().abs();
+            Some(format!("{} g", digits(factor * acceleration / assessed.situation.gravity())))
+        }
+        _ => None,
+    }
+}
+
+fn is_shaken_sideways(load: &Load) -> bool {
+    matches!(load.source, LoadSource::HorizontalInertia | LoadSource::ShakenWater)
 }
 
 /// The variable loads in a row, as they stand in a sentence.

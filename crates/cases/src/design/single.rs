@@ -63,6 +63,7 @@ struct Listed<'a> {
     title: Option<&'a str>,
     summary: Option<Summary>,
     target: String,
+    caution: Option<&'static str>,
     changes: Vec<ChangeRow>,
 }
 
@@ -257,6 +258,7 @@ impl Document for ChangeList {
             title: self.of.present.case.title.as_deref(),
             summary: self.summary(),
             target: self.of.target.to_string(),
+            caution: changes_caution(&self.of),
             changes: told.into_iter().chain(others).collect(),
         })
     }

@@ -15,13 +15,7 @@ pub(super) fn summary(design: &Design) -> Summary {
             true => format!("The present {name}, {present}, meets the target."),
             false => format!("The present {name}, {present}, does not meet the target."),
         }),
-        answer: format!(
-            "The {} {name} for which {} is {}.{}",
-            request.extreme,
-            request.target.words(),
-            found.text,
-            elsewhere(design)
-        ),
+        answer: answer(design),
         met: Some(meets),
         governing: None,
         near: found.beyond.brief().map(|words| format!("Just beyond, {words}.")),
@@ -30,23 +24,24 @@ pub(super) fn summary(design: &Design) -> Summary {
     }
 }
 
-/// That the target is not met by all values on the safe side of the one found, and from where on it is met by all that were tried.
-fn elsewhere(design: &Design) -> String {
+/// From where on the target is met: throughout, or where it is met by some of the values only, from where on by all that were tried, and by
+/// which others.
+fn answer(design: &Design) -> String {
+    let Design { request, quantity, .. } = design;
+    let (extreme, name, wanted) = (request.extreme, quantity.variable.name(), request.target.words());
     let at = &design.stretches[design.at];
-    let (Some(first), Some(last)) = (design.stretches.first(), design.stretches.last()) else {
-        return String::new();
+    let found = design.found();
+    let (first, last) = (design.stretches.first(), design.stretches.last());
+    let (Some(first), Some(last)) = (first.filter(|_| design.stretches.len() > 1), last) else {
+        return format!("The {extreme} {name} for which {wanted} is {}.", found.text);
     };
-    if design.stretches.len() == 1 {
-        return String::new();
-    }
-    match design.request.extreme {
-        Extreme::Least => format!(
-            " Not all greater ones do: between {} and {} it fails in places. From {} to {} it is met throughout, as far as was tried.",
-            at.greatest.text, last.least.text, last.least.text, last.greatest.text
-        ),
-        Extreme::Greatest => format!(
-            " Not all lesser ones do: between {} and {} it fails in places. From {} to {} it is met throughout, as far as was tried.",
-            first.greatest.text, at.least.text, first.least.text, first.greatest.text
-        ),
-    }
+    let [(from, to), (fails_from, fails_to)] = match extreme {
+        Extreme::Least => [(&last.least, &last.greatest), (&at.greatest, &last.least)],
+        Extreme::Greatest => [(&first.least, &first.greatest), (&first.greatest, &at.least)],
+    };
+    format!(
+        "With a {name} from {} to {} {wanted}, as far as was tried. The {extreme} {name} is {}, but between {} and {} it \
+         fails in places.",
+        from.text, to.text, found.text, fails_from.text, fails_to.text
+    )
 }

@@ -62,13 +62,24 @@ fn drive(followed: &FollowedMotion) -> &'static str {
     if base.horizontal.is_some() || base.vertical.is_some() { "shaking" } else { "load" }
 }
 
+/// Peak of a multiple of the shaking, in brackets; none of a load, and of a body in pure numbers.
+fn amount(followed: &FollowedMotion, factor: f64) -> String {
+    let problem = &followed.case.problem;
+    let Some(shaking) = problem.base.horizontal.as_ref().filter(|_| followed.case.si) else {
+        return String::new();
+    };
+    let sideways = if problem.base.vertical.is_some() { " to the sides" } else { "" };
+    format!(" ({} g{sideways})", significant(factor * shaking.peak() / problem.gravity, 3))
+}
+
 /// Sentences on the strength at which the verdict changes.
 fn stronger(followed: &FollowedMotion, strength: &Strength) -> String {
     let drive = drive(followed);
     let mut sentences = Vec::new();
     match strength.onset {
         Some(onset) if onset > 0.0 => {
-            sentences.push(format!("It begins to move at {} times this {drive}.", significant(onset, 3)));
+            let (times, amount) = (significant(onset, 3), amount(followed, onset));
+            sentences.push(format!("It begins to move at {times} times this {drive}{amount}."));
         }
         None if followed.outcome.max_theta == 0.0 && followed.outcome.max_slide == 0.0 => {
             sentences.push(format!("No multiple of this {drive} moves it."));
@@ -76,7 +87,7 @@ fn stronger(followed: &FollowedMotion, strength: &Strength) -> String {
         _ => {}
     }
     let overturns = ["overturns it", "leaves it standing"];
-    sentences.push(change(&strength.overturning, strength, drive, overturns, |tried| tried.overturned));
+    sentences.push(change(followed, &strength.overturning, overturns, |tried| tried.overturned));
     // What overturns is beyond every bound: that needs no sentence of its own.
     let is_news = |verdict: &&(f64, VerdictStrength)| {
         nearest(&verdict.1).is_none_or(|change| nearest(&strength.overturning) != Some(change))
@@ -85,16 +96,14 @@ fn stronger(followed: &FollowedMotion, strength: &Strength) -> String {
         let metres = if followed.case.si { " m" } else { "" };
         let too_far = format!("slides it beyond {}{metres}", digits(*bound));
         let within = format!("keeps it within {}{metres}", digits(*bound));
-        sentences
-            .push(change(verdict, strength, drive, [&too_far, &within], |tried| tried.is_beyond(*bound)));
+        sentences.push(change(followed, verdict, [&too_far, &within], |tried| tried.is_beyond(*bound)));
     }
     if let Some((bound, verdict)) = strength.max_theta.as_ref().filter(is_news) {
         let degrees = significant(bound.to_degrees(), 3);
         let too_far = format!("turns it beyond {degrees}°");
         let within = format!("keeps it within {degrees}°");
-        sentences.push(change(verdict, strength, drive, [&too_far, &within], |tried| {
-            tried.is_turned_beyond(*bound)
-        }));
+        sentences
+            .push(change(followed, verdict, [&too_far, &within], |tried| tried.is_turned_beyond(*bound)));
     }
     if verdicts(strength).any(is_open) {
         sentences.push("One motion does not decide this.".to_owned());
@@ -131,15 +140,16 @@ fn is_open(verdict: &VerdictStrength) -> bool {
 
 /// The sentence on one verdict: what a motion does of which it holds, and what one of which it does not.
 fn change(
+    followed: &FollowedMotion,
     verdict: &VerdictStrength,
-    strength: &Strength,
-    drive: &str,
     does: [&str; 2],
     holds: impl Fn(&Tried) -> bool,
 ) -> String {
+    let drive = drive(followed);
+    let tried: &[Tried] = followed.strength.as_ref().map_or(&[], |strength| &strength.tried);
     let other = if verdict.verdict { does[1] } else { does[0] };
-    let count = strength.tried.len();
-    let (from, to) = (strength.tried[0].factor, strength.tried[count - 1].factor);
+    let count = tried.len();
+    let (from, to) = (tried[0].factor, tried[count - 1].factor);
     let Some(nearest) = nearest(verdict) else {
         return format!(
             "None of {count} factors from {} to {} on this {drive} {other}.",
@@ -150,11 +160,12 @@ fn change(
     let off = nearest.factor - 1.0;
     let size = significant(100.0 * off.abs(), 2);
     let way = if off > 0.0 { "stronger" } else { "weaker" };
-    let head = format!("A {drive} {size} % {way} {other}");
+    let amount = amount(followed, nearest.factor);
+    let head = format!("A {drive} {size} % {way}{amount} {other}");
     let differ = |tried: &&Tried| holds(tried) != verdict.verdict;
     if verdict.windows {
         let near: Vec<&Tried> =
-            strength.tried.iter().filter(|tried| (tried.factor - 1.0).abs() <= 0.2 + 1e-9).collect();
+            tried.iter().filter(|tried| (tried.factor - 1.0).abs() <= 0.2 + 1e-9).collect();
         let others = near.iter().filter(|tried| differ(tried)).count();
         return match others {
             0 => format!("{head}; none of {} within 20 % does.", near.len()),
@@ -162,8 +173,7 @@ fn change(
             _ => format!("{head}, as do {others} of {} within 20 %.", near.len()),
         };
     }
-    let behind: Vec<&Tried> =
-        strength.tried.iter().filter(|tried| (tried.factor - 1.0) * off < 0.0).collect();
+    let behind: Vec<&Tried> = tried.iter().filter(|tried| (tried.factor - 1.0) * off < 0.0).collect();
     let (side, end) = if off > 0.0 {
         ("weaker", format!("down to {}", digits(from)))
     } else {

@@ -1,0 +1,34 @@
+"""Cases to begin from: those of the program, answered as they come."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import standfast
+
+KINDS = ["block", "caisson", "wall", "statue", "rack", "motion", "random"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_beginning_is_that_of_the_program(kind: str, program: list[str], tmp_path: Path) -> None:
+    path = tmp_path / "my.toml"
+    text = standfast.new(kind, path)
+    printed = subprocess.run([*program, "new", kind], check=True, capture_output=True).stdout.decode()
+    assert path.read_text(encoding="utf-8") == text == printed
+    assert standfast.assess(path).summary.answer.endswith(").")
+    with pytest.raises(FileExistsError):
+        standfast.new(kind, path)
+
+
+def test_another_kind_is_refused() -> None:
+    with pytest.raises(standfast.StandfastError, match="kind is 'tower'; expected block, caisson"):
+        standfast.new("tower")
+
+
+def test_the_package_says_what_to_type() -> None:
+    told = subprocess.run([sys.executable, "-m", "standfast"], check=True, capture_output=True, text=True, encoding="utf-8").stdout
+    assert told.startswith(f"standfast {standfast.__version__}, a Python package.")
+    assert [kind for kind in KINDS if f'standfast.new("{kind}", "my.toml")' in told] == KINDS
