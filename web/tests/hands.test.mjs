@@ -468,7 +468,8 @@ test("a newcomer's own body has its verdict", async () => {
   assert.equal(await page.textContent("#answer"), "The body rocks about O, the bottom left corner (RO).");
   // 0.8 × 1.9 m² of 2300 kg/m³ on its half width, over 12 kN/m at 1.8 m.
   const factor = (0.8 * 1.9 * 2.3 * 9.81 * 0.4) / (12 * 1.8);
-  assert.ok((await page.textContent("#near")).startsWith(`At ${(100 * factor).toPrecision(4)} % of the push it rocks`));
+  const share = `At ${(100 * factor).toPrecision(4)} % of the push (${(12 * factor).toPrecision(4)} kN/m) it rocks`;
+  assert.ok((await page.textContent("#near")).startsWith(share));
   await page.close();
 });
 
