@@ -263,8 +263,8 @@ def test_keys_do_not_depend_on_the_kind_of_case() -> None:
     keys: dict[str, set[tuple[str, ...]]] = {}
 
     def look(name: str, part: Any) -> None:
-        # N/m, never kN/m; what a user wrote and warnings are for reading.
-        assert not isinstance(part, str) or "kN" not in part or name in ("title", "note", "message"), (name, part)
+        # N/m, never kN/m; what a user wrote, warnings and sentences are for reading.
+        assert not isinstance(part, str) or "kN" not in part or name in ("title", "note", "message", "near"), (name, part)
         if isinstance(part, dict) and name != "factors":
             keys.setdefault(name, set()).add(tuple(part))
             for key, value in part.items():

@@ -13,7 +13,7 @@ use standfast_model::{BlockCase, CaseFile, Criterion, FirstInstant, MotionCriter
 use standfast_probability::sample::Estimate;
 use standfast_watch::Portion;
 
-use crate::case::{Acting, Case};
+use crate::case::{Acting, Case, Trial};
 use crate::criteria::Check;
 use crate::error::CaseError;
 use crate::motion::{Follow, FollowedMotion, MotionCheck, worst_checks as worst_motion_checks};
@@ -56,6 +56,8 @@ pub struct Assessed {
     pub acting: Acting,
     /// Extent of its forces and moments: a metre run or the whole body.
     pub extent: Extent,
+    /// The way in which it is tried: signs of the acceleration of the base, factors of pairs.
+    pub trial: Trial,
     /// The acceleration of the base.
     pub earthquake: Option<Earthquake>,
     /// True if that is the worst of those that are tried, which is reported.
@@ -69,7 +71,7 @@ pub struct Assessed {
     /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
     /// for it.
     pub not_rest: Option<Estimate>,
-    /// The answers under the other accelerations of the base, none of them worse as a whole.
+    /// The answers in the other ways in which it is tried, none of them worse as a whole.
     pub others: Vec<Assessed>,
 }
 
@@ -78,7 +80,7 @@ pub struct Assessed {
 pub struct CaseCheck<'a> {
     /// The criterion and how far it is met.
     pub check: Check,
-    /// The situation, under the acceleration of the base that is worst for this criterion.
+    /// The situation, in the way in which it is worst for this criterion.
     pub assessed: &'a Assessed,
 }
 
@@ -125,7 +127,7 @@ impl Assessment {
             return Assessment::in_time(file, &first, follow, portion);
         }
         let case = file.case()?;
-        let asks = case.criteria.iter().any(Criterion::is_chance);
+        let asks = case.all_criteria().iter().any(Criterion::is_chance);
         let assessment = Assessment::owning(case).map_err(|error| file.refused(error))?;
         if asks { assessment.with_chance(file, portion) } else { Ok(assessment) }
     }
@@ -209,7 +211,16 @@ impl Assessment {
 
     /// The criteria, each where it is met worst; the governing one first.
     pub fn checks(&self) -> Vec<CaseCheck<'_>> {
-        self.checks_of(&self.case.criteria)
+        let asked = |criterion: &Criterion| {
+            let of = self.all.iter().filter(|one| self.case.criteria_of(one.acting).contains(criterion));
+            worst_check(criterion, of.flat_map(Assessed::tried))
+        };
+        by_urgency(self.case.all_criteria().iter().filter_map(asked).collect())
+    }
+
+    /// The case of a situation: that of its combination, where that changes something.
+    pub fn case_of(&self, assessed: &Assessed) -> &Case {
+        self.case.under(assessed.acting)
     }
 
     /// Other criteria than those of the case, each where it is met worst; the governing one first.
@@ -263,12 +274,14 @@ impl Assessment {
 }
 
 impl Assessed {
-    /// A situation under the worst of the accelerations of the base that are tried.
+    /// A situation in the worst of the ways in which it is tried.
     fn of(case: &Case, index: usize, acting: Acting) -> Result<Assessed, InputError> {
-        let answer = |situation: Situation, earthquake| {
-            let (outcome, ground) = match &case.ground {
+        let answer = |situation: Situation, trial: Trial| {
+            let of = case.under(acting);
+            let earthquake = trial.signs().and_then(|signs| of.shaken(signs));
+            let (outcome, ground) = match &of.ground {
                 Some(foundation) => {
-                    let (outcome, ground) = BaseResponse::of(case, foundation, &situation)?;
+                    let (outcome, ground) = BaseResponse::of(of, foundation, &situation)?;
                     (outcome, Some(ground))
                 }
                 None => (situation.outcome()?, None),
@@ -278,6 +291,7 @@ impl Assessed {
                 index,
                 acting,
                 extent,
+                trial,
                 earthquake,
                 is_reported: true,
                 situation,
@@ -287,24 +301,24 @@ impl Assessed {
                 others,
             })
         };
-        let shaken = |shaking: Option<[f64; 2]>| {
-            let earthquake = shaking.and_then(|signs| case.shaken(signs));
-            let assessed: Assessed = answer(case.decided(acting, shaking)?, earthquake)?;
+        let answered = |trial: Trial| {
+            let assessed: Assessed = answer(case.decided(acting, trial)?, trial)?;
             let is_near = |criterion: &Criterion| Check::of(*criterion, &assessed).is_near_bound();
             // A factor on its bound, too, is told by the numbers as they are written.
-            if assessed.situation.is_as_written() || !case.criteria.iter().any(is_near) {
+            if assessed.situation.is_as_written() || !case.criteria_of(acting).iter().any(is_near) {
                 return Ok(assessed);
             }
-            answer(case.as_written(assessed.situation, acting, shaking), earthquake)
+            answer(case.as_written(assessed.situation, acting, trial), trial)
         };
-        let tried = case.shakings(acting).into_iter().map(|signs| {
-            let assessed = shaken(Some(signs))?;
+        let trials = case.trials(acting);
+        if let [only] = trials[..] {
+            return answered(only);
+        }
+        let tried = trials.into_iter().map(|trial| {
+            let assessed = answered(trial)?;
             Ok((assessed.severity(case), assessed))
         });
         let mut tried: Vec<(Severity, Assessed)> = tried.collect::<Result<_, InputError>>()?;
-        if tried.is_empty() {
-            return shaken(None);
-        }
         // Of two that are the same but for rounding the given one, which is the first, stays.
         let is_worse = |one: usize, than: usize| tried[one].0.is_worse_than(&tried[than].0);
         let worst = (1..tried.len()).fold(0, |worst, next| if is_worse(next, worst) { next } else { worst });
@@ -354,20 +368,20 @@ impl Assessed {
         self.situation.loads().iter().any(|load| load.factor != 1.0)
     }
 
-    /// This and the other accelerations of the base that were tried.
+    /// This and the other ways in which it was tried.
     pub fn tried(&self) -> impl Iterator<Item = &Assessed> {
         std::iter::once(self).chain(&self.others)
     }
 
     /// The criteria of the case, each under the acceleration of the base that meets it worst; the governing one first.
     pub fn checks(&self, case: &Case) -> Vec<CaseCheck<'_>> {
-        worst_checks(&case.criteria, || self.tried())
+        worst_checks(case.criteria_of(self.acting), || self.tried())
     }
 
     fn severity(&self, case: &Case) -> Severity {
         // Which acceleration of the base is worst does not hang on a chance, which is that of all of them.
-        let asked =
-            case.criteria.iter().filter(|criterion| !criterion.is_chance() || self.not_rest.is_some());
+        let asked = case.criteria_of(self.acting).iter();
+        let asked = asked.filter(|criterion| !criterion.is_chance() || self.not_rest.is_some());
         let used = asked.map(|criterion| Check::of(*criterion, self).urgency()).fold(0.0, f64::max);
         let stability = &self.outcome.stability;
         let [sliding, overturning] = match self.outcome.full.is_lifted() {
@@ -392,11 +406,20 @@ fn worst_checks<'a, T: Iterator<Item = &'a Assessed>>(
     criteria: &[Criterion],
     tried: impl Fn() -> T,
 ) -> Vec<CaseCheck<'a>> {
-    let worst = |criterion: &Criterion| {
-        let checks = tried().map(|assessed| CaseCheck { check: Check::of(*criterion, assessed), assessed });
-        checks.reduce(|worst, next| if next.check.urgency() > worst.check.urgency() { next } else { worst })
-    };
-    let mut checks: Vec<_> = criteria.iter().filter_map(worst).collect();
+    by_urgency(criteria.iter().filter_map(|criterion| worst_check(criterion, tried())).collect())
+}
+
+/// A criterion where it is met worst of what was tried.
+fn worst_check<'a>(
+    criterion: &Criterion,
+    tried: impl Iterator<Item = &'a Assessed>,
+) -> Option<CaseCheck<'a>> {
+    let checks = tried.map(|assessed| CaseCheck { check: Check::of(*criterion, assessed), assessed });
+    checks.reduce(|worst, next| if next.check.urgency() > worst.check.urgency() { next } else { worst })
+}
+
+/// Checks, the governing one first.
+fn by_urgency(mut checks: Vec<CaseCheck<'_>>) -> Vec<CaseCheck<'_>> {
     checks.sort_by(|one, two| two.check.urgency().total_cmp(&one.check.urgency()));
     checks
 }

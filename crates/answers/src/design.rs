@@ -169,7 +169,7 @@ impl DesignRequest {
 fn answerable(target: Target, subject: &Subject) -> Result<(), DesignError> {
     let Subject { file, case, .. } = subject;
     match target {
-        Target::Utilisation(_) if case.criteria.is_empty() && !subject.asks_of_motion() => {
+        Target::Utilisation(_) if case.all_criteria().is_empty() && !subject.asks_of_motion() => {
             Err(DesignError::NoCriteria { target })
         }
         _ if target.asks_for_chance(case) && file.random().is_none() => {

@@ -118,7 +118,7 @@ impl Sweep {
         let case = file.case()?;
         let asks = Key::GreatestNotRest;
         let varied = factors.iter().any(|factor| factor.is(asks));
-        if varied || case.criteria.iter().any(|criterion| criterion.key == asks) {
+        if varied || case.all_criteria().iter().any(|criterion| criterion.key == asks) {
             let why = "of the rows of a table none is found; `standfast probability` and `design` have it"
                 .to_owned();
             return Err(file.no_chance(why));
@@ -159,7 +159,7 @@ impl Sweep {
     /// The results that the case has, in the order in which they are shown.
     pub fn results(&self) -> Vec<SweepResult> {
         let asked = |factor: &Factor| factor.id().is_some_and(|id| id.key.info().table == Table::Criteria);
-        let has_criteria = !self.case.criteria.is_empty() || self.factors.iter().any(asked);
+        let has_criteria = !self.case.all_criteria().is_empty() || self.factors.iter().any(asked);
         SweepResult::all()
             .filter(|result| match result {
                 SweepResult::Situation => !self.situations().is_empty(),

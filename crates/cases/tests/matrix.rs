@@ -116,6 +116,42 @@ fn is_of_time_alone(id: Id) -> bool {
     (id.table.is_of_motion() || id.table.is_history()) && !(of_base && peaks.contains(&id.key))
 }
 
+/// What a number one per cent larger in a combination changes is what the file with that number answers; what refuses the one refuses the
+/// other.
+#[test]
+fn every_number_may_be_another_in_a_combination() {
+    let situation = |file: &CaseFile| {
+        let case = file.case().map_err(|error| error.to_string())?;
+        let answer = Assessment::of(&case).map_err(|error| error.to_string())?;
+        let json = answer.json(&AssessmentView::default(), &[]);
+        let mut json: serde_json::Value = serde_json::from_str(&json).map_err(|error| error.to_string())?;
+        let situation = json["situations"][0].as_object_mut().expect("a situation");
+        situation.remove("combination");
+        Ok::<_, String>(serde_json::to_string(situation).expect("JSON"))
+    };
+    let mut compared = 0;
+    for text in CASES.iter().filter(|text| !text.starts_with("[block]")) {
+        let plain = file(&format!("{text}[[combination]]\nfactors = {{}}\n"));
+        if plain.is_in_time() {
+            continue;
+        }
+        for id in variables(&plain).into_iter().filter(|id| plain.inputs().number(*id) != Some(0.0)) {
+            let scaled = format!("{text}[[combination]]\nscale = {{ \"{id}\" = 1.01 }}\nfactors = {{}}\n");
+            let case = plain.case().unwrap();
+            let variable = Variable::of(id, plain.inputs());
+            let varied =
+                standfast_cases::couple::vary(plain.inputs(), &case, &[(&variable, more(&plain, id))]);
+            match (situation(&file(&scaled)), situation(&plain.varied(varied))) {
+                (Ok(one), Ok(two)) => assert_eq!(one, two, "{id} in\n{text}"),
+                (Err(one), Err(two)) => assert!(one.contains(&two), "{id} in\n{text}: {one}; {two}"),
+                (one, two) => panic!("{id} in\n{text}: {one:?}; {two:?}"),
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared > 80, "{compared}");
+}
+
 #[test]
 fn every_number_changes_what_assess_says() {
     let (mut met, mut wrong) = (BTreeSet::new(), Vec::new());

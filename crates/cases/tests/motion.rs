@@ -39,7 +39,7 @@ fn breaking_wave_slides_a_caisson() {
     let lines = text.lines().filter(|line| !line.starts_with("history"));
     let still: String = lines.map(|line| format!("{line}\n")).collect();
     let still = CaseFile::parse("case.toml", &still).unwrap().case().unwrap();
-    let situation = still.situation(Acting::Combination(0), None).unwrap();
+    let situation = still.situation(Acting::Combination(0), standfast_cases::case::Trial::AS_GIVEN).unwrap();
     let wrenches = |permanent: bool| {
         situation
             .loads()

@@ -122,7 +122,7 @@ fn friction_for_a_slide_is_the_root_of_the_closed_form() {
     let lines = CAISSON.lines().filter(|line| !line.starts_with("history"));
     let still: String = lines.map(|line| format!("{line}\n")).collect();
     let still = CaseFile::parse("case.toml", &still).unwrap().case().unwrap();
-    let situation = still.situation(Acting::Combination(0), None).unwrap();
+    let situation = still.situation(Acting::Combination(0), standfast_cases::case::Trial::AS_GIVEN).unwrap();
     let sum = |permanent: bool| -> standfast::Wrench {
         let loads = situation.loads().iter().filter(|load| load.permanent == permanent);
         loads.map(|load| situation.wrench_of(load)).sum()

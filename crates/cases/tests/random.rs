@@ -287,7 +287,8 @@ fn draws_of_a_caisson_have_its_effective_point() {
     let file =
         standfast_cases::CaseFile::parse("case.toml", include_str!("../../../examples/goda-2000.toml"));
     let case = file.unwrap().case().unwrap();
-    let situation = case.situation(standfast_cases::Acting::All, None).unwrap();
+    let situation =
+        case.situation(standfast_cases::Acting::All, standfast_cases::case::Trial::AS_GIVEN).unwrap();
     let wrench = situation.wrench_at(1.0, standfast::loads::Pose::UPRIGHT);
     let (k, k_prime) = (wrench.x.abs() / wrench.p, -wrench.m / (wrench.x * situation.body().height() / 2.0));
     for (drawn, mu) in found.drawn.iter().zip(&found.values[0]) {

@@ -193,6 +193,87 @@ pub enum Problem {
         /// The name.
         name: String,
     },
+    /// A combination whose changes make no case.
+    #[error("in the combination \"{name}\" {problem}")]
+    InCombination {
+        /// The combination.
+        name: String,
+        /// Problem of the case that it makes.
+        problem: Box<Problem>,
+    },
+    /// A name under `set`, `scale` or `materials` that is no key of the case.
+    #[error("`{}` calls `{name}`, which is no key of this case", by.name())]
+    NoKeyCalled {
+        /// The name.
+        name: String,
+        /// The key under which it is called.
+        by: Key,
+        /// The numbers of the case.
+        names: Vec<String>,
+    },
+    /// A key that is multiplied and is no number.
+    #[error("`{name}` is no number, which alone `scale` multiplies")]
+    NoNumber {
+        /// The key.
+        name: String,
+    },
+    /// A key that is divided and is no strength.
+    #[error("`{name}` is no strength, which alone `materials` divides")]
+    NoStrength {
+        /// The key.
+        name: String,
+        /// The strengths of the case.
+        names: Vec<String>,
+    },
+    /// A number that is changed twice in one way.
+    #[error("`{name}` is named twice")]
+    NamedTwice {
+        /// Its name.
+        name: String,
+    },
+    /// A resistance that there is not.
+    #[error("the case has no resistance called \"{name}\"")]
+    UnknownResistance {
+        /// The name.
+        name: String,
+        /// The resistances.
+        names: Vec<String>,
+    },
+    /// The resistance of ground of which nothing is said.
+    #[error("`bearing` is divided, but the case has no [ground], whose resistance it is")]
+    NoBearing,
+    /// A criterion of the motion in a combination.
+    #[error("`{name}` is asked of the motion, in every combination alike")]
+    CriterionOfAll {
+        /// The criterion.
+        name: &'static str,
+    },
+    /// More pairs of factors than are tried.
+    #[error("{count} factors are pairs, of which all of {} ways would be tried; expected 6 pairs at most", 1_u128 << (*count).min(100))]
+    TooManyPairs {
+        /// The number of pairs.
+        count: usize,
+    },
+    /// A partial factor where numbers are random.
+    #[error(
+        "`{name}` is divided by a partial factor, which stands for chance, beside numbers that are random"
+    )]
+    PartialFactor {
+        /// What is divided.
+        name: String,
+    },
+    /// A number that a combination changes, and that is random.
+    #[error("the combination changes `{name}`, which is random")]
+    SetAndRandom {
+        /// The number.
+        name: String,
+    },
+    /// Pairs of factors where none is tried.
+    #[error("a factor is a pair, of which {of} tries none")]
+    Pairs {
+        /// Where.
+        of: &'static str,
+    },
     /// Two combinations of one name.
     #[error("another combination is called \"{name}\" as well; expected a name of its own for each")]
     SameCombination {

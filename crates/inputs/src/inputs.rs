@@ -25,11 +25,36 @@ pub enum Value {
     /// Numbers in SI units.
     Numbers(Vec<f64>),
     /// Names of loads, and the factor of each.
-    Factors(Vec<(String, f64)>),
+    Factors(Vec<(String, LoadFactor)>),
+    /// Names of keys, and a value of each as it is written, to be [read](crate::parse::read) once the key is known.
+    Settings(Vec<(String, String)>),
+    /// Names, and a number of each.
+    Ratios(Vec<(String, f64)>),
+    /// Keys of criteria, and their bounds.
+    Bounds(Vec<(Key, Value)>),
     /// A set of modes.
     Modes(Modes),
     /// A file that was read.
     Record(Arc<RecordFile>),
+}
+
+/// Factor on a load: one, or two of which it is not known beforehand which is the worse.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LoadFactor {
+    /// One factor.
+    One(f64),
+    /// Two, of which each is tried.
+    Pair([f64; 2]),
+}
+
+impl LoadFactor {
+    /// The factors.
+    pub fn all(&self) -> &[f64] {
+        match self {
+            LoadFactor::One(factor) => std::slice::from_ref(factor),
+            LoadFactor::Pair(both) => both,
+        }
+    }
 }
 
 impl Value {
@@ -179,9 +204,33 @@ impl Inputs {
     }
 
     /// The names of loads and their factors under a key.
-    pub fn factors(&self, id: impl Into<Id>) -> Option<&[(String, f64)]> {
+    pub fn factors(&self, id: impl Into<Id>) -> Option<&[(String, LoadFactor)]> {
         match self.get(id)? {
             Value::Factors(factors) => Some(factors),
+            _ => None,
+        }
+    }
+
+    /// The names of keys and their values under a key.
+    pub fn settings(&self, id: impl Into<Id>) -> Option<&[(String, String)]> {
+        match self.get(id)? {
+            Value::Settings(settings) => Some(settings),
+            _ => None,
+        }
+    }
+
+    /// The names and their numbers under a key.
+    pub fn ratios(&self, id: impl Into<Id>) -> Option<&[(String, f64)]> {
+        match self.get(id)? {
+            Value::Ratios(ratios) => Some(ratios),
+            _ => None,
+        }
+    }
+
+    /// The criteria under a key.
+    pub fn bounds(&self, id: impl Into<Id>) -> Option<&[(Key, Value)]> {
+        match self.get(id)? {
+            Value::Bounds(bounds) => Some(bounds),
             _ => None,
         }
     }

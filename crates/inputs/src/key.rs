@@ -423,8 +423,14 @@ pub enum Kind {
     },
     /// Numbers with a unit, or without one in SI units, in a list.
     List(Dimension),
-    /// Names of loads, and the factor of each.
+    /// Names of loads, and the factor of each, or two of them that are tried in turn.
     Factors,
+    /// Names of keys, and a value for each.
+    Settings,
+    /// Names of keys or of resistances, and a number above zero for each.
+    Ratios,
+    /// Criteria under their names.
+    Bounds,
     /// Symbols of modes in a list.
     ModeList,
 }
@@ -514,6 +520,7 @@ impl KeyInfo {
             Kind::OneOf(_, range) => Some(range),
             Kind::Text | Kind::Truth | Kind::Choice { .. } | Kind::File => None,
             Kind::List(_) | Kind::Plains | Kind::Factors | Kind::ModeList => None,
+            Kind::Settings | Kind::Ratios | Kind::Bounds => None,
         }
     }
 
@@ -566,7 +573,10 @@ const fn time(range: Range) -> Kind {
     Kind::Measured(Dimension::Time, range)
 }
 
-use Kind::{Factors, File, InGravity, List, Measured, ModeList, OneOf, Plain, Plains, Reached, Text, Truth};
+use Kind::{
+    Bounds, Factors, File, InGravity, List, Measured, ModeList, OneOf, Plain, Plains, Ratios, Reached,
+    Settings, Text, Truth,
+};
 use Range::{Finite, NotNegative, Positive, Share, ZeroToOne};
 use Table::{
     AddedMass, Block, BlockLoad, Body, Combination, Criteria, Earthquake, Ground, History, Impact, Initial,
@@ -773,9 +783,21 @@ listed! {
         .silent("load: alone, an alternative to the others");
 
     CombinationName = key(Combination, "name", Text, "", "name of the combination", "\"storm at low water\"");
+    CombinationSet = key(Combination, "set", Settings, "",
+        "values of keys in this combination, before all else; what moves with them moves", "{ \"water.level\" = \"6.2 m\" }");
+    CombinationScale = key(Combination, "scale", Ratios, "",
+        "what numbers of the case are multiplied by, under their keys; what moves with them moves", "{ \"wave.H13\" = 1.2, \"wave.Hmax\" = 1.2 }");
+    CombinationMaterials = key(Combination, "materials", Ratios, "",
+        "what strengths are divided by, under their keys; of an angle its tangent",
+        "{ \"body.friction\" = 1.25, \"ground.friction_angle_deg\" = 1.25 }");
     LoadFactors = key(Combination, "factors", Factors, "",
-        "factor on each load, under its name, or weight, water, uplift, wave, earthquake",
-        "{ weight = 0.9, wave = 1.3, crane = 1.5 }");
+        "factor on each load, under its name, or weight, water, uplift, wave, earthquake; in more detail \"water.left\", \"water.right\", \"water.base\", \
+         \"wave.thrust\", \"wave.uplift\"; of two in brackets, as of what may help or harm, both are tried",
+        "{ weight = 0.9, wave = 1.3, crane = [1.5, 0] }");
+    CombinationResist = key(Combination, "resist", Ratios, "",
+        "what resistances are divided by: sliding and bearing", "{ sliding = 1.1, bearing = 1.4 }");
+    CombinationCriteria = key(Combination, "criteria", Bounds, "",
+        "what is asked of the results in this combination, in place of [criteria]", "{ SF_sliding = 1.0, eccentricity = \"2.5 m\" }");
 
     LeastSliding = key(Criteria, "SF_sliding", Plain(Positive), "", "at least: safety factor against sliding", "1.2");
     LeastOverturningNet = key(Criteria, "SF_overturning_net", Plain(Positive), "",

@@ -4,6 +4,7 @@
 
 mod option;
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
 use std::sync::Arc;
@@ -15,7 +16,7 @@ use toml::de::{DeTable, DeValue};
 use crate::digits::shortened;
 use crate::edit::random::line_of;
 use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
-use crate::inputs::{Inputs, Value, dimension};
+use crate::inputs::{Inputs, LoadFactor, Value, dimension};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::random::{self, RANDOM, Random, RandomProblem, RandomRecord};
 use crate::record::{ReadFile, RecordFile};
@@ -248,16 +249,21 @@ impl CaseText {
             let whole = 0..self.text.len();
             self.headers.get(&(table, index)).cloned().unwrap_or(whole)
         };
+        let entry = |id: Id| {
+            let list = id.key.entry();
+            self.entries.iter().find(|entry| {
+                let Id { table, index, key } = entry.id;
+                (table, key.entry(), index) == (id.table, list, id.index)
+            })
+        };
         match place {
             Place::Table(table, index) => of_table(table, index),
             Place::Key(id) => {
-                let list = id.key.entry();
-                let same = |entry: &&Entry| {
-                    let Id { table, index, key } = entry.id;
-                    (table, key.entry(), index) == (id.table, list, id.index)
-                };
-                let entry = self.entries.iter().find(same).map(|entry| entry.span.clone());
-                entry.unwrap_or_else(|| of_table(id.table, id.index))
+                entry(id).map_or_else(|| of_table(id.table, id.index), |entry| entry.span.clone())
+            }
+            Place::Element(id, place) => {
+                let element = entry(id).and_then(|entry| entry.elements.get(place).cloned());
+                element.unwrap_or_else(|| self.span(Place::Key(id)))
             }
         }
     }
@@ -334,8 +340,14 @@ impl CaseText {
                     }
                 }
             }
-            let list = value.get_ref().as_array();
-            let elements = list.into_iter().flat_map(|list| list.iter().map(Spanned::span)).collect();
+            let elements = match value.get_ref() {
+                DeValue::Array(list) => list.iter().map(Spanned::span).collect(),
+                DeValue::Table(named) => in_order(named)
+                    .into_iter()
+                    .map(|(name, value)| name.span().start..value.span().end)
+                    .collect(),
+                _ => Vec::new(),
+            };
             self.entries.push(Entry { id, span: value.span(), elements, follows: None });
         }
         for child in table.children() {
@@ -429,6 +441,13 @@ pub const BY_WAVES: ([Id; 2], &str) = (
     "shimosako-takahashi",
 );
 
+/// The entries of a table in the order in which they stand in the text.
+fn in_order<'a, 'b>(table: &'a DeTable<'b>) -> Vec<(&'a Spanned<Cow<'b, str>>, &'a Spanned<DeValue<'b>>)> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(name, _)| name.span().start);
+    entries
+}
+
 /// A value under a key.
 struct Field<'a> {
     id: Id,
@@ -518,7 +537,14 @@ impl Field<'_> {
                 });
                 Value::Numbers(numbers.collect::<Result<_, _>>()?)
             }
-            Kind::Factors => Value::Factors(self.factors()?),
+            Kind::Factors => Value::Factors(self.named(kind, |_, field| field.factor())?),
+            Kind::Settings => {
+                let written =
+                    |field: &Field<'_>| self.text.get(field.value.span()).unwrap_or_default().to_owned();
+                Value::Settings(self.named(kind, |_, field| Ok(written(field)))?)
+            }
+            Kind::Ratios => Value::Ratios(self.named(kind, |_, field| field.ratio())?),
+            Kind::Bounds => Value::Bounds(self.bounds()?),
             Kind::ModeList => {
                 let mut modes = Modes::NONE;
                 for field in self.elements(kind)? {
@@ -541,29 +567,69 @@ impl Field<'_> {
         Ok(list.iter().map(|value| Field { value, ..*self }))
     }
 
-    /// Names of loads, in the order in which they stand, and their factors.
-    fn factors(&self) -> Result<Vec<(String, f64)>, PlacedProblem> {
+    /// Names in the order in which they stand, each once, and what `read` makes of their values.
+    fn named<T>(
+        &self,
+        kind: Kind,
+        read: impl Fn(&str, &Field<'_>) -> Result<T, PlacedProblem>,
+    ) -> Result<Vec<(String, T)>, PlacedProblem> {
         let table = self.value.get_ref().as_table();
-        let table = table.ok_or_else(|| self.wrong_type(expected_type(Kind::Factors)))?;
-        let mut entries: Vec<_> = table.iter().collect();
-        entries.sort_by_key(|(name, _)| name.span().start);
-        let factors = entries.into_iter().map(|(name, value)| {
-            let field = Field { value, ..*self };
-            let expected = "numbers without unit or quotes; a name with a dot stands in quotes";
-            let number = plain_number(value.get_ref()).ok_or_else(|| field.wrong_type(expected))?;
-            // Beyond, the factor would be the load.
-            if !(0.0..=1e6).contains(&number) {
-                return Err(field.out_of_range("a factor from 0 to 1000000"));
+        let table = table.ok_or_else(|| self.wrong_type(expected_type(kind)))?;
+        let mut named: Vec<(String, T)> = Vec::new();
+        for (name, value) in in_order(table) {
+            let name = one_line(name.get_ref());
+            if named.iter().any(|(before, _)| *before == name) {
+                return Err(self.out_of_range("each name once"));
             }
-            Ok((one_line(name.get_ref()), number + 0.0))
-        });
-        let factors: Vec<(String, f64)> = factors.collect::<Result<_, _>>()?;
-        let named_before =
-            |(i, (name, _)): &(usize, &(String, f64))| factors[..*i].iter().any(|(before, _)| before == name);
-        match factors.iter().enumerate().find(named_before) {
-            Some(_) => Err(self.out_of_range("each name once")),
-            None => Ok(factors),
+            let read = read(&name, &Field { value, ..*self })?;
+            named.push((name, read));
         }
+        Ok(named)
+    }
+
+    /// A factor on a load, or two in a list.
+    fn factor(&self) -> Result<LoadFactor, PlacedProblem> {
+        const EXPECTED: &str =
+            "numbers without unit or quotes, or two of them in a list; a name with a dot stands in quotes";
+        let number = |field: &Field<'_>| {
+            let number = plain_number(field.value.get_ref()).ok_or_else(|| self.wrong_type(EXPECTED))?;
+            // Beyond, the factor would be the load.
+            match (0.0..=1e6).contains(&number) {
+                true => Ok(number + 0.0),
+                false => Err(field.out_of_range("a factor from 0 to 1000000")),
+            }
+        };
+        let Some(list) = self.value.get_ref().as_array() else { return Ok(LoadFactor::One(number(self)?)) };
+        match &list[..] {
+            [one, two] => {
+                let [one, two] = [one, two].map(|value| number(&Field { value, ..*self }));
+                Ok(LoadFactor::Pair([one?, two?]))
+            }
+            _ => Err(self.out_of_range("a factor, or two of which the worse counts")),
+        }
+    }
+
+    /// A number above zero.
+    fn ratio(&self) -> Result<f64, PlacedProblem> {
+        const EXPECTED: &str = "numbers without unit or quotes; a name with a dot stands in quotes";
+        let number = plain_number(self.value.get_ref()).ok_or_else(|| self.wrong_type(EXPECTED))?;
+        match number > 0.0 && number <= 1e6 {
+            true => Ok(number),
+            false => Err(self.out_of_range("a number above zero, 1000000 at most")),
+        }
+    }
+
+    /// Criteria under their names.
+    fn bounds(&self) -> Result<Vec<(Key, Value)>, PlacedProblem> {
+        let table = self.value.get_ref().as_table();
+        let table = table.ok_or_else(|| self.wrong_type(expected_type(Kind::Bounds)))?;
+        only(table, Table::Criteria)?;
+        let bounds = in_order(table).into_iter().filter_map(|(name, value)| {
+            let key = Key::find(Table::Criteria, name.get_ref())?;
+            let field = Field { id: key.into(), value, ..*self };
+            Some(field.value(key.info().kind).map(|value| (key, value)))
+        });
+        bounds.collect()
     }
 
     /// Words; the name of a load in one line, as it stands in tables.
@@ -620,11 +686,7 @@ impl Field<'_> {
     fn long_decimals(&self) -> Vec<(usize, Ball)> {
         let values: Vec<&Spanned<DeValue<'_>>> = match self.value.get_ref() {
             DeValue::Array(list) => list.iter().collect(),
-            DeValue::Table(table) => {
-                let mut entries: Vec<_> = table.iter().collect();
-                entries.sort_by_key(|(name, _)| name.span().start);
-                entries.into_iter().map(|(_, value)| value).collect()
-            }
+            DeValue::Table(table) => in_order(table).into_iter().map(|(_, value)| value).collect(),
             _ => vec![self.value],
         };
         let fields = values.into_iter().map(|value| Field { value, ..*self }).enumerate();

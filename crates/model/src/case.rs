@@ -1,6 +1,7 @@
 //! A case: one body and the loads on it, from typed [`Inputs`] that go together.
 //!
 //! ```
+//! use standfast_model::case::Trial;
 //! use standfast_model::{Acting, CaseFile};
 //!
 //! let text = r#"
@@ -17,7 +18,7 @@
 //! let case = CaseFile::parse("case.toml", text)?.case()?;
 //! assert_eq!(case.body.mass(), 378_000.0);
 //! assert_eq!(case.forces[0].magnitude, 450_000.0);
-//! let outcome = case.situation(Acting::Alone(0), None)?.outcome()?;
+//! let outcome = case.situation(Acting::Alone(0), Trial::AS_GIVEN)?.outcome()?;
 //! assert_eq!(outcome.full.mode(), Some(standfast::Mode::Rest));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -25,6 +26,7 @@
 //! Nothing here reads text, so that a case may be varied millions of times.
 
 mod bias;
+mod combination;
 mod ground;
 mod history;
 mod loads;
@@ -42,10 +44,11 @@ use standfast::wave::{self, Choices, Goda, Heights, Sea};
 use standfast::{Ball, Body, InputError, Scalar, Situation, Wrench};
 
 pub use bias::{Bias, Biases, biased};
+pub use combination::{ChangeBy, Combination, InputChange, Trial};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub(crate) use history::HistoryOf;
 pub use history::{course, history_shapes};
-pub use loads::{Combination, Direction, FacePressure, PointForce};
+pub use loads::{Direction, FacePressure, PointForce};
 pub use motion::CaseMotion;
 pub(crate) use reader::{Reader, motion_fault};
 pub use reader::{blamed, check_ranges};
@@ -54,8 +57,7 @@ pub use section::OF_PARTS;
 use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::{GRAVITY, Inputs};
-use crate::key::{Id, Key, Table};
-use crate::load_words::load_words;
+use crate::key::{Key, Table};
 use crate::units::Extent;
 
 /// A case: one body and the loads on it.
@@ -111,6 +113,8 @@ pub struct Case<T = f64> {
     pub criteria: Vec<Criterion>,
     /// Its motion in time; `None` of one at rest, and of one whose histories are those of loads on springs.
     pub motion: Option<CaseMotion>,
+    /// The cases of those combinations that change something, by their places.
+    pub(crate) changed: Vec<Option<Arc<Case<T>>>>,
     /// Inputs it was made of, whose decimals decide where f64 cannot.
     pub(crate) inputs: Arc<Inputs>,
 }
@@ -170,25 +174,26 @@ impl Case {
 
     /// The case of inputs that are shared.
     pub fn sharing(inputs: Arc<Inputs>) -> Result<Case, Fault> {
-        Case::in_scalars(inputs)
+        let mut case = Case::in_scalars(inputs)?;
+        case.changed = case.combined()?;
+        Ok(case)
     }
 
-    /// A [situation](Case::situation) under an acceleration of the base by its [signs](Case::shakings), decided by the numbers as
-    /// they are written where f64 could put it on the other side of a boundary.
+    /// A [situation](Case::situation) in one of the ways in which it is [tried](Case::trials), decided by the numbers as they are written
+    /// where f64 could put it on the other side of a boundary.
     ///
     /// # Errors
     /// If the numbers of a changed case are out of range.
-    pub fn decided(&self, acting: Acting, shaking: Option<[f64; 2]>) -> Result<Situation, InputError> {
-        let situation = self.situation(acting, shaking.and_then(|signs| self.shaken(signs)))?;
-        Ok(if situation.is_near_boundary() { self.as_written(situation, acting, shaking) } else { situation })
+    pub fn decided(&self, acting: Acting, trial: Trial) -> Result<Situation, InputError> {
+        let situation = self.situation(acting, trial)?;
+        Ok(if situation.is_near_boundary() { self.as_written(situation, acting, trial) } else { situation })
     }
 
     /// The situation decided by the numbers as they are written.
-    pub fn as_written(&self, situation: Situation, acting: Acting, shaking: Option<[f64; 2]>) -> Situation {
-        let written = Case::<Ball>::in_scalars(Arc::clone(&self.inputs)).ok();
+    pub fn as_written(&self, situation: Situation, acting: Acting, trial: Trial) -> Situation {
+        let written = Case::<Ball>::in_scalars(Arc::clone(&self.under(acting).inputs)).ok();
         let written = written.map(|case| Case { biases: self.biases, ..case });
-        let written = written
-            .and_then(|case| case.situation(acting, shaking.and_then(|signs| case.shaken(signs))).ok());
+        let written = written.and_then(|case| case.situation(acting, trial).ok());
         match written {
             Some(written) => situation.as_written(&written),
             None => situation,
@@ -291,6 +296,7 @@ impl<T: Scalar> Case<T> {
             combinations,
             criteria: Criterion::all(inputs),
             motion,
+            changed: Vec::new(),
             inputs: Arc::clone(&shared),
         };
         case.bare().map_err(|error| given.blame(Table::Body, error))?;
@@ -302,26 +308,24 @@ impl<T: Scalar> Case<T> {
         self.earthquake.as_ref().map(|given| given.turned(side, way))
     }
 
-    /// The body under the loads that act, the base shaken in one of the ways that are tried or else as given.
+    /// The body under the loads that act, in one of the ways in which they are tried.
     ///
     /// # Errors
     /// If the numbers of a changed case are out of range.
     ///
     /// # Panics
     /// If there is no such force or combination.
-    pub fn situation(
-        &self,
-        acting: Acting,
-        earthquake: Option<Earthquake<T>>,
-    ) -> Result<Situation<T>, InputError> {
-        let mut situation = self.bare()?;
-        for (of, load) in self.loads(acting, earthquake.or_else(|| self.earthquake.clone())) {
+    pub fn situation(&self, acting: Acting, trial: Trial) -> Result<Situation<T>, InputError> {
+        let case = self.under(acting);
+        let shaken = trial.signs().and_then(|signs| case.shaken(signs));
+        let mut situation = case.bare()?;
+        for (of, load) in case.loads(acting, shaken.or_else(|| case.earthquake.clone())) {
             let factor = match acting {
-                Acting::Combination(index) => self.factor_as_written(index, of, &load),
+                Acting::Combination(index) => case.factor_as_written(index, of, &load, trial),
                 Acting::All | Acting::Alone(_) => T::of(1.0),
             };
             if factor != T::of(0.0) {
-                let load = self.biases.on(load, &self.body, self.gravity.clone());
+                let load = self.biases.on(load, &case.body, case.gravity.clone());
                 situation = situation.with(load.times(factor).with_id(of.into()));
             }
         }
@@ -395,32 +399,6 @@ impl<T: Scalar> Case<T> {
         };
         Some(Load::permanent(LoadSource::Buoyancy, LoadKind::Weight, action))
     }
-
-    /// Factor of a combination on a load: one that it does not name acts as it is if it is permanent, and else not.
-    fn factor(&self, combination: &Combination, of: LoadOrigin, load: &Load<T>) -> f64 {
-        let factor = self.called(of).and_then(|name| combination.factor(name));
-        factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
-    }
-
-    /// The same factor of a combination, by its place, with all its decimals.
-    fn factor_as_written(&self, index: usize, of: LoadOrigin, load: &Load<T>) -> T {
-        let combination = &self.combinations[index];
-        let named = |name| combination.factors.iter().position(|(known, _)| known == name);
-        let factor = self.factor(combination, of, load);
-        let id = Id::new(Key::LoadFactors, index);
-        self.called(of)
-            .and_then(named)
-            .map_or_else(|| T::written(factor), |place| self.inputs.element(id, place, factor))
-    }
-
-    /// The name by which a combination calls a load.
-    fn called(&self, of: LoadOrigin) -> Option<&str> {
-        match of {
-            LoadOrigin::Table(table) => table.in_combination(),
-            LoadOrigin::Pressure(index) => self.pressures[index].name.as_deref(),
-            LoadOrigin::Force(index) => self.forces[index].name.as_deref(),
-        }
-    }
 }
 
 impl Case {
@@ -453,8 +431,7 @@ impl Case {
 
     /// Signs of the accelerations that are tried where the one to the sides, or upwards, may be another than the case's, which may be zero.
     pub fn shakings_if(&self, acting: Acting, moved: [bool; 2]) -> Vec<[f64; 2]> {
-        let acts = self.earthquake_factor(acting) != 0.0;
-        let Some(given) = self.earthquake.filter(|_| acts) else { return Vec::new() };
+        let Some(given) = self.earthquake.filter(|_| self.is_shaken(acting)) else { return Vec::new() };
         let signs = |both: bool, value: f64, moved: bool| {
             if both && (moved || value != 0.0) { &[1.0, -1.0][..] } else { &[1.0] }
         };
@@ -464,10 +441,25 @@ impl Case {
     }
 
     /// Factor on the earthquake: that of a combination, which may be zero.
-    pub fn earthquake_factor(&self, acting: Acting) -> f64 {
+    pub fn earthquake_factor(&self, acting: Acting, trial: Trial) -> f64 {
         match (acting, Table::Earthquake.in_combination()) {
-            (Acting::Combination(index), Some(name)) => self.combinations[index].factor(name).unwrap_or(0.0),
+            (Acting::Combination(index), Some(name)) => {
+                self.combinations[index].factor(name, trial).unwrap_or(0.0)
+            }
             _ => 1.0,
+        }
+    }
+
+    /// True if an earthquake acts, with any factor of a pair.
+    fn is_shaken(&self, acting: Acting) -> bool {
+        match (acting, Table::Earthquake.in_combination()) {
+            (Acting::Combination(index), Some(name)) => {
+                let factors = &self.combinations[index].factors;
+                factors
+                    .iter()
+                    .any(|(named, factor)| named == name && factor.all().iter().any(|factor| *factor != 0.0))
+            }
+            _ => true,
         }
     }
 
@@ -484,26 +476,12 @@ impl Case {
         }
         let loads = self.loads(Acting::All, self.earthquake);
         let unused = loads.iter().filter(|(of, load)| {
-            !load.permanent
-                && self.combinations.iter().all(|combination| self.factor(combination, *of, load) == 0.0)
+            let mut combinations = self.combinations.iter();
+            !load.permanent && !combinations.any(|combination| self.acts_in(combination, *of, load))
         });
         let mut places: Vec<_> = unused.map(|(of, _)| of.place()).collect();
         places.dedup();
         places
-    }
-
-    /// The names of the loads that a combination, by its place, leaves out, or multiplies by zero.
-    pub fn left_out(&self, index: usize) -> Vec<String> {
-        let combination = &self.combinations[index];
-        let loads = self.loads(Acting::Combination(index), self.earthquake);
-        let mut names: Vec<String> = Vec::new();
-        for (of, load) in loads.iter().filter(|(of, load)| self.factor(combination, *of, load) == 0.0) {
-            let name = self.called(*of).map_or_else(|| load_words(load), str::to_owned);
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        }
-        names
     }
 
     /// The name of a situation: its force that acts alone or its combination, or the number of it, counted from one.

@@ -96,7 +96,7 @@ impl CaseFile {
     /// If the values do not go together.
     pub fn case(&self) -> Result<Case, CaseError> {
         let case = Case::of(self.inputs()).map_err(|fault| self.error(fault))?;
-        if self.random().is_none() && case.criteria.iter().any(Criterion::is_chance) {
+        if self.random().is_none() && case.all_criteria().iter().any(Criterion::is_chance) {
             return Err(
                 self.no_chance("the case has no [random] table, which says what is random".to_owned())
             );

@@ -63,11 +63,14 @@ const SHORT_NAMES: [(&str, &[Key]); 6] = [
 ];
 
 impl Variable {
-    /// The number of a case that is called `name`: a short name, or table and key as in `wave.period`.
+    /// The number of a case that is called `name`: a short name, or table and key as in `wave.period`, `load[2].force` or, of a load called
+    /// so, `load.crane.force`.
     ///
     /// # Errors
     /// If there is no such number.
     pub fn find(name: &str, inputs: &Inputs) -> Result<Variable, Unknown> {
+        let spelled = spelled(name, inputs);
+        let name = spelled.as_deref().unwrap_or(name);
         let short = SHORT_NAMES.iter().find(|(short, _)| *short == name);
         let by_short = short.and_then(|(_, keys)| keys.iter().find(|key| inputs.number(**key).is_some()));
         let by_key = || Variable::all(inputs).find(|id| id.to_string() == name);
@@ -238,6 +241,18 @@ impl Variable {
         }
         notes.into_iter().map(str::to_owned).collect()
     }
+}
+
+/// The key of a load, a pressure or a part by its name, with its place in that of the name.
+pub(crate) fn spelled(name: &str, inputs: &Inputs) -> Option<String> {
+    const NAMED: [(Table, Key); 3] =
+        [(Table::Load, Key::LoadName), (Table::Pressure, Key::PressureName), (Table::Part, Key::PartName)];
+    NAMED.into_iter().find_map(|(table, of)| {
+        let (called, key) = name.strip_prefix(table.name())?.strip_prefix('.')?.rsplit_once('.')?;
+        let place =
+            (0..inputs.count(table)).find(|index| inputs.text(Id::new(of, *index)) == Some(called))?;
+        Some(format!("{}.{key}", table.path(place)))
+    })
 }
 
 impl fmt::Display for Variable {

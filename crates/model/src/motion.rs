@@ -5,7 +5,7 @@ use standfast::contact::Block;
 use standfast::loads::{LoadSource, Pose};
 use standfast_motion::{LoadInTime, MotionError, MotionProblem, is_own_weight};
 
-use crate::case::{Acting, Case, CaseMotion, Foundation, HistoryOf, Reader, said_by};
+use crate::case::{Acting, Case, CaseMotion, Foundation, HistoryOf, Reader, Trial, said_by};
 use crate::case_file::CaseFile;
 use crate::criteria::MotionCriterion;
 use crate::error::{CaseError, Fault, Place, Problem};
@@ -98,7 +98,14 @@ pub fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
 
 /// One situation of a body in metres.
 fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting) -> Result<BlockCase, Fault> {
-    let situation = case.situation(acts, None).map_err(|error| given.motion_refused(error.into()))?;
+    if let Some(at) = case.pairs_in(acts) {
+        return Err(Fault::new(Problem::Pairs { of: "a motion in time" }, at));
+    }
+    let name = case.acting_name(acts);
+    let situation =
+        case.situation(acts, Trial::AS_GIVEN).map_err(|error| given.motion_refused(error.into()))?;
+    let case = case.under(acts);
+    let motion = case.motion.as_ref().unwrap_or(motion);
     let (body, gravity) = (situation.body(), situation.gravity());
     let acts_at_all = |wrench: Wrench| wrench != Wrench::ZERO;
     let problem = MotionProblem::of(&situation, motion.base.clone(), motion.impact).and_then(|problem| {
@@ -138,7 +145,7 @@ fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting)
     warnings.extend(slips(&problem, motion.step));
     Ok(BlockCase {
         title: case.title.clone(),
-        situation: case.acting_name(acts),
+        situation: name,
         problem,
         height: case.body.height(),
         uplift,

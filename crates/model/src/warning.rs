@@ -18,7 +18,7 @@ use search::{
 };
 
 /// A warning about a case.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {
     /// The base reaches beyond the body.
@@ -145,6 +145,13 @@ pub enum Warning {
         left: f64,
         /// At O', Pa.
         right: f64,
+    },
+    /// A warning of the numbers of a combination, which those of the case do not bring.
+    InCombination {
+        /// The combination.
+        name: String,
+        /// The warning.
+        warning: Box<Warning>,
     },
     /// A variable load acts in no combination.
     LoadInNoCombination {
@@ -274,6 +281,7 @@ impl Warning {
             Warning::PressureFallsWithDepth { .. } => "pressure-falls-with-depth",
             Warning::PressureAgainstWater { .. } => "pressure-against-water",
             Warning::UpliftAwayFromPush { .. } => "uplift-away-from-push",
+            Warning::InCombination { warning, .. } => warning.name(),
             Warning::LoadInNoCombination { .. } => "load-in-no-combination",
             Warning::FavourableLoad { .. } => "favourable-load",
             Warning::LoadBesideBody { .. } => "load-beside-body",
@@ -431,6 +439,7 @@ impl fmt::Display for Warning {
                     kilopascals(*less)
                 )
             }
+            Warning::InCombination { name, warning } => write!(f, "in the combination \"{name}\" {warning}"),
             Warning::LoadInNoCombination { table, index } => {
                 let number = if table.repeats() { format!(" {}", index + 1) } else { String::new() };
                 write!(

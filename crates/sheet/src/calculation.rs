@@ -12,6 +12,8 @@ mod motion;
 mod path;
 mod waves;
 
+use std::collections::BTreeSet;
+
 use maud::Markup;
 use standfast_cases::assess::{shown, situation_title};
 use standfast_cases::{Assessed, Assessment, AssessmentView, Inputs};
@@ -74,8 +76,15 @@ pub fn steps(
         acting::factors(&mut steps, &shown);
     }
     let title = |one: &Assessed| situation_title(assessment, one);
-    for assessed in &shown {
+    let known = steps.known();
+    let altered: Vec<_> = shown.iter().map(|one| acting::altered(&steps, assessment, one)).collect();
+    let elsewhere: BTreeSet<&String> = altered.iter().flatten().collect();
+    for (assessed, own) in shown.iter().zip(&altered) {
+        steps.forget_since(&known);
         steps.part(&title(assessed).unwrap_or_else(|| "Loads and response".to_owned()), Some(assessed.index));
+        acting::changes(&mut steps, assessment, assessed);
+        // What another situation has under another number.
+        elsewhere.iter().filter(|name| !own.contains(**name)).for_each(|name| steps.know_again(name));
         situation(&mut steps, assessment, assessed, inputs, view)?;
     }
     if shown.len() < assessment.all.len() {
@@ -103,7 +112,8 @@ fn situation(
     inputs: &Inputs,
     view: &AssessmentView,
 ) -> Result<(), SheetError> {
-    let case = &assessment.case;
+    let case = assessment.case_of(assessed);
+    let inputs = if std::ptr::eq(case, &assessment.case) { inputs } else { case.inputs() };
     let components = assessed.components();
     acting::steps(steps, assessment, assessed);
     loads::steps(steps, case, assessed, &components);
@@ -129,7 +139,7 @@ fn situation(
     }
     motion::steps(steps, case, assessed);
     path::steps(steps, assessed, &components, view);
-    criteria::steps(steps, case, assessed);
+    criteria::steps(steps, &assessment.case, assessed);
     if let Some(reduced) = full.effective.as_ref().filter(|_| !assessed.is_on_ground()) {
         mode::changes(steps, reduced, in_air.then_some(case.body.mass() * case.gravity));
     }

@@ -81,6 +81,29 @@ impl SheetSteps {
         }
     }
 
+    /// What later formulas may use by now.
+    pub fn known(&self) -> Scope {
+        self.scope.clone()
+    }
+
+    /// Steps of the same extent that know as much, to be thrown away.
+    pub fn scratch(&self) -> SheetSteps {
+        SheetSteps { scope: self.scope.clone(), ..SheetSteps::new("", self.extent) }
+    }
+
+    /// A quantity that is known already, told again where another situation has another under its name.
+    pub fn know_again(&mut self, name: &str) {
+        if let Some(known) = self.scope.get(name).copied() {
+            let row = self.row(name, "known", html! {}, html! { (PreEscaped(symbol(name))) }, known, "");
+            self.part.items.push(Item { full: html! {}, brief: Brief::Known(row, known.value) });
+        }
+    }
+
+    /// Forgets what has become known since, as another situation has other quantities under the same names.
+    pub fn forget_since(&mut self, known: &Scope) {
+        self.scope.clone_from(known);
+    }
+
     /// Begins the next part. Quantities stay known.
     pub fn part(&mut self, title: &str, load: Option<usize>) {
         let part = std::mem::replace(&mut self.part, Part::of(title, load));
@@ -132,8 +155,7 @@ impl SheetSteps {
     pub fn know(&mut self, name: &str, si: f64, unit: SheetUnit) {
         let known = self.measured(si, unit);
         self.scope.insert(name.to_owned(), known);
-        let row = self.row(name, "known", html! {}, html! { (PreEscaped(symbol(name))) }, known, "");
-        self.part.items.push(Item { full: html! {}, brief: Brief::Known(row, known.value) });
+        self.know_again(name);
     }
 
     /// Begins the steps of a subject, before the first of them.

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use standfast::{Departure, Verdict};
-use standfast_cases::assess::{AnyCheck, verdict};
+use standfast_cases::assess::{AnyCheck, pair_words, verdict};
 use standfast_cases::layout::percent;
 use standfast_cases::random::Probability;
 use standfast_cases::{Assessed, Assessment, Document, Summary};
@@ -124,10 +124,18 @@ fn is_named(assessment: &Assessment) -> bool {
 const ASKED: [&str; 5] = ["Criterion", "Required", "Value", "Utilisation", ""];
 const PLACE: &str = "In";
 
+/// The way in which a criterion is met worst, where that is not the one that is worst as a whole.
+fn other_trial(assessment: &Assessment, check: &AnyCheck<'_>) -> String {
+    match pair_words(&assessment.case, check.assessed(assessment)) {
+        Some(words) => format!(" with {words}"),
+        None => " another acceleration of the base".to_owned(),
+    }
+}
+
 fn criteria(assessment: &Assessment) -> Markup {
     let several = is_named(assessment);
     let checks = assessment.all_checks();
-    let shaken = checks.iter().any(AnyCheck::is_of_another_shaking);
+    let shaken = checks.iter().any(AnyCheck::is_of_another_trial);
     html! {
         table.numbers data-table="criteria" {
             thead {
@@ -148,7 +156,7 @@ fn criteria(assessment: &Assessment) -> Markup {
                         @if several || shaken {
                             td data-label=(PLACE) {
                                 @if several { (name(assessment, check.assessed(assessment))) }
-                                @if check.is_of_another_shaking() { " another acceleration of the base" }
+                                @if check.is_of_another_trial() { (other_trial(assessment, check)) }
                             }
                         }
                     }

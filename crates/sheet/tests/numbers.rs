@@ -74,7 +74,6 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
             let data = select(&html, &format!("{scope} data[data-quantity]"));
             data.into_iter().map(|data| (data.attr("data-quantity").unwrap().to_owned(), data)).collect()
         };
-        let whole = by_name("");
         let compare = |shown: Option<f64>, json: &Value, what: &str| match (shown, number(json)) {
             (None, None) => {}
             (Some(shown), Some(json)) => {
@@ -83,13 +82,18 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
             }
             other => panic!("{name}: {what} on the sheet and in JSON: {other:?}"),
         };
+        let of_all = by_name("section.part:not([data-load])");
         for key in SEA.into_iter().filter(|_| !json["wave"].is_null()) {
-            compare(whole.get(key).copied().map(in_si), &json["wave"][key], key);
+            compare(of_all.get(key).copied().map(in_si), &json["wave"][key], key);
         }
         for (i, situation) in json["situations"].as_array().unwrap().iter().enumerate() {
             let scope = format!("[data-load=\"{i}\"]");
             let of_situation = by_name(&scope);
             let shown = |key: &str| of_situation.get(key).copied().map(in_si);
+            let wave = &situation["combination"]["wave"];
+            for key in SEA.into_iter().filter(|_| !wave.is_null()) {
+                compare(shown(key), &wave[key], key);
+            }
             for result in ResultName::ALL {
                 if matches!(result.info().kind, ResultKind::Number(_)) {
                     let json = match result.in_ground() {
@@ -192,21 +196,49 @@ fn criteria_and_earthquakes_are_those_of_the_json_answer() {
                     "{name}: {criterion}"
                 );
             }
-            let others = situation["other_earthquakes"].as_array().unwrap();
-            let tried = [&situation["earthquake"]].into_iter().chain(others).take(others.len() * 2);
-            let tried: Vec<f64> = tried
-                .flat_map(|tried| [&tried["horizontal"], &tried["vertical"]])
-                .map(|number| number.as_f64().unwrap())
-                .collect();
-            let rows = select(&html, &format!("{scope} [data-table=earthquakes] tbody tr"));
-            let shown: Vec<f64> = rows
-                .iter()
-                .flat_map(|row| {
-                    row.select(&"td:nth-child(-n+2) data".try_into().unwrap())
-                        .map(attribute)
-                        .collect::<Vec<_>>()
-                })
-                .collect();
+            let combination = &situation["combination"];
+            let factors = |of: &Value| -> Vec<f64> {
+                let order = combination["factors"].as_object().into_iter().flatten();
+                let pairs = order.filter(|(_, factor)| factor.is_array());
+                pairs.map(|(name, _)| of[name].as_f64().unwrap()).collect()
+            };
+            let shaken = |of: &Value| {
+                let parts = [&of["horizontal"], &of["vertical"]];
+                parts.into_iter().filter_map(Value::as_f64).collect::<Vec<_>>()
+            };
+            let mut tried: Vec<Vec<f64>> = Vec::new();
+            match combination["tried"].as_array() {
+                Some(others) => {
+                    tried.push(
+                        [factors(&combination["factors_used"]), shaken(&situation["earthquake"])].concat(),
+                    );
+                    tried.extend(
+                        others.iter().map(|of| [factors(&of["factors"]), shaken(&of["earthquake"])].concat()),
+                    );
+                }
+                None => {
+                    let others = situation["other_earthquakes"].as_array().unwrap();
+                    let all = [&situation["earthquake"]].into_iter().chain(others);
+                    tried.extend(all.take(others.len() * 2).map(shaken));
+                }
+            }
+            let rows = select(&html, &format!("{scope} [data-table=tried] tbody tr"));
+            // Before the mode, which is no number; factors in the order of the alphabet.
+            let mut shown: Vec<Vec<f64>> = Vec::new();
+            for row in &rows {
+                let cells = row.select(&"td".try_into().unwrap()).collect::<Vec<_>>().into_iter();
+                let numbers = cells.take_while(|cell| cell.value().attr("class") == Some("n"));
+                let data =
+                    |cell: ElementRef<'_>| cell.select(&"data".try_into().unwrap()).next().map(attribute);
+                shown.push(numbers.filter_map(data).collect());
+            }
+            let rank = |of: &Vec<f64>| format!("{of:?}");
+            let sorted = |mut all: Vec<Vec<f64>>| {
+                all.iter_mut().for_each(|row| row.sort_by(f64::total_cmp));
+                all.sort_by_key(rank);
+                all
+            };
+            let (shown, tried) = (sorted(shown), sorted(tried));
             assert_eq!(shown, tried, "{name}");
             compared += tried.len();
         }

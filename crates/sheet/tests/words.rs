@@ -65,8 +65,8 @@ fn a_rack_on_a_floor_has_no_word_of_the_sea() {
     }
 }
 
-/// In the inputs and in the steps of one situation a symbol has one number. (That of the theorem it stands for is the
-/// author's to see.)
+/// In the inputs and in the steps of one situation a symbol has one number; in a combination that changes numbers that of its own
+/// steps. (That of the theorem it stands for is the author's to see.)
 #[test]
 fn every_symbol_stands_for_one_thing() {
     let mut symbols = 0;
@@ -82,7 +82,20 @@ fn every_symbol_stands_for_one_thing() {
             let steps = shared.iter().copied().chain(situation);
             let steps = steps
                 .flat_map(|part| part.select(&".step[data-symbol]".try_into().unwrap()).collect::<Vec<_>>());
-            for element in inputs.iter().copied().chain(steps) {
+            let of_situation = |element: &ElementRef<'_>| {
+                let symbol = element.attr("data-symbol").unwrap_or_default();
+                situation.is_some_and(|part| find_step(part, symbol))
+            };
+            let changes = situation.is_some_and(|part| {
+                let text: String = part.text().collect();
+                text.contains("Numbers of this combination")
+            });
+            let steps: Vec<_> = steps.collect();
+            let given =
+                inputs.iter().copied().chain(steps.iter().copied().filter(|step| is_shared_step(*step)));
+            let given = given.filter(|element| !(changes && of_situation(element)));
+            let own = steps.iter().copied().filter(|step| !is_shared_step(*step));
+            for element in given.chain(own) {
                 let symbol = element.attr("data-symbol").unwrap().to_owned();
                 let data = element.select(&".result data, td.n data".try_into().unwrap()).next();
                 let Some(value) = data.and_then(|data| si(data, "value")) else { continue };
@@ -102,6 +115,18 @@ fn every_symbol_stands_for_one_thing() {
         }
     }
     assert!(symbols > 2000, "{symbols}");
+}
+
+/// True if a part of the calculation has a step of a symbol.
+fn find_step(part: ElementRef<'_>, symbol: &str) -> bool {
+    let mut steps = part.select(&".step[data-symbol]".try_into().unwrap()).collect::<Vec<_>>().into_iter();
+    steps.any(|step| step.attr("data-symbol") == Some(symbol))
+}
+
+/// True of a step that stands before all situations.
+fn is_shared_step(step: ElementRef<'_>) -> bool {
+    let mut above = step.ancestors().filter_map(ElementRef::wrap);
+    above.all(|element| element.attr("data-load").is_none())
 }
 
 /// Departures from rest have a formula that gives the load factor; slides have friction as a step.

@@ -192,7 +192,7 @@ def make_classes(module: str, namespace: dict[str, Any]) -> list[str]:
     for name, base, words, keys in _schema.classes(module):
 
         def reader(key: Key) -> Callable[[Answer], Any]:
-            return lambda answer: value_of(key, answer._document[key.key], namespace.get(key.part))
+            return lambda answer: value_of(key, answer._document.get(key.key), namespace.get(key.part))
 
         made = {key.name: _property(key, reader(key)) for key in keys}
         bases = (namespace.get(base, Answer),)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import functools
 import json
 import keyword
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -74,7 +74,8 @@ def classes(module: str) -> Iterator[Class]:
         schema = _file(file)
         for name, part in schema["$defs"].items() if file != "spectrum" else ():
             if "properties" in part:
-                yield _class(file, _class_name(name), "Answer", part["description"], part["properties"])
+                absent = part["properties"].keys() - set(part["required"])
+                yield _class(file, _class_name(name), "Answer", part["description"], part["properties"], absent)
         if module == "answers":
             report = schema["$defs"]["situation"]["properties"]["report"]
             yield _class(file, "Report", "Point", report["description"], report["anyOf"][0]["properties"])
@@ -94,8 +95,11 @@ def _file(name: str) -> _Schema:
     return schema
 
 
-def _class(file: str, name: str, base: str, words: str, properties: dict[str, _Schema]) -> Class:
-    return Class(name, base, _sentence(words), [_key(file, key, schema) for key, schema in properties.items()])
+def _class(file: str, name: str, base: str, words: str, properties: dict[str, _Schema], absent: Set[str] = frozenset()) -> Class:
+    """A class; the keys that may be absent are None then."""
+    keys = [_key(file, key, schema) for key, schema in properties.items()]
+    keys = [key._replace(type=f"{key.type} | None") if key.key in absent else key for key in keys]
+    return Class(name, base, _sentence(words), keys)
 
 
 def _class_name(definition: str) -> str:

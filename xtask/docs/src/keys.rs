@@ -143,7 +143,10 @@ fn takes(kind: Kind) -> String {
         Kind::Truth => "`true` or `false`".to_owned(),
         Kind::Choice { words, .. } => words.to_owned(),
         Kind::List(dimension) => format!("a list, each {} in {}", dimension.words(), dimension.understood()),
-        Kind::Factors => "names and factors, zero or more".to_owned(),
+        Kind::Factors => "names and factors, zero or more, or two factors in a list".to_owned(),
+        Kind::Settings => "names of keys, in quotes, and their values".to_owned(),
+        Kind::Ratios => "names and numbers above zero".to_owned(),
+        Kind::Bounds => "criteria and their bounds, as in `[criteria]`".to_owned(),
         Kind::ModeList => "a list of symbols of modes".to_owned(),
     }
 }

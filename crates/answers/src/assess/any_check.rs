@@ -79,8 +79,8 @@ impl AnyCheck<'_> {
         }
     }
 
-    /// True if it is of another acceleration of the base than the one that is reported.
-    pub fn is_of_another_shaking(&self) -> bool {
+    /// True if it is of another acceleration of the base, or of other factors of pairs, than those that are reported.
+    pub fn is_of_another_trial(&self) -> bool {
         matches!(self, AnyCheck::Instant(CaseCheck { assessed, .. }) if !assessed.is_reported)
     }
 

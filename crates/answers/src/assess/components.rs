@@ -7,7 +7,7 @@ use standfast_model::load_words;
 use super::Assessed;
 
 /// A load of a situation: what it is called, whether it is permanent, and what it amounts to at the centre of mass. Water on
-/// both sides is one load.
+/// both sides is one load, where it has one factor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Component {
     /// Its name.
@@ -25,7 +25,10 @@ impl Assessed {
         for load in self.situation.loads() {
             let wrench = self.situation.wrench_of(load);
             match components.last_mut() {
-                Some(last) if load.source == LoadSource::StillWater && last.load.source == load.source => {
+                Some(last)
+                    if load.source == LoadSource::StillWater
+                        && (last.load.source, last.load.factor) == (load.source, load.factor) =>
+                {
                     last.wrench = last.wrench + wrench;
                 }
                 _ => components.push(Component { name: load_words(load), load: load.clone(), wrench }),

@@ -58,7 +58,7 @@ impl Subject {
     /// The target that a case has of its own: its criteria, or without any that it rests, in time that it does not overturn.
     pub(super) fn own_target(&self) -> Target {
         match &self.time {
-            _ if !self.case.criteria.is_empty() || self.asks_of_motion() => Target::Utilisation(1.0),
+            _ if !self.case.all_criteria().is_empty() || self.asks_of_motion() => Target::Utilisation(1.0),
             Some(_) => Target::Motion(MotionCriterion::NotOverturned),
             None => Target::Rest,
         }

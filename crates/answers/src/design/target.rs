@@ -317,7 +317,7 @@ impl Target {
             Target::NoRock | Target::NoSlide => self.offending(assessed).is_none(),
             Target::Criterion(criterion) => Check::of(criterion, assessed).met,
             Target::Motion(_) => true,
-            Target::Utilisation(share) => answer.case.criteria.iter().all(|criterion| {
+            Target::Utilisation(share) => answer.case.criteria_of(assessed.acting).iter().all(|criterion| {
                 let check = Check::of(*criterion, assessed);
                 // Whether a bound is met is no matter of a rounded quotient.
                 if share == 1.0 {
@@ -342,7 +342,7 @@ impl Target {
     pub(super) fn asks_for_chance(self, case: &Case) -> bool {
         match self {
             Target::Criterion(criterion) => criterion.is_chance(),
-            Target::Utilisation(_) => case.criteria.iter().any(Criterion::is_chance),
+            Target::Utilisation(_) => case.all_criteria().iter().any(Criterion::is_chance),
             _ => false,
         }
     }

@@ -321,7 +321,7 @@ impl Probability {
     ) -> Result<Probability, ProbabilityError> {
         let problems = problems_of(file, request.years, moving)?;
         let storm = storm::storm(file.inputs()).map_err(|fault| file.error(fault))?;
-        let bound = bound(&file.case()?.criteria);
+        let bound = bound(&file.case()?.all_criteria());
         let weights = [if storm.is_some() { 40.0 } else { 0.0 }, 2.0, f64::from(bound.is_some())];
         let [of_storm, of_problems, of_criterion] = portion.parts(weights);
         let sliding = match storm {

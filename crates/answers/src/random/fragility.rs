@@ -23,9 +23,8 @@ use super::error::ProbabilityError;
 use super::overturn::Overturning;
 use super::problem::ChanceProblem;
 use super::quantity::Coordinate;
-use super::resolve::find;
 use super::subject::{ChanceSubject, problems_of};
-use crate::couple::vary;
+use crate::couple::{Variable, vary};
 use crate::key::Id;
 use crate::key::Key;
 use crate::units::ShownUnit;
@@ -285,12 +284,13 @@ impl ValueRange {
                 } else {
                     "it is not a number of the case; a load is named by its name, as in load.push.force"
                 };
-                let variable = find(file, &case, &self.name).map_err(|found| match found.suggestion {
-                    Some(meant) if !self.is_of_peak() => {
-                        self.wrong(format!("{unknown}; did you mean `{meant}`?"))
-                    }
-                    _ => self.wrong(unknown),
-                })?;
+                let variable =
+                    Variable::find(&self.name, file.inputs()).map_err(|found| match found.suggestion {
+                        Some(meant) if !self.is_of_peak() => {
+                            self.wrong(format!("{unknown}; did you mean `{meant}`?"))
+                        }
+                        _ => self.wrong(unknown),
+                    })?;
                 let read =
                     |text: &str| variable.read(text, file.inputs()).map_err(|problem| problem.to_string());
                 // The problems as they are, for what is random.

@@ -2,14 +2,14 @@
 
 use standfast::contact::Block;
 use standfast::ground::Base;
-use standfast::loads::{Earthquake, LoadSource};
+use standfast::loads::LoadSource;
 use standfast::wave::{Goda, Heights, goda};
 use standfast::{Departure, InputError, Situation, Wrench};
 
 use super::base;
 use super::outcome::LIFTED;
 use super::quantity::Bias;
-use crate::case::{Acting, Case, Foundation, Waves, biased};
+use crate::case::{Acting, Case, Foundation, Trial, Waves, biased};
 
 /// The contact problem that values make.
 #[derive(Debug, Clone, Copy)]
@@ -124,9 +124,9 @@ pub(super) struct Quick {
 
 impl Quick {
     /// None where the case has no waves, or multiplies them.
-    pub(super) fn of(case: &Case, acting: Acting, earthquake: Option<Earthquake>) -> Option<Quick> {
+    pub(super) fn of(case: &Case, acting: Acting, trial: Trial) -> Option<Quick> {
         let waves = case.wave.clone().filter(|_| !matches!(acting, Acting::Combination(_)))?;
-        let situation = case.situation(acting, earthquake).ok()?;
+        let situation = case.situation(acting, trial).ok()?;
         let components = Components::of(&situation, case.ground.as_ref(), waves.goda.formulas).ok()?;
         let scale = (case.body.mass() * case.gravity, case.body.width() / 2.0);
         Some(Quick { waves, components, scale })

@@ -29,7 +29,7 @@ use super::fragility::{Fit, ValueRange};
 use super::problem::ChanceProblem;
 use super::quantity::{Bias, RandomInput};
 use super::subject::problems_of;
-use crate::case::Acting;
+use crate::case::{Acting, Trial};
 use crate::key::Table;
 use crate::motion::in_order;
 use crate::units::{Dimension, in_gravity};
@@ -228,7 +228,8 @@ fn base_of(file: &CaseFile, given: &GivenBase) -> Result<BaseMotion, Probability
 /// That beside the shaking nothing varies.
 fn varies_not(problem: &ChanceProblem, over: &ValueRange) -> Result<(), ProbabilityError> {
     let Some((case, _)) = problem.case() else { return Err(ProbabilityError::NoBody) };
-    let situation = case.situation(Acting::All, None).map_err(|error| over.wrong(error.to_string()))?;
+    let situation =
+        case.situation(Acting::All, Trial::AS_GIVEN).map_err(|error| over.wrong(error.to_string()))?;
     let acts = |load: &&Load| {
         load.wrench(situation.body(), case.gravity, Pose::UPRIGHT) != Wrench::ZERO && !is_own_weight(load)
     };
@@ -263,7 +264,7 @@ impl Body {
     fn of(problem: &ChanceProblem, values: &[f64]) -> Option<Body> {
         let case = problem.case_with(values)?;
         let motion = case.motion.as_ref()?;
-        let situation = case.situation(Acting::All, None).ok()?;
+        let situation = case.situation(Acting::All, Trial::AS_GIVEN).ok()?;
         let mut still = MotionProblem::standing(&situation).ok()?;
         (still.impact, still.initial, still.t_max) = (motion.impact, motion.initial, motion.t_max);
         if let Some(place) = problem.random().iter().position(RandomInput::is_friction) {

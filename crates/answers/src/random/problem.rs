@@ -14,12 +14,12 @@ use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
 use super::quantity::{Bias, Coordinate, Quantity, RandomInput};
 use super::resolve::{Names, Resolve};
-use crate::case::{Acting, Case};
+use crate::case::{Acting, Case, ChangeBy, Trial};
 use crate::couple::{Variable, vary};
 use crate::digits::digits;
-use crate::error::CaseError;
+use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::Inputs;
-use crate::key::Key;
+use crate::key::{Id, Key};
 use standfast::ground::Base;
 use standfast_inputs::random::{Random, Rate, ReadResult};
 use standfast_model::CaseFile;
@@ -74,6 +74,29 @@ fn reaches(laws: &RandomVector) -> Vec<f64> {
 /// An |α| below which a number hardly matters.
 const NEGLIGIBLE: f64 = 0.02;
 
+/// Refuses a combination whose numbers are not those of the case, where they are random; partial factors stand for chance.
+fn by_chance(case: &Case, acting: Acting, random: &[RandomInput]) -> Result<(), Fault> {
+    let Acting::Combination(index) = acting else { return Ok(()) };
+    if let Some(at) = case.pairs_in(acting) {
+        return Err(Fault::new(Problem::Pairs { of: "a probability" }, at));
+    }
+    let combination = &case.combinations[index];
+    for change in &combination.changes {
+        let at = Id::new(change.by.key(), index);
+        if matches!(change.by, ChangeBy::Material(_) | ChangeBy::Resistance(_)) {
+            return Err(Fault::new(Problem::PartialFactor { name: change.name.clone() }, at));
+        }
+        if random.iter().any(|input| input.variable().is_some_and(|variable| variable.id() == change.id)) {
+            return Err(Fault::new(Problem::SetAndRandom { name: change.name.clone() }, at));
+        }
+    }
+    if combination.bearing != 1.0 {
+        let problem = Problem::PartialFactor { name: "bearing".to_owned() };
+        return Err(Fault::new(problem, Id::new(Key::CombinationResist, index)));
+    }
+    Ok(())
+}
+
 impl ChanceProblem {
     /// The problems of a case file, which is of this case, with a `[random]` table: one for each set of loads that act together and each acceleration of
     /// the base that is tried. `moving` are the inputs in time of a case whose motion is followed, some of whose numbers may be random.
@@ -97,13 +120,14 @@ impl ChanceProblem {
         let moved = [Key::Horizontal, Key::Vertical].map(is_random);
         let mut problems = Vec::new();
         for acting in case.acting() {
-            let shakings = case.shakings_if(acting, moved);
+            by_chance(&case, acting, &inputs).map_err(|fault| file.error(fault))?;
+            let shakings = case.under(acting).shakings_if(acting, moved);
             let each: Vec<Option<[f64; 2]>> =
                 if shakings.is_empty() { vec![None] } else { shakings.into_iter().map(Some).collect() };
             for shaking in each {
-                let earthquake = shaking.and_then(|signs| case.shaken(signs));
+                let trial = Trial::shaken(shaking);
                 let (inputs_of_case, case) = (Box::new(unnamed.clone()), Box::new(case.clone()));
-                let quick = only_heights(&inputs).then(|| Quick::of(&case, acting, earthquake)).flatten();
+                let quick = only_heights(&inputs).then(|| Quick::of(&case, acting, trial)).flatten();
                 let quick = quick.map(Box::new);
                 problems.push(ChanceProblem {
                     id: unique(),
@@ -326,9 +350,10 @@ impl ChanceProblem {
             return quick.components(self.heights(values)?);
         }
         let case = self.case_with(values)?;
+        let situation = case.situation(*acting, Trial::shaken(*shaking)).ok()?;
+        let case = case.under(*acting);
         let formulas = case.wave.as_ref().map_or(0, |wave| wave.goda.formulas);
-        let earthquake = shaking.and_then(|signs| case.shaken(signs));
-        Components::of(&case.situation(*acting, earthquake).ok()?, case.ground.as_ref(), formulas).ok()
+        Components::of(&situation, case.ground.as_ref(), formulas).ok()
     }
 
     /// The case with these values of all numbers but friction; none if they do not go together.

@@ -7,7 +7,7 @@ use standfast_probability::problem::RandomVector;
 use super::quantity::{Bias, Coordinate, Quantity, RandomInput};
 use super::storm::StormField;
 use crate::case::Case;
-use crate::couple::{Unknown, Variable};
+use crate::couple::Variable;
 use crate::digits::digits;
 use crate::inputs::Inputs;
 use crate::key::{Range, Table};
@@ -106,8 +106,7 @@ impl Resolve<'_> {
             let (name, known) = (named.name.clone(), known.to_owned());
             return Err((RandomProblem::NoNumber { name, suggestion: None, known }, named.span.clone()));
         }
-        let spelled = spelled(case, &named.name);
-        let name = spelled.as_deref().unwrap_or(&named.name);
+        let name = &named.name;
         let of_motion = |inputs: &Inputs| {
             let variable = Variable::find(name, inputs).ok()?;
             matches!(variable.id().table, Table::Impact | Table::Initial).then_some(variable)
@@ -313,18 +312,6 @@ impl Resolve<'_> {
             }
         }
     }
-}
-
-/// The key of a load that is named by its name.
-fn spelled(case: &Case, name: &str) -> Option<String> {
-    let (load, key) = name.strip_prefix("load.")?.rsplit_once('.')?;
-    let place = case.forces.iter().position(|force| force.name.as_deref() == Some(load))?;
-    Some(format!("load[{}].{key}", place + 1))
-}
-
-/// The number of a case under a name.
-pub(super) fn find(file: &CaseFile, case: &Case, name: &str) -> Result<Variable, Unknown> {
-    Variable::find(spelled(case, name).as_deref().unwrap_or(name), file.inputs())
 }
 
 /// Quantity that a name stands for in a storm without a body.

@@ -2,8 +2,8 @@
 
 use standfast::Verdict;
 
-use super::{Assessed, Assessment, verdict};
-use crate::case::{Acting, Case, Combination, Direction, PointForce};
+use super::{Assessed, Assessment, combination, verdict};
+use crate::case::{Acting, Case, Direction, PointForce};
 use crate::layout::{self, columns, digits, paragraph, row};
 
 /// One line for each situation, the worst first.
@@ -76,18 +76,15 @@ pub(super) fn heading(assessment: &Assessment, assessed: &Assessed) -> String {
                 true => String::new(),
                 false => paragraph(&format!("not acting: {}", left_out.join(", ")), 2),
             };
-            paragraph(&format!("factors: {}", factors(&case.combinations[index])), 2) + &rest
+            let combination = &case.combinations[index];
+            let changes = combination::changes(case, index).into_iter();
+            let changes: String =
+                changes.map(|(key, words)| paragraph(&format!("{key}: {words}"), 2)).collect();
+            changes + &paragraph(&format!("factors: {}", combination::factors(combination)), 2) + &rest
         }
     };
     let title = situation_title(assessment, assessed).unwrap_or_default();
     paragraph(&title, 0) + &details + "\n"
-}
-
-/// The factors of a combination, as they are given.
-fn factors(combination: &Combination) -> String {
-    let factors = combination.factors.iter().map(|(name, factor)| format!("{name} × {}", digits(*factor)));
-    let factors = factors.collect::<Vec<_>>().join("; ");
-    if factors.is_empty() { "none".to_owned() } else { factors }
 }
 
 fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
@@ -127,29 +124,52 @@ pub(super) fn notes(case: &Case, assessed: &Assessed) -> String {
     paragraph(&words, 2)
 }
 
-/// The accelerations of the base that were tried, the one reported first.
-pub(super) fn earthquakes(case: &Case, assessed: &Assessed) -> String {
+/// The ways in which a situation was tried, the one reported first: accelerations of the base, factors of pairs.
+pub(super) fn tried(case: &Case, assessed: &Assessed) -> String {
     if assessed.others.is_empty() {
         return String::new();
     }
-    let mut rows = vec![
-        row!["right", "up", "", "SF", "SF", "leaves", "", ""],
-        row!["of g", "of g", "mode", "slide", "turn", "rest at", "into", "unique"],
-    ];
-    let share = |acceleration: f64| digits(acceleration / case.gravity);
-    rows.extend(assessed.tried().filter_map(|assessed| {
-        let earthquake = assessed.earthquake?;
-        let mut row = row![share(earthquake.horizontal()), share(earthquake.vertical())];
+    let pairs = |assessed: &Assessed| combination::pairs(case, assessed.acting, assessed.trial);
+    let of_pairs = pairs(assessed);
+    let (is_shaken, under) = (assessed.earthquake.is_some(), case.under(assessed.acting));
+    let mut rows = vec![Vec::new(), Vec::new()];
+    for (name, _) in &of_pairs {
+        rows[0].push((*name).to_owned());
+        rows[1].push("×".to_owned());
+    }
+    if is_shaken {
+        rows[0].extend(row!["right", "up"]);
+        rows[1].extend(row!["of g", "of g"]);
+    }
+    let before = rows[0].len();
+    rows[0].extend(row!["", "SF", "SF", "leaves", "", ""]);
+    rows[1].extend(row!["mode", "slide", "turn", "rest at", "into", "unique"]);
+    let share = |acceleration: f64| digits(acceleration / under.gravity);
+    rows.extend(assessed.tried().map(|assessed| {
+        let mut row: Vec<String> = pairs(assessed).iter().map(|(_, factor)| digits(*factor)).collect();
+        let earthquake = assessed.earthquake.iter();
+        row.extend(earthquake.flat_map(|given| [share(given.horizontal()), share(given.vertical())]));
         row.extend(results(assessed));
-        Some(row)
+        row
     }));
-    let mut text = "\nAccelerations of the base that were tried, the worst first\n".to_owned();
-    text += &columns(&rows, 2, &[0, 1, 3, 4, 5]);
-    let factor = match case.earthquake_factor(assessed.acting) {
-        1.0 => String::new(),
-        factor => format!("They act times {}, the factor of the combination. ", digits(factor)),
+    let what = match (is_shaken, of_pairs.is_empty()) {
+        (true, true) => "Accelerations of the base",
+        (true, false) => "Factors and accelerations of the base",
+        _ => "Factors",
     };
-    let first = "The rest of this answer is for the first row. horizontal_fixed and vertical_fixed keep the signs given.";
-    text += &paragraph(&(factor + first), 2);
+    let mut text = format!("\n{what} that were tried, the worst first\n");
+    let numbers: Vec<usize> = (0..before).chain(before + 1..before + 4).collect();
+    text += &columns(&rows, 2, &numbers);
+    let factor = match case.earthquake_factor(assessed.acting, assessed.trial) {
+        factor if is_shaken && factor != 1.0 => {
+            format!("They act times {}, the factor of the combination. ", digits(factor))
+        }
+        _ => String::new(),
+    };
+    let fixed = if is_shaken { " horizontal_fixed and vertical_fixed keep the signs given." } else { "" };
+    text += &paragraph(&format!("{factor}The rest of this answer is for the first row.{fixed}"), 2);
+    if !of_pairs.is_empty() {
+        text += &paragraph("A criterion is met where it is met in every row.", 2);
+    }
     text
 }

@@ -11,13 +11,14 @@ use standfast::ground::impact::EventFound;
 use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
-use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck};
-use crate::case::{self, Acting, Case, PointForce, Waves};
+use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck, combination};
+use crate::case::{Acting, Case, ChangeBy, PointForce, Waves};
 use crate::json::{CheckEntry, SCHEMA, number_or_word, written};
 use crate::point::{PointDocument, RelationDocument};
 use crate::results::{self, ResultName, ResultValue, SeaResult};
 use crate::summary::Summary;
 use crate::units::Extent;
+use standfast_inputs::inputs::LoadFactor;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -195,7 +196,50 @@ struct Force<'a> {
 #[derive(Serialize)]
 struct Combination<'a> {
     name: Option<&'a str>,
+    factors: BTreeMap<&'a str, Factor>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    set: BTreeMap<&'a str, &'a str>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    scale: BTreeMap<&'a str, f64>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    materials: BTreeMap<&'a str, f64>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    resist: BTreeMap<&'a str, f64>,
+    /// Numbers of the case that are others in it, as they are there.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    numbers: BTreeMap<String, f64>,
+    /// The waves, where they are others in it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wave: Option<Wave<'a>>,
+    /// The factors of pairs that are the worst.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    factors_used: BTreeMap<&'a str, f64>,
+    /// The other factors of pairs that were tried, none of them worse.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    tried: Vec<Tried<'a>>,
+}
+
+/// A factor, or the two that are tried.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Factor {
+    One(f64),
+    Pair([f64; 2]),
+}
+
+/// A way in which a situation was tried.
+#[derive(Serialize)]
+struct Tried<'a> {
     factors: BTreeMap<&'a str, f64>,
+    earthquake: Option<Earthquake>,
+    mode: ResultValue,
+    departure: ResultValue,
+    load_factor: ResultValue,
+    departure_mode: ResultValue,
+    #[serde(rename = "SF_sliding")]
+    sliding: ResultValue,
+    #[serde(rename = "SF_overturning_net")]
+    overturning: ResultValue,
 }
 
 /// m/s², to the right and upwards.
@@ -345,13 +389,14 @@ impl<'a> Situation<'a> {
                 _ => None,
             },
             combination: match assessed.acting {
-                Acting::Combination(index) => Some(Combination::of(&case.combinations[index])),
+                Acting::Combination(index) => Some(Combination::of(case, index, assessed)),
                 _ => None,
             },
             earthquake: assessed.earthquake.as_ref().map(Earthquake::of),
             other_earthquakes: assessed
                 .others
                 .iter()
+                .filter(|other| other.trial.second == assessed.trial.second)
                 .filter_map(|other| Some(OtherEarthquake::of(other.earthquake.as_ref()?, other)))
                 .collect(),
             criteria: assessment
@@ -405,9 +450,66 @@ impl<'a> Force<'a> {
 }
 
 impl<'a> Combination<'a> {
-    fn of(combination: &'a case::Combination) -> Combination<'a> {
-        let factors = combination.factors.iter().map(|(name, factor)| (name.as_str(), *factor));
-        Combination { name: combination.name.as_deref(), factors: factors.collect() }
+    fn of(case: &'a Case, index: usize, assessed: &'a Assessed) -> Combination<'a> {
+        let (combination, under) = (&case.combinations[index], case.under(assessed.acting));
+        let factors = combination.factors.iter().map(|(name, factor)| {
+            let factor = match *factor {
+                LoadFactor::One(factor) => Factor::One(factor),
+                LoadFactor::Pair(both) => Factor::Pair(both),
+            };
+            (name.as_str(), factor)
+        });
+        let ratios = |of: fn(&ChangeBy) -> Option<f64>| {
+            let changes = combination.changes.iter();
+            changes.filter_map(move |change| Some((change.name.as_str(), of(&change.by)?))).collect()
+        };
+        let set = combination.changes.iter().filter_map(|change| match &change.by {
+            ChangeBy::Set(text) => Some((change.name.as_str(), text.trim_matches(['"', '\'']))),
+            _ => None,
+        });
+        let mut resist: BTreeMap<&str, f64> = ratios(|by| match by {
+            ChangeBy::Resistance(by) => Some(*by),
+            _ => None,
+        });
+        if combination.bearing != 1.0 {
+            resist.insert("bearing", combination.bearing);
+        }
+        let pairs = |assessed: &Assessed| combination::pairs(case, assessed.acting, assessed.trial);
+        let used: BTreeMap<_, _> = pairs(assessed).into_iter().collect();
+        let others = if used.is_empty() { &[][..] } else { &assessed.others };
+        Combination {
+            name: combination.name.as_deref(),
+            factors: factors.collect(),
+            set: set.collect(),
+            scale: ratios(|by| match by {
+                ChangeBy::Scale(by) => Some(*by),
+                _ => None,
+            }),
+            materials: ratios(|by| match by {
+                ChangeBy::Material(by) => Some(*by),
+                _ => None,
+            }),
+            resist,
+            wave: under.wave.as_ref().filter(|_| under.wave != case.wave).map(Wave),
+            numbers: case.values_in(index).map(|(id, value)| (id.to_string(), value)).collect(),
+            tried: others.iter().map(|other| Tried::of(pairs(other), other)).collect(),
+            factors_used: used,
+        }
+    }
+}
+
+impl<'a> Tried<'a> {
+    fn of(factors: Vec<(&'a str, f64)>, assessed: &Assessed) -> Tried<'a> {
+        Tried {
+            factors: factors.into_iter().collect(),
+            earthquake: assessed.earthquake.as_ref().map(Earthquake::of),
+            mode: ResultName::Mode.of(assessed),
+            departure: ResultName::Departure.of(assessed),
+            load_factor: ResultName::LoadFactor.of(assessed),
+            departure_mode: ResultName::DepartureMode.of(assessed),
+            sliding: ResultName::SfSliding.of(assessed),
+            overturning: ResultName::SfOverturningNet.of(assessed),
+        }
     }
 }
 

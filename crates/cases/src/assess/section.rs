@@ -12,7 +12,7 @@ use standfast_figures::{
 use standfast_model::load_words;
 
 use super::Assessment;
-use crate::case::{Acting, Case, Limit, Waves};
+use crate::case::{Acting, Case, Limit, Trial, Waves};
 use crate::layout::digits;
 use crate::units::Extent;
 
@@ -59,7 +59,7 @@ pub(super) fn with_section<T>(
     let case = &assessment.case;
     let worst = assessment.governing();
     let reaction = worst.ground.as_ref().and_then(|ground| under::reaction(case, worst, ground));
-    let situation = case.situation(Acting::All, None)?;
+    let situation = case.situation(Acting::All, Trial::AS_GIVEN)?;
     let extent = case.extent;
     let BaseEdges { left, right } = case.body.base_edges();
     let (widths, heights) = dimensions(case);

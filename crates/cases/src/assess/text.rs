@@ -5,8 +5,8 @@ use std::fmt::Write;
 use standfast::Mode;
 
 use super::{
-    AnyCheck, Assessed, Assessment, AssessmentView, GOVERNING, acting, checks, coordinates, ground, loads,
-    sea, verdict,
+    AnyCheck, Assessed, Assessment, AssessmentView, GOVERNING, acting, checks, combination, coordinates,
+    ground, loads, sea, verdict,
 };
 use crate::case::Case;
 use crate::describe::{self, Scale};
@@ -70,12 +70,14 @@ fn criteria(assessment: &Assessment, checks: &[AnyCheck<'_>]) -> String {
     rows.extend(checks.iter().map(|check| {
         let assessed = check.assessed(assessment);
         let situation = assessment.name(assessed).filter(|_| several).map(|name| format!("in {name}"));
-        let shaken = assessed.earthquake.filter(|_| check.is_of_another_shaking()).map(|earthquake| {
+        let shaken = assessed.earthquake.filter(|_| check.is_of_another_trial()).map(|earthquake| {
             let [right, up] =
                 [earthquake.horizontal(), earthquake.vertical()].map(|a| digits(a / assessment.case.gravity));
             format!("shaken with {right} g, {up} g")
         });
-        let place: Vec<_> = situation.into_iter().chain(shaken).collect();
+        let pairs = combination::pair_words(&assessment.case, assessed);
+        let pairs = pairs.filter(|_| check.is_of_another_trial()).map(|words| format!("with {words}"));
+        let place: Vec<_> = situation.into_iter().chain(pairs).chain(shaken).collect();
         let [required, value, utilisation, met] = check.cells();
         row![check.name(), required, value, utilisation, met, place.join(", ")]
     }));
@@ -121,11 +123,12 @@ pub(super) fn warnings(case: &Case, of: impl Fn(&Warning) -> bool) -> String {
 /// The answer to one situation; `first` has the notes that hold for all.
 fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool) -> String {
     let full = &assessed.outcome.full;
+    let under = case.under(assessed.acting);
     let mut text = "Forces and moments\n".to_owned();
     text += &loads::components(assessed);
     if first {
         text += &paragraph("Moments are counter-clockwise about the centre of mass C.", 2);
-        for note in loads::left_out(case) {
+        for note in loads::left_out(under) {
             text += &paragraph(note, 2);
         }
         text += &acting::notes(case, assessed);
@@ -134,13 +137,13 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     text += &checks::actions(assessed);
     text += "\nSafety factors and bearing pressure\n";
     text += &checks::factors(assessed);
-    text += &ground::render(case, assessed);
+    text += &ground::render(under, assessed);
 
     text += "\nVerdict\n";
     for sentence in verdict::full_load(assessed) {
         text += &paragraph(&sentence, 2);
     }
-    text += &acting::earthquakes(case, assessed);
+    text += &acting::tried(case, assessed);
     text += match (full.effective.is_some(), assessed.situation.in_air().is_some()) {
         _ if assessed.is_on_ground() => "\nCoordinates\n",
         (true, false) => "\nIn the report's diagram, with effective coordinates\n",
@@ -155,7 +158,7 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     // Of a body at rest all of it is zero but the weight.
     if let Some(motion) = assessed.motion().filter(|_| assessed.mode() != Some(Mode::Rest)) {
         text += "\nAt onset\n";
-        text += &describe::real_motion(motion, &Scale::of(case));
+        text += &describe::real_motion(motion, &Scale::of(under));
         if assessed.earthquake.is_some() {
             text += &paragraph(describe::RELATIVE, 2);
         }

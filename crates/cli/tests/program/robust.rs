@@ -1,6 +1,7 @@
 //! Whatever a case file contains, it is answered or refused: no panic, and every refusal can be shown.
 
 use proptest::prelude::*;
+use standfast_cases::case::Trial;
 use standfast_cases::{Acting, Assessment, AssessmentView, CaseFile, Document, point};
 
 use crate::mutated::{mutated, number};
@@ -59,7 +60,7 @@ proptest! {
         );
         try_case(&text);
         let case = CaseFile::parse("case.toml", &text).and_then(|file| file.case());
-        let reduced = case.ok().and_then(|case| case.situation(Acting::Alone(0), None).ok()?.in_air());
+        let reduced = case.ok().and_then(|case| case.situation(Acting::Alone(0), Trial::AS_GIVEN).ok()?.in_air());
         if let Some(reduced) = reduced {
             let reduced = point::PlacedPoint::new(reduced, 0.0).unwrap();
             assert!(!point::text(&reduced, true).is_empty());

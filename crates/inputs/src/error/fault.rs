@@ -13,6 +13,8 @@ use crate::key::{Id, Key, Table};
 pub enum Place {
     /// The value under a key.
     Key(Id),
+    /// A value of a list, or of a table in braces, under a key, by its place in it.
+    Element(Id, usize),
     /// A table of its kind, by its place among them.
     Table(Table, usize),
 }

@@ -152,6 +152,35 @@ impl Problem {
                     None => known,
                 }
             }
+            Problem::InCombination { problem, .. } => return problem.help(),
+            Problem::NoKeyCalled { name, by, names } => {
+                let also = match by {
+                    Key::CombinationSet => "a key of one of its tables is called as --vary calls it",
+                    _ => "the numbers of the case are called as --vary calls them",
+                };
+                let known = format!("{also}: {}", names.join(", "));
+                match closest(name, names.iter().map(String::as_str)) {
+                    Some(suggestion) => format!("did you mean `{suggestion}`? {known}"),
+                    None => known,
+                }
+            }
+            Problem::NoNumber { .. } => "give it another value under `set`".into(),
+            Problem::NoStrength { names, .. } => {
+                format!("the strengths of this case: {}; multiply any number under `scale`", names.join(", "))
+            }
+            Problem::NamedTwice { .. } => "name each number once, by its short name or by its key".into(),
+            Problem::UnknownResistance { names, .. } => {
+                format!("the resistances: {}; a strength is divided under `materials`", names.join(", "))
+            }
+            Problem::NoBearing => "add [ground], or take `bearing` out".into(),
+            Problem::CriterionOfAll { .. } => "ask it in [criteria]".into(),
+            Problem::PartialFactor { .. } | Problem::SetAndRandom { .. } => {
+                "give the case of the probability a file of its own, without it".into()
+            }
+            Problem::Pairs { .. } => "give one factor for each load, in a combination each".into(),
+            Problem::TooManyPairs { .. } => {
+                "give one factor each to loads of which it is plain whether they help or harm".into()
+            }
             Problem::FollowsFromParts { .. } => {
                 "remove it; to vary the width of all parts, give `width_scale`".into()
             }
@@ -390,6 +419,9 @@ pub fn expected_type(kind: Kind) -> &'static str {
         Kind::Choice { words, .. } => words,
         Kind::List(_) => "a list of numbers, each plain or in quotes with its unit",
         Kind::Factors => "names of loads with their factors, in braces",
+        Kind::Settings => "names of keys with their values, in braces",
+        Kind::Ratios => "names with their numbers, in braces",
+        Kind::Bounds => "criteria with their bounds, in braces",
         Kind::Plains => "a list of numbers",
         Kind::ModeList => "a list of symbols of modes in quotes",
     }

@@ -30,6 +30,15 @@ pub enum Limit {
 }
 
 impl Foundation {
+    /// The same with its resistance divided.
+    pub(super) fn divided(self, by: f64) -> Foundation {
+        let limit = self.limit.map(|limit| match limit {
+            Limit::Strength(strength) => Limit::Strength(strength / by),
+            Limit::Ground(ground) => Limit::Ground(ground.divided(by)),
+        });
+        Foundation { limit, ..self }
+    }
+
     /// The pressure at which it crushes, Pa.
     pub fn strength(&self) -> Option<f64> {
         match self.limit {

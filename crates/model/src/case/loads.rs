@@ -56,22 +56,6 @@ pub enum Direction {
     Up,
 }
 
-/// Loads that act together, each times a factor.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Combination {
-    /// Its name.
-    pub name: Option<String>,
-    /// The factors by the names of loads, or of tables: weight, water, uplift, wave, earthquake.
-    pub factors: Vec<(String, f64)>,
-}
-
-impl Combination {
-    /// The factor under a name, where the combination has it.
-    pub fn factor(&self, name: &str) -> Option<f64> {
-        self.factors.iter().find(|(named, _)| named == name).map(|(_, factor)| *factor)
-    }
-}
-
 impl<T: Scalar> FacePressure<T> {
     /// The load.
     pub fn load(&self) -> Load<T> {
@@ -235,46 +219,6 @@ impl Reader<'_> {
         let name = self.inputs.text(id(Key::PressureName)).map(str::to_owned);
         let permanent = self.inputs.truth(id(Key::PressurePermanent)).unwrap_or(false);
         Ok(FacePressure { name, face, diagram, scale, permanent })
-    }
-
-    /// A combination: it names loads that there are, each of them once.
-    pub(super) fn combination(
-        &self,
-        index: usize,
-        forces: &[PointForce<impl Scalar>],
-        pressures: &[FacePressure<impl Scalar>],
-    ) -> Result<Combination, Fault> {
-        let id = |key| Id::new(key, index);
-        let factors = self.inputs.factors(id(Key::LoadFactors));
-        let factors = factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?;
-        let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table));
-        let mut names: Vec<&str> = tables.filter_map(Table::in_combination).collect();
-        if self.inputs.get(Key::BuoyantWeight).is_some() {
-            names.extend(Table::Water.in_combination());
-        }
-        let own = names.len();
-        let named =
-            forces.iter().map(|force| &force.name).chain(pressures.iter().map(|pressure| &pressure.name));
-        names.extend(named.flatten().map(String::as_str));
-        for (name, factor) in factors {
-            let problem = match names.iter().filter(|known| *known == name).count() {
-                1 if name == "weight" && *factor == 0.0 => Problem::NoWeight,
-                1 => continue,
-                0 => {
-                    let names = names.iter().map(|name| (*name).to_owned()).collect();
-                    Problem::UnknownLoad { name: name.clone(), names }
-                }
-                _ if names[..own].contains(&name.as_str()) => Problem::TakenName { name: name.clone() },
-                _ => Problem::SameName { name: name.clone() },
-            };
-            return Err(Fault::new(problem, id(Key::LoadFactors)));
-        }
-        let name = self.inputs.text(id(Key::CombinationName)).map(str::to_owned);
-        let earlier = |index| self.inputs.text(Id::new(Key::CombinationName, index));
-        if let Some(name) = name.clone().filter(|name| (0..index).any(|index| earlier(index) == Some(name))) {
-            return Err(Fault::new(Problem::SameCombination { name }, id(Key::CombinationName)));
-        }
-        Ok(Combination { name, factors: factors.to_vec() })
     }
 
     /// Refusal by the library, shown at the key of one of several tables.

@@ -7,7 +7,7 @@ use standfast::wave::Heights;
 use standfast::{BaseEdges, Situation, Slip};
 
 use super::Warning;
-use crate::case::{Acting, Case, Direction, Waves, Weight, said_by};
+use crate::case::{Acting, Case, Direction, Trial, Waves, Weight, said_by};
 use crate::criteria::Bound;
 use crate::error::Place;
 use crate::key::{Id, Key, Table};
@@ -118,6 +118,33 @@ const SHALLOW: f64 = 0.02;
 impl Case {
     /// Warnings of unusual values in it.
     pub fn warnings(&self) -> Vec<Warning> {
+        let mut warnings = self.of_all();
+        for acting in self.acting() {
+            let under = self.under(acting);
+            if std::ptr::eq(under, self) {
+                continue;
+            }
+            let name = self.acting_name(acting).unwrap_or_default();
+            // What is told of the case is not told again.
+            let new = under.of_all().into_iter().filter(|new| {
+                let is_of_it = |told: &Warning| match told {
+                    Warning::InCombination { name: of, warning } => {
+                        *of == name && warning.name() == new.name()
+                    }
+                    told => told.name() == new.name(),
+                };
+                !warnings.iter().any(is_of_it)
+            });
+            let new: Vec<_> = new
+                .map(|warning| Warning::InCombination { name: name.clone(), warning: Box::new(warning) })
+                .collect();
+            warnings.extend(new);
+        }
+        warnings
+    }
+
+    /// Warnings of the numbers that it has for all situations.
+    fn of_all(&self) -> Vec<Warning> {
         let mut warnings = self.base();
         warnings.extend(self.numbers());
         warnings.extend(self.buoyancy());
@@ -131,7 +158,7 @@ impl Case {
         warnings.extend(self.ground());
         warnings.extend(self.unused().into_iter().filter_map(|place| match place {
             Place::Table(table, index) => Some(Warning::LoadInNoCombination { table, index }),
-            Place::Key(_) => None,
+            Place::Key(_) | Place::Element(..) => None,
         }));
         warnings
     }
@@ -206,7 +233,7 @@ impl Case {
             return None;
         }
         let away = |acting: Acting| {
-            let full = self.situation(acting, None).and_then(|situation| situation.at(1.0));
+            let full = self.situation(acting, Trial::AS_GIVEN).and_then(|situation| situation.at(1.0));
             // To the left it is pushed from the right.
             full.is_ok_and(|full| full.wrench.x * (right - left) > 0.0)
         };
@@ -219,8 +246,11 @@ impl Case {
         if named.chain(self.pressures.iter().map(|pressure| pressure.permanent)).all(|permanent| permanent) {
             return Vec::new();
         }
-        let situations: Vec<Situation> =
-            self.acting().into_iter().filter_map(|acting| self.situation(acting, None).ok()).collect();
+        let situations: Vec<Situation> = self
+            .acting()
+            .into_iter()
+            .filter_map(|acting| self.situation(acting, Trial::AS_GIVEN).ok())
+            .collect();
         // What pulls against all others, or presses the body down, by its wrench alone: most loads push, and cost no more.
         let holding = situations.iter().flat_map(|situation| {
             let full = situation.at(1.0).ok().map(|full| full.wrench);
@@ -521,7 +551,7 @@ mod tests {
         assert!(
             warnings(&shared).iter().any(|warning| warning.to_string().starts_with("water.density = 1101"))
         );
-        let [warning] = warnings(&sea.replace("density = 1030", "density = 1101"))[..] else { panic!() };
+        let [warning] = &warnings(&sea.replace("density = 1030", "density = 1101"))[..] else { panic!() };
         assert!(
             warning.is_about_waves() && warning.to_string().starts_with("wave.water_density = 1101 kg/m³")
         );
@@ -570,7 +600,7 @@ mod tests {
         let earth = "[[load]]\nname = \"earth\"\nforce = 1.2e6\nelevation = 3\npermanent = true\n";
         let crane = "[[load]]\nname = \"crane\"\nforce = 600e3\ndirection = \"down\"\ndistance = 5\n";
         let quay = format!("{BLOCK}{earth}{crane}");
-        let [warning] = warnings(&quay)[..] else { panic!("{:?}", names(&quay)) };
+        let [warning] = &warnings(&quay)[..] else { panic!("{:?}", names(&quay)) };
         let Warning::FavourableLoad { table: Table::Load, index: 1, with, without } = warning else {
             panic!("{warning}");
         };
@@ -830,7 +860,7 @@ mod tests {
                 ["buoyant_weight = 2250 kN/m", "base_depth = 606.3 kN/m", "is 1650 kN/m"],
             ),
         ] {
-            let warning = warnings(&text)[0];
+            let warning = &warnings(&text)[0];
             let said = warning.to_string();
             assert!(schema.contains(&format!("\"{}\"", warning.name())), "{warning}");
             assert!(page.contains(&format!("| `{}` |", warning.name())), "{warning}");

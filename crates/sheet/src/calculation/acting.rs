@@ -1,13 +1,22 @@
 //! Loads that act, and accelerations of the base that were tried.
 
+use std::collections::BTreeSet;
+
 use maud::{Markup, html};
 use standfast::Verdict;
 use standfast::loads::Earthquake;
-use standfast_cases::assess::{Component, verdict};
-use standfast_cases::{Acting, Assessed, Assessment};
+use standfast_cases::assess::{Component, combination_changes, pairs, verdict};
+use standfast_cases::case::ChangeBy;
+use standfast_cases::layout::plain;
+use standfast_cases::units::Dimension;
+use standfast_cases::{Acting, Assessed, Assessment, Id, Inputs, Key, capital};
 
-use crate::measured::{Measured, NONE, number};
+use crate::measured::{
+    ACCELERATION, DEGREE, DENSITY, KILONEWTON, KILOPASCAL, MASS, METRE, Measured, NONE, SECOND, SheetUnit,
+    number,
+};
 use crate::steps::SheetSteps;
+use crate::symbols::numbered;
 use crate::together::Brief;
 
 /// The factor of each load in each of the combinations, which are shown in this order.
@@ -63,27 +72,107 @@ pub(super) fn factors(steps: &mut SheetSteps, shown: &[&Assessed]) {
     steps.push(full, Brief::Each);
 }
 
+/// The quantities of the body and of the waves that are others in a situation than in the case, whose are `known`.
+pub(super) fn altered(known: &SheetSteps, assessment: &Assessment, assessed: &Assessed) -> BTreeSet<String> {
+    let before = known.known();
+    let mut scratch = known.scratch();
+    changes(&mut scratch, assessment, assessed);
+    let after = scratch.known().into_iter();
+    after.filter(|(name, value)| before.get(name) != Some(value)).map(|(name, _)| name).collect()
+}
+
+/// What is another in a combination than in the case, and what follows from that for its body and its waves.
+pub(super) fn changes(steps: &mut SheetSteps, assessment: &Assessment, assessed: &Assessed) {
+    let Acting::Combination(index) = assessed.acting else { return };
+    let (of_all, case) = (&assessment.case, assessment.case_of(assessed));
+    let combination = &of_all.combinations[index];
+    for (key, words) in combination_changes(of_all, index) {
+        steps.note(&format!("{key}: {words}."));
+    }
+    if std::ptr::eq(of_all, case) {
+        return;
+    }
+    steps.heading("Numbers of this combination");
+    let values: Vec<(Id, f64)> = of_all.values_in(index).collect();
+    for (id, value) in values {
+        let written = |number: f64, inputs: &Inputs| match inputs.dimension(id) {
+            Some(dimension) => dimension.written(number),
+            None => plain(number),
+        };
+        let of_file = of_all.inputs().number(id).map(|number| written(number, of_all.inputs()));
+        let by = combination.changes.iter().find(|change| change.id == id).map(|change| &change.by);
+        let words = match (by, of_file) {
+            (Some(ChangeBy::Scale(by)), Some(file)) => format!("{file} × {}", plain(*by)),
+            (Some(ChangeBy::Material(by)), Some(file)) if id.key == Key::GroundAngle => {
+                format!("arctan(tan {file}°/{})", plain(*by))
+            }
+            (Some(ChangeBy::Material(by) | ChangeBy::Resistance(by)), Some(file)) => {
+                format!("{file}/{}", plain(*by))
+            }
+            (Some(ChangeBy::Set(_)), Some(file)) => format!("set, in place of {file}"),
+            (Some(ChangeBy::Set(_)), None) => "set".to_owned(),
+            (_, Some(file)) => format!("with that, in place of {file}"),
+            (_, None) => "with that".to_owned(),
+        };
+        let count = of_all.inputs().count(id.table);
+        let (name, unit) = (numbered(id.key.info().symbol, id.index, count), unit_of(case.inputs(), id));
+        let about = capital(&id.words());
+        steps.told(&about, &name, value, unit, &words, "");
+    }
+    if case.body != of_all.body || case.gravity != of_all.gravity {
+        super::body::steps(steps, case, case.inputs());
+    }
+    steps.know("μ", case.friction, NONE);
+    steps.know("μ_k", case.kinetic_friction, NONE);
+    if let Some(wave) = case.wave.as_ref().filter(|_| case.wave != of_all.wave) {
+        super::waves::steps(steps, case, wave);
+    }
+}
+
+/// The unit in which a sheet has the numbers under a key.
+fn unit_of(inputs: &Inputs, id: Id) -> SheetUnit {
+    match inputs.dimension(id) {
+        Some(Dimension::Length) => METRE,
+        Some(Dimension::Force) => KILONEWTON,
+        Some(Dimension::Pressure) => KILOPASCAL,
+        Some(Dimension::Density) => DENSITY,
+        Some(Dimension::Mass) => MASS,
+        Some(Dimension::Acceleration) => ACCELERATION,
+        Some(Dimension::Time) => SECOND,
+        _ if id.key.name().ends_with("_deg") => DEGREE,
+        _ => NONE,
+    }
+}
+
 pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &Assessed) {
     let case = &assessment.case;
     if assessed.others.is_empty() {
         return;
     }
-    steps.note(
-        "The base may be shaken to either side and either way, unless the case fixes a sign. These accelerations were tried; all \
-         that follows is for the first, the worst.",
-    );
-    let factor = case.earthquake_factor(assessed.acting);
-    if factor != 1.0 {
-        steps.note("The accelerations act times the factor of the combination.");
+    let of_pairs = pairs(case, assessed.acting, assessed.trial);
+    if assessed.earthquake.is_some() {
+        steps.note(
+            "The base may be shaken to either side and either way, unless the case fixes a sign. These accelerations were tried; all \
+             that follows is for the first, the worst.",
+        );
+        if case.earthquake_factor(assessed.acting, assessed.trial) != 1.0 {
+            steps.note("The accelerations act times the factor of the combination.");
+        }
     }
-    let tried = assessed.tried().filter_map(|tried| Some((tried.earthquake?, tried)));
-    let tried: Vec<_> = tried.collect();
+    if !of_pairs.is_empty() {
+        steps.note(
+            "Each factor of a pair was tried; all that follows is for the first row, the worst. Each criterion stands where it is met worst.",
+        );
+    }
     let full = html! {
-        table.numbers data-table="earthquakes" {
+        table.numbers data-table="tried" {
             thead {
                 tr {
-                    th.n { "To the right, m/s²" }
-                    th.n { "Upwards, m/s²" }
+                    @for (name, _) in &of_pairs { th.n { "Factor on " (name) } }
+                    @if assessed.earthquake.is_some() {
+                        th.n { "To the right, m/s²" }
+                        th.n { "Upwards, m/s²" }
+                    }
                     th { "Mode" }
                     th.n { "Safety against sliding" }
                     th.n { "Safety against overturning" }
@@ -91,10 +180,13 @@ pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &
                 }
             }
             tbody {
-                @for (earthquake, tried) in &tried {
+                @for tried in assessed.tried() {
                     @let outcome = &tried.outcome;
                     tr {
-                        (accelerations(earthquake))
+                        @for (_, factor) in pairs(case, tried.acting, tried.trial) {
+                            td.n { data value=(factor) { (number(factor)) } }
+                        }
+                        @if let Some(earthquake) = &tried.earthquake { (accelerations(earthquake)) }
                         td { (tried.verdict().map_or("none", Verdict::symbol)) }
                         @for factor in [outcome.stability.sliding, outcome.stability.overturning()] {
                             td.n { @if outcome.full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) } }

@@ -41,8 +41,7 @@ fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
     let (value, unit) = quantity(criterion.key);
     let utilisation = check.utilisation.unwrap_or(f64::INFINITY);
     if !assessed.is_reported {
-        let words =
-            format!("{}, under another of the accelerations of the base", check.value_words(assessed));
+        let words = format!("{}, in another of the ways that were tried", check.value_words(assessed));
         return steps.told(&about, &name, utilisation, FACTOR, &words, "");
     }
     if utilisation == 0.0 || utilisation == f64::INFINITY {

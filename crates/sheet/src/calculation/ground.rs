@@ -10,7 +10,8 @@ use standfast_cases::assess::BaseResponse;
 use standfast_cases::assess::Component;
 use standfast_cases::assess::ground::left_out;
 use standfast_cases::case::{Foundation, Limit};
-use standfast_cases::units::Extent;
+use standfast_cases::layout::plain;
+use standfast_cases::units::{Dimension, Extent};
 use standfast_cases::{Assessed, Case, Inputs, Key};
 
 use self::soil::NamedReaction;
@@ -108,7 +109,13 @@ impl Sheet<'_> {
     }
 
     fn crushing(&self, steps: &mut SheetSteps, strength: f64) {
-        steps.know("q_u", strength, KILOPASCAL);
+        match self.inputs.number(Key::Strength).filter(|given| *given != strength) {
+            Some(given) => {
+                let words = format!("{}/{}", Dimension::Pressure.written(given), plain(given / strength));
+                steps.told("Strength of the base, divided", "q_u", strength, KILOPASCAL, &words, "");
+            }
+            None => steps.know("q_u", strength, KILOPASCAL),
+        }
         let long = self.long;
         let omega = self.ground.omega.unwrap_or_default();
         let formula = format!("V/(B_c q_u{long})");

@@ -116,6 +116,21 @@ fn more() -> Vec<(String, String)> {
         ("all in a combination", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nuplift = false\n[uplift]\nleft = 1e3\nright = 2e3\n[earthquake]\nhorizontal = \"0.05 g\"\n\
             vertical = \"0.02 g\"\n[added_mass]\nsides = 2\n[[combination]]\nfactors = {{ weight = 0.95, water = 1.05, uplift = 1.2, wave = 0.5, earthquake = 0.7 }}\n\
             [criteria]\nload_factor = 1.2\n")),
+        ("other numbers in combinations", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\n[ground]\nfriction_angle_deg = 38\nunit_weight = 10e3\n\
+            [[load]]\nname = \"crane\"\nforce = 90e3\ndirection = \"down\"\ndistance = 4\n\
+            [[combination]]\nname = \"high water\"\nset = {{ water_level = 8, \"wave.angle_deg\" = 10 }}\nfactors = {{ wave = 1, crane = [1, 0] }}\n\
+            [[combination]]\nname = \"as it is\"\nfactors = {{ wave = 1 }}\n[criteria]\nSF_sliding = 1.2\n")),
+        ("partial factors of waves", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\n\
+            [[combination]]\nname = \"partial factors\"\nscale = {{ \"wave.deep_water_height\" = 1.1 }}\nmaterials = {{ \"body.friction\" = 1.2 }}\n\
+            factors = {{ weight = [1.1, 0.9], \"wave.thrust\" = 0.9, \"wave.uplift\" = [0.77, 1] }}\ncriteria = {{ SF_sliding = 1, bearing_max = 5e5 }}\n")),
+        ("partial factors of ground", format!("{body}[ground]\nfriction_angle_deg = 38\nunit_weight = 10e3\ncohesion = 2e3\n\
+            [[load]]\nname = \"push\"\nforce = 100e3\nelevation = 5\n[[combination]]\nname = \"DA1-2\"\n\
+            materials = {{ \"ground.friction_angle_deg\" = 1.1, \"ground.cohesion\" = 1.25 }}\nresist = {{ sliding = 1.1, bearing = 1.2 }}\n\
+            factors = {{ push = 1.1 }}\ncriteria = {{ SF_sliding = 1, ground_factor = 1 }}\n\
+            [[combination]]\nname = \"as it is\"\nfactors = {{ push = 1 }}\n[criteria]\nground_factor = 1.4\nload_factor = 1.1\n")),
+        ("crushing with less", format!("{body}[ground]\nstrength = 500e3\n[[load]]\nname = \"push\"\nforce = 100e3\nelevation = 5\n[[combination]]\n\
+            factors = {{ push = 1.2 }}\nresist = {{ bearing = 1.4 }}\n[[combination]]\nset = {{ \"body.width\" = 6.5 }}\nfactors = {{ push = 1 }}\n\
+            [[combination]]\nfactors = {{ push = 1 }}\n[criteria]\nground_factor = 1.3\n")),
         ("crushing, rests", format!("{body}[ground]\nstrength = 500e3\n[[load]]\nforce = 100e3\nelevation = 5\n[criteria]\nground_factor = 1.3\n\
             effective_pressure_max = \"400 kPa\"\n")),
         ("crushing, rocks to the right", format!("{body}base_left = 2.5\n[ground]\nstrength = 900e3\n[[load]]\nforce = 500e3\nelevation = 6\ndirection = \"right\"\n")),

@@ -109,7 +109,11 @@ impl Angle {
 
 /// The ground under a strip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ground(Kind);
+pub struct Ground {
+    kind: Kind,
+    /// γ_R, by which what it bears is divided.
+    divisor: f64,
+}
 
 /// Reaction of a base on the ground, per metre run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -222,6 +226,20 @@ impl GroundLaw {
 const ANGLES: [f64; 2] = [20.0, 50.0];
 
 impl Ground {
+    fn undivided(kind: Kind) -> Ground {
+        Ground { kind, divisor: 1.0 }
+    }
+
+    /// The same ground with what it bears, R, divided by a partial factor γ_R once more.
+    pub fn divided(&self, by: f64) -> Ground {
+        Ground { divisor: self.divisor * by, ..*self }
+    }
+
+    /// γ_R, the partial factor by which R is divided; 1 if nothing was said.
+    pub fn divisor(&self) -> f64 {
+        self.divisor
+    }
+
     /// Drained ground: its angle of friction in degrees, from 20 to 50, and its effective unit weight (N/m³).
     ///
     /// # Errors
@@ -237,7 +255,7 @@ impl Ground {
         )?;
         let unit_weight = InputError::positive(Quantity::UnitWeight, unit_weight)?;
         let angle = Angle::new(law, angle_deg);
-        Ok(Ground(Kind::Soil { law, angle, unit_weight, surcharge: 0.0, cohesion: 0.0 }))
+        Ok(Ground::undivided(Kind::Soil { law, angle, unit_weight, surcharge: 0.0, cohesion: 0.0 }))
     }
 
     /// Ground known by what it bears centric and upright, V₀ (N per metre run), and by Butterfield & Gottardi's envelope with their
@@ -260,7 +278,7 @@ impl Ground {
         coupling: f64,
     ) -> Result<Ground, InputError> {
         let expected = Expected::CouplingBelowOne;
-        Ok(Ground(Kind::Envelope {
+        Ok(Ground::undivided(Kind::Envelope {
             centric: InputError::positive(Quantity::CentricResistance, centric_resistance)?,
             horizontal: InputError::positive(Quantity::EnvelopeSlope, horizontal)?,
             moment: InputError::positive(Quantity::EnvelopeSlope, moment)?,
@@ -274,7 +292,7 @@ impl Ground {
     /// If it is negative or not finite.
     pub fn with_surcharge(mut self, pressure: f64) -> Result<Ground, InputError> {
         let pressure = InputError::not_negative(Quantity::Surcharge, pressure)?;
-        if let Kind::Soil { surcharge, .. } = &mut self.0 {
+        if let Kind::Soil { surcharge, .. } = &mut self.kind {
             *surcharge = pressure;
         }
         Ok(self)
@@ -286,7 +304,7 @@ impl Ground {
     /// If it is negative or not finite.
     pub fn with_cohesion(mut self, stress: f64) -> Result<Ground, InputError> {
         let stress = InputError::not_negative(Quantity::Cohesion, stress)?;
-        if let Kind::Soil { cohesion, .. } = &mut self.0 {
+        if let Kind::Soil { cohesion, .. } = &mut self.kind {
             *cohesion = stress;
         }
         Ok(self)
@@ -294,10 +312,10 @@ impl Ground {
 
     /// Ground at another angle of friction, `by` degrees more; `None` for an envelope, which has none. It may leave 20° to 50° by that.
     pub fn turned(&self, by: f64) -> Option<Ground> {
-        match self.0 {
+        match self.kind {
             Kind::Soil { law, angle, unit_weight, surcharge, cohesion } => {
                 let angle = Angle::new(law, angle.degrees + by);
-                Some(Ground(Kind::Soil { law, angle, unit_weight, surcharge, cohesion }))
+                Some(Ground { kind: Kind::Soil { law, angle, unit_weight, surcharge, cohesion }, ..*self })
             }
             Kind::Envelope { .. } => None,
         }
@@ -305,7 +323,7 @@ impl Ground {
 
     /// The formula; `None` for an envelope.
     pub fn law(&self) -> Option<GroundLaw> {
-        match self.0 {
+        match self.kind {
             Kind::Soil { law, .. } => Some(law),
             Kind::Envelope { .. } => None,
         }
@@ -313,7 +331,7 @@ impl Ground {
 
     /// The angle of friction in degrees; `None` for an envelope.
     pub fn friction_angle_deg(&self) -> Option<f64> {
-        match self.0 {
+        match self.kind {
             Kind::Soil { angle, .. } => Some(angle.degrees),
             Kind::Envelope { .. } => None,
         }
@@ -321,7 +339,7 @@ impl Ground {
 
     /// The effective unit weight, N/m³; `None` for an envelope.
     pub fn unit_weight(&self) -> Option<f64> {
-        match self.0 {
+        match self.kind {
             Kind::Soil { unit_weight, .. } => Some(unit_weight),
             Kind::Envelope { .. } => None,
         }
@@ -329,7 +347,7 @@ impl Ground {
 
     /// N_q, N_c, N_γ; `None` for an envelope.
     pub fn factors(&self) -> Option<BearingFactors> {
-        match self.0 {
+        match self.kind {
             Kind::Soil { angle, .. } => Some(angle.factors),
             Kind::Envelope { .. } => None,
         }
@@ -337,20 +355,21 @@ impl Ground {
 
     /// V₀, N per metre run: what a base of `half_width` B (m) bears centric and upright.
     pub fn centric_resistance(&self, half_width: f64) -> f64 {
-        match self.0 {
+        let whole = match self.kind {
             Kind::Envelope { centric, .. } => centric,
             Kind::Soil { angle, unit_weight, surcharge, cohesion, .. } => {
                 let BearingFactors { n_q, n_c, n_gamma } = angle.factors;
                 2.0 * half_width * (cohesion * n_c + surcharge * n_q + unit_weight * half_width * n_gamma)
             }
-        }
+        };
+        whole / self.divisor
     }
 
     /// R, N per metre run: the vertical load that the ground bears at the reaction's inclination and eccentricity; zero where the reaction
     /// misses the base.
     pub fn resistance(&self, reaction: &Reaction) -> f64 {
         let Reaction { half_width, p, x, e } = *reaction;
-        match self.0 {
+        let whole = match self.kind {
             Kind::Soil { law, angle, unit_weight, surcharge, cohesion } => {
                 let width = reaction.effective_width();
                 let Angle { tan, factors: BearingFactors { n_q, n_c, n_gamma }, .. } = angle;
@@ -367,14 +386,15 @@ impl Ground {
                     - coupling * η * ε / (horizontal * moment);
                 if ε.abs() >= 1.0 { 0.0 } else { centric * (1.0 - radius.max(0.0).sqrt()).max(0.0) }
             }
-        }
+        };
+        whole / self.divisor
     }
 
     /// No more than R of any reaction between two, whose P and X are between theirs and whose e and inclination are so too.
     fn least_resistance(&self, one: &Reaction, other: &Reaction) -> f64 {
         let half_width = one.half_width;
         let e = one.e.abs().max(other.e.abs());
-        match self.0 {
+        match self.kind {
             // R falls with the eccentricity and the inclination, and under one inclination with P where there is cohesion.
             Kind::Soil { .. } => {
                 let p = one.p.max(other.p);
@@ -397,14 +417,16 @@ impl Ground {
                 let radius = (η[1] / horizontal).powi(2)
                     + (e / half_width / (2.0 * moment)).powi(2)
                     + coupled / (horizontal * moment);
-                if e >= half_width { 0.0 } else { centric * (1.0 - radius.max(0.0).sqrt()).max(0.0) }
+                let whole =
+                    if e >= half_width { 0.0 } else { centric * (1.0 - radius.max(0.0).sqrt()).max(0.0) };
+                whole / self.divisor
             }
         }
     }
 
     /// The eccentricity, as a share of B and on the side that X pushes to, at which the ground bears most under the inclination η.
     fn best_eccentricity(&self, inclination: f64) -> f64 {
-        match self.0 {
+        match self.kind {
             Kind::Soil { .. } => 0.0,
             Kind::Envelope { horizontal, moment, coupling, .. } => {
                 (2.0 * coupling * inclination * moment / horizontal).clamp(-0.999, 0.999)
@@ -414,7 +436,7 @@ impl Ground {
 
     /// The law by name: `ec7`, `hansen` or `envelope`.
     pub fn law_name(&self) -> &'static str {
-        match self.0 {
+        match self.kind {
             Kind::Soil { law: GroundLaw::Ec7, .. } => "ec7",
             Kind::Soil { law: GroundLaw::Hansen, .. } => "hansen",
             Kind::Envelope { .. } => "envelope",

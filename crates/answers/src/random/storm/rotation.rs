@@ -8,7 +8,7 @@ use standfast::wave::Goda;
 use standfast_motion::{History, Keep, MotionProblem, is_own_weight, simulate};
 use standfast_probability::sums::OtherEvent;
 
-use crate::case::{Acting, Case, Waves};
+use crate::case::{Acting, Case, Trial, Waves};
 use crate::random::quantity::Bias;
 
 /// Outcome of the wave: slide of the body at the end, and overturning. None if it cannot be followed.
@@ -21,7 +21,7 @@ pub(super) fn wave(
     bias: impl Fn(Bias) -> f64,
 ) -> Option<OtherEvent> {
     let case = case.with_waves(Waves { goda, ..waves.clone() });
-    let situation = case.situation(Acting::All, None).ok()?;
+    let situation = case.situation(Acting::All, Trial::AS_GIVEN).ok()?;
     let body = situation.body();
     let mut problem = MotionProblem::standing(&situation).ok()?;
     (problem.block.mu_s, problem.block.mu_k) = (mu_s, mu_k);

@@ -57,6 +57,10 @@ impl Sheet<'_> {
 
     /// Shows the quantities that are equal for all reactions.
     pub(super) fn of_ground(&self, steps: &mut SheetSteps) {
+        if let Some(ground) = self.soil().filter(|ground| ground.divisor() != 1.0) {
+            let about = "Divisor of what the ground bears";
+            steps.told(about, "γ_R", ground.divisor(), NONE, "resist: bearing", "");
+        }
         match self.soil().and_then(|ground| ground.factors()) {
             Some(factors) => self.bearing_factors(steps, factors),
             None => {
@@ -138,7 +142,7 @@ impl Sheet<'_> {
         }
         terms.push(format!("γ' {width}/2 N_γ {i_gamma}"));
         steps.add("Inclination factor", law, [&i_gamma, &of_gamma.0], of_gamma.1, NONE, "");
-        let formula = format!("{width}{} ({})", self.long, terms.join(" + "));
+        let formula = format!("{width}{} ({}){}", self.long, terms.join(" + "), self.divided());
         let about = match at.of {
             "" => {
                 "What the ground bears at this eccentricity and inclination; depth, shape and slope have no factors"
@@ -146,6 +150,11 @@ impl Sheet<'_> {
             _ => "What the ground bears there",
         };
         steps.add(about, law, [&at.name("R"), &formula], resistance, KILONEWTON, at.key);
+    }
+
+    /// The divisor of what the ground bears, behind its formula; none where a combination does not divide it.
+    fn divided(&self) -> &'static str {
+        if self.soil().map_or(1.0, |ground| ground.divisor()) == 1.0 { "" } else { "/γ_R" }
     }
 
     fn by_envelope(&self, steps: &mut SheetSteps, at: &NamedReaction<'_>, resistance: f64) {
@@ -171,7 +180,7 @@ impl Sheet<'_> {
         );
         let about = "Radius on the envelope";
         steps.add(about, ENVELOPE, [radius, &formula], squared.max(0.0).sqrt(), NONE, "");
-        let formula = format!("V_0 max(0, 1 − {radius})");
+        let formula = format!("V_0 max(0, 1 − {radius}){}", self.divided());
         let about = "What the ground bears there";
         steps.add(about, ENVELOPE, [&at.name("R"), &formula], resistance, KILONEWTON, at.key);
     }

@@ -72,17 +72,17 @@ impl BearingPlane {
     ) -> Result<BearingPlane, InputError> {
         let share = InputError::positive(Quantity::BearingShare, share)?;
         let centric = 1.0 / share / ground.centric_resistance(1.0);
-        let ground = match ground.0 {
+        let kind = match ground.kind {
             Kind::Soil { law, angle, unit_weight, surcharge, cohesion } => {
                 let [unit_weight, surcharge, cohesion] =
                     [unit_weight, surcharge, cohesion].map(|x| x * centric);
                 Kind::Soil { law, angle, unit_weight, surcharge, cohesion }
             }
             Kind::Envelope { horizontal, moment, coupling, .. } => {
-                Kind::Envelope { centric: 1.0 / share, horizontal, moment, coupling }
+                Kind::Envelope { centric: ground.divisor / share, horizontal, moment, coupling }
             }
         };
-        BearingPlane::new(Ground(ground), gamma, k_prime, 1.0, 1.0)
+        BearingPlane::new(Ground { kind, ..ground }, gamma, k_prime, 1.0, 1.0)
     }
 
     /// The ground.

@@ -1,0 +1,75 @@
+//! What a combination says, in words: the factors of its loads, and what is another in it than in the case.
+
+use standfast_inputs::inputs::LoadFactor;
+use standfast_model::case::{ChangeBy, Combination, Trial};
+
+use super::Assessed;
+use crate::case::{Acting, Case};
+use crate::key::{Id, Key};
+use crate::layout::digits;
+
+/// The factors of a combination, as they are given.
+pub fn factors(combination: &Combination) -> String {
+    let factors = combination.factors.iter().map(|(name, factor)| {
+        let factor = match factor {
+            LoadFactor::One(factor) => digits(*factor),
+            LoadFactor::Pair([one, two]) => format!("{} or {}", digits(*one), digits(*two)),
+        };
+        format!("{name} × {factor}")
+    });
+    let factors = factors.collect::<Vec<_>>().join("; ");
+    if factors.is_empty() { "none".to_owned() } else { factors }
+}
+
+/// What else a combination of a case, by its place, says: its key, and what stands there in words.
+pub fn changes(case: &Case, index: usize) -> Vec<(&'static str, String)> {
+    let combination = &case.combinations[index];
+    let inputs = case.under(Acting::Combination(index)).inputs();
+    let becomes = |id: Id| match (inputs.number(id), inputs.dimension(id)) {
+        _ if combination.changes.iter().filter(|change| change.id == id).count() > 1 => String::new(),
+        (Some(number), Some(dimension)) => format!(" = {}", dimension.written(number)),
+        (Some(number), None) if id.key.name().ends_with("_deg") => format!(" = {}°", digits(number)),
+        (Some(number), None) => format!(" = {}", digits(number)),
+        (None, _) => String::new(),
+    };
+    let mut told: Vec<(&'static str, Vec<String>)> = Vec::new();
+    let mut tell = |key: &'static str, words: String| match told.last_mut() {
+        Some((last, all)) if *last == key => all.push(words),
+        _ => told.push((key, vec![words])),
+    };
+    for change in &combination.changes {
+        let name = &change.name;
+        let words = match &change.by {
+            ChangeBy::Set(text) => format!("{name} = {}", text.trim_matches(['"', '\''])),
+            ChangeBy::Scale(by) => format!("{name} × {}{}", digits(*by), becomes(change.id)),
+            ChangeBy::Material(by) if change.id.key == Key::GroundAngle => {
+                format!("tan {name} / {}{}", digits(*by), becomes(change.id))
+            }
+            ChangeBy::Material(by) => format!("{name} / {}{}", digits(*by), becomes(change.id)),
+            ChangeBy::Resistance(by) => format!("{name} / {}", digits(*by)),
+        };
+        tell(change.by.key().name(), words);
+    }
+    if combination.bearing != 1.0 {
+        tell("resist", format!("bearing / {}", digits(combination.bearing)));
+    }
+    if let Some(criteria) = &combination.criteria {
+        criteria.iter().for_each(|criterion| tell("criteria", criterion.to_string()));
+    }
+    told.into_iter().map(|(key, words)| (key, words.join(", "))).collect()
+}
+
+/// The names of the pairs of factors of a situation, and which of each is taken in a trial.
+pub fn pairs(case: &Case, acting: Acting, trial: Trial) -> Vec<(&str, f64)> {
+    let Acting::Combination(index) = acting else { return Vec::new() };
+    let combination = &case.combinations[index];
+    let pairs = combination.factors.iter().filter(|(_, factor)| matches!(factor, LoadFactor::Pair(_)));
+    pairs.filter_map(|(name, _)| Some((name.as_str(), combination.factor(name, trial)?))).collect()
+}
+
+/// The pairs of a situation in the way in which it is tried, in words: `weight × 0.9, sand × 1.35`.
+pub fn pair_words(case: &Case, assessed: &Assessed) -> Option<String> {
+    let pairs = pairs(case, assessed.acting, assessed.trial);
+    let words: Vec<_> = pairs.iter().map(|(name, factor)| format!("{name} × {}", digits(*factor))).collect();
+    (!words.is_empty()).then(|| words.join(", "))
+}

@@ -1,0 +1,533 @@
+//! Combinations: loads that act together, each times a factor, in a case some of whose numbers may be others there, with resistances
+//! divided and criteria of its own.
+//!
+//! The order is always the same: `set`, `scale`, `materials` and `resist` change the inputs, of which a [case of its own](Combination::of)
+//! is made; its loads then get `factors`; what comes of it is held against `criteria`. Of a pair of factors each is tried, and the worse
+//! counts.
+
+use std::sync::Arc;
+
+use standfast::Scalar;
+use standfast::loads::{Action, Face, Load, LoadSource};
+
+use super::loads::{FacePressure, PointForce};
+use super::reader::Reader;
+use super::{Acting, Case, LoadOrigin};
+use crate::couple::{Variable, spelled, vary};
+use crate::criteria::Criterion;
+use crate::error::{Fault, Place, Problem};
+use crate::inputs::{Inputs, LoadFactor};
+use crate::key::{Id, Key, Table};
+use crate::load_words::load_words;
+use crate::parse::read;
+
+/// Loads that act together, each times a factor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Combination {
+    /// Its name.
+    pub name: Option<String>,
+    /// The factors by the names of loads, or of what tables make.
+    pub factors: Vec<(String, LoadFactor)>,
+    /// Numbers and choices of the case that are others in it, in the order in which they are changed.
+    pub changes: Vec<InputChange>,
+    /// Divisor of the resistance of the ground.
+    pub bearing: f64,
+    /// Criteria in place of those of the case.
+    pub criteria: Option<Vec<Criterion>>,
+}
+
+/// A value of the case that is another in a combination.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InputChange {
+    /// Its key.
+    pub id: Id,
+    /// Name by which the combination calls it.
+    pub name: String,
+    /// Change that is made.
+    pub by: ChangeBy,
+}
+
+/// Change of an input in a combination.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ChangeBy {
+    /// Another value, as it is written.
+    Set(String),
+    /// A factor.
+    Scale(f64),
+    /// A divisor of a strength; of an angle of its tangent.
+    Material(f64),
+    /// A divisor of the resistance to sliding.
+    Resistance(f64),
+}
+
+/// One of the ways in which a situation is tried: the signs of the acceleration of the base, and of every pair of factors one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Trial {
+    /// Signs by which the acceleration of the base is multiplied, to the sides and upwards; `None` as it is given.
+    pub signs: Option<[i8; 2]>,
+    /// Places of the pairs of which the second factor is taken, as bits.
+    pub second: u64,
+}
+
+/// The most pairs of factors that a combination may have: 64 ways to try.
+pub const PAIRS: usize = 6;
+
+impl Trial {
+    /// The accelerations as they are given, the first of every pair of factors.
+    pub const AS_GIVEN: Trial = Trial { signs: None, second: 0 };
+
+    /// With these signs of the acceleration of the base.
+    pub fn shaken(signs: Option<[f64; 2]>) -> Trial {
+        Trial { signs: signs.map(|signs| signs.map(|sign| if sign < 0.0 { -1 } else { 1 })), second: 0 }
+    }
+
+    /// The signs as factors.
+    pub fn signs(self) -> Option<[f64; 2]> {
+        self.signs.map(|signs| signs.map(f64::from))
+    }
+}
+
+impl Combination {
+    /// The factor under a name, where the combination has it.
+    pub fn factor(&self, name: &str, trial: Trial) -> Option<f64> {
+        let (place, (_, factor)) = self.factors.iter().enumerate().find(|(_, (named, _))| named == name)?;
+        Some(match *factor {
+            LoadFactor::One(factor) => factor,
+            LoadFactor::Pair(both) => both[usize::from(trial.second >> self.pair(place) & 1 == 1)],
+        })
+    }
+
+    /// The place among the pairs of a factor that is one.
+    fn pair(&self, place: usize) -> usize {
+        self.factors[..place].iter().filter(|(_, factor)| matches!(factor, LoadFactor::Pair(_))).count()
+    }
+
+    /// The number of pairs.
+    pub fn pairs(&self) -> usize {
+        self.pair(self.factors.len())
+    }
+
+    /// True if it is no more than factors, one for each load.
+    pub fn is_plain(&self) -> bool {
+        self.pairs() == 0 && self.changes.is_empty() && self.bearing == 1.0 && self.criteria.is_none()
+    }
+}
+
+impl Case {
+    /// The cases of its combinations, where they change something.
+    pub(super) fn combined(&self) -> Result<Vec<Option<Arc<Case>>>, Fault> {
+        (0..self.combinations.len()).map(|index| self.changed(index)).collect()
+    }
+
+    /// The case of a combination, by its place; `None` where it is that of all.
+    fn changed(&self, index: usize) -> Result<Option<Arc<Case>>, Fault> {
+        let Combination { changes, bearing, .. } = &self.combinations[index];
+        if changes.is_empty() && *bearing == 1.0 {
+            return Ok(None);
+        }
+        let name = || self.acting_name(Acting::Combination(index)).unwrap_or_default();
+        let mut changed: Option<(Inputs, Case)> = None;
+        // One step after another: what is multiplied has been set before.
+        for key in
+            [Key::CombinationSet, Key::CombinationScale, Key::CombinationMaterials, Key::CombinationResist]
+        {
+            let of_step: Vec<&InputChange> = changes.iter().filter(|change| change.by.key() == key).collect();
+            if of_step.is_empty() {
+                continue;
+            }
+            let (inputs, case) =
+                changed.as_ref().map_or((&*self.inputs, self), |(inputs, case)| (inputs, case));
+            let id = Id::new(key, index);
+            let inputs = step(inputs, case, &of_step)
+                .map_err(|(place, problem)| Fault::new(problem, Place::Element(id, place)))?;
+            let case = Case::in_scalars(Arc::new(inputs.clone())).map_err(|fault| {
+                let problem = Problem::InCombination { name: name(), problem: Box::new(fault.problem) };
+                Fault::new(problem, id)
+            })?;
+            changed = Some((inputs, case));
+        }
+        let mut case = changed.map_or_else(|| self.clone(), |(_, case)| case);
+        case.ground = case.ground.map(|ground| ground.divided(*bearing));
+        Ok(Some(Arc::new(case)))
+    }
+
+    /// The names of the loads that act in none of the trials of a combination, by its place.
+    pub fn left_out(&self, index: usize) -> Vec<String> {
+        let combination = &self.combinations[index];
+        let loads = self.loads(Acting::Combination(index), self.earthquake);
+        let mut names: Vec<String> = Vec::new();
+        for (of, load) in loads.iter().filter(|(of, load)| !self.acts_in(combination, *of, load)) {
+            let name = self.called(*of, load).next().map_or_else(|| load_words(load), str::to_owned);
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
+    }
+
+    /// The inputs that it was made of.
+    pub fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// The numbers that are others in a combination, by its place, than in the case, with their keys: those that are named, and those that
+    /// move with them.
+    pub fn values_in(&self, index: usize) -> impl Iterator<Item = (Id, f64)> {
+        let changed = self.changed.get(index).and_then(Option::as_deref);
+        let numbers = changed.into_iter().flat_map(|case| case.inputs.numbers());
+        numbers.filter(|(id, number)| self.inputs.number(*id) != Some(*number))
+    }
+
+    /// The factors of a situation, where some are pairs.
+    pub fn pairs_in(&self, acting: Acting) -> Option<Id> {
+        match acting {
+            Acting::Combination(index) if self.combinations[index].pairs() > 0 => {
+                Some(Id::new(Key::LoadFactors, index))
+            }
+            _ => None,
+        }
+    }
+
+    /// True if a load acts in a combination, with any factor of a pair.
+    pub(super) fn acts_in(&self, combination: &Combination, of: LoadOrigin, load: &Load) -> bool {
+        (0..1_u64 << combination.pairs())
+            .any(|second| self.factor(combination, of, load, Trial { signs: None, second }) != 0.0)
+    }
+
+    /// The criteria of a situation.
+    pub fn criteria_of(&self, acting: Acting) -> &[Criterion] {
+        let of_combination = match acting {
+            Acting::Combination(index) => self.combinations[index].criteria.as_deref(),
+            _ => None,
+        };
+        of_combination.unwrap_or(&self.criteria)
+    }
+
+    /// The criteria of all situations, each once.
+    pub fn all_criteria(&self) -> Vec<Criterion> {
+        let mut all: Vec<Criterion> = Vec::new();
+        for acting in self.acting() {
+            let new = self.criteria_of(acting).iter().filter(|criterion| !all.contains(criterion));
+            let new: Vec<_> = new.copied().collect();
+            all.extend(new);
+        }
+        all
+    }
+
+    /// The ways in which a situation is tried: under each acceleration of the base, with each factor of a pair.
+    pub fn trials(&self, acting: Acting) -> Vec<Trial> {
+        let pairs = match acting {
+            Acting::Combination(index) => self.combinations[index].pairs(),
+            _ => 0,
+        };
+        let case = self.under(acting);
+        let shakings = case.shakings(acting);
+        let shakings =
+            if shakings.is_empty() { vec![None] } else { shakings.into_iter().map(Some).collect() };
+        let second = 0..1_u64 << pairs;
+        second
+            .flat_map(|second| shakings.iter().map(move |signs| Trial { second, ..Trial::shaken(*signs) }))
+            .collect()
+    }
+}
+
+impl<T: Scalar> Case<T> {
+    /// The case of a situation: that of its combination, where that changes something.
+    pub fn under(&self, acting: Acting) -> &Case<T> {
+        let changed = match acting {
+            Acting::Combination(index) => self.changed.get(index).and_then(Option::as_deref),
+            _ => None,
+        };
+        changed.unwrap_or(self)
+    }
+
+    /// Factor of a combination on a load: one that it does not name acts as it is if it is permanent, and else not. The more precise
+    /// name goes before.
+    pub(super) fn factor(
+        &self,
+        combination: &Combination,
+        of: LoadOrigin,
+        load: &Load<T>,
+        trial: Trial,
+    ) -> f64 {
+        let factor = self.called(of, load).find_map(|name| combination.factor(name, trial));
+        factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
+    }
+
+    /// The same factor of a combination, by its place, with all its decimals.
+    pub(super) fn factor_as_written(&self, index: usize, of: LoadOrigin, load: &Load<T>, trial: Trial) -> T {
+        let combination = &self.combinations[index];
+        let named = |name: &str| combination.factors.iter().position(|(known, _)| known == name);
+        let factor = self.factor(combination, of, load, trial);
+        match self.called(of, load).find_map(named) {
+            Some(place) if matches!(combination.factors[place].1, LoadFactor::One(_)) => {
+                self.inputs.element(Id::new(Key::LoadFactors, index), place, factor)
+            }
+            _ => T::written(factor),
+        }
+    }
+
+    /// The names by which a combination calls a load, the most precise first.
+    pub(super) fn called<'a>(
+        &'a self,
+        of: LoadOrigin,
+        load: &Load<T>,
+    ) -> impl Iterator<Item = &'a str> + use<'a, T> {
+        let (part, whole) = match of {
+            LoadOrigin::Table(table) => (part_name(table, load), table.in_combination()),
+            LoadOrigin::Pressure(index) => (None, self.pressures[index].name.as_deref()),
+            LoadOrigin::Force(index) => (None, self.forces[index].name.as_deref()),
+        };
+        part.into_iter().chain(whole)
+    }
+}
+
+/// The name in a combination of a part of what a table makes.
+fn part_name<T: Scalar>(table: Table, load: &Load<T>) -> Option<&'static str> {
+    match (table, load.source, &load.action) {
+        (Table::Water, LoadSource::Buoyancy, _) => Some("water.base"),
+        (Table::Water, LoadSource::WaterOnLeft, _) => Some("water.left"),
+        (Table::Water, LoadSource::WaterOnRight, _) => Some("water.right"),
+        (Table::Water, LoadSource::StillWater, Action::Pressure { face: Face::Left, .. }) => {
+            Some("water.left")
+        }
+        (Table::Water, LoadSource::StillWater, Action::Pressure { face: Face::Right, .. }) => {
+            Some("water.right")
+        }
+        (Table::Wave, LoadSource::WavePressure, _) => Some("wave.thrust"),
+        (Table::Wave, LoadSource::WaveUplift, _) => Some("wave.uplift"),
+        _ => None,
+    }
+}
+
+impl ChangeBy {
+    /// The key of a combination under which it stands.
+    pub fn key(&self) -> Key {
+        match self {
+            ChangeBy::Set(_) => Key::CombinationSet,
+            ChangeBy::Scale(_) => Key::CombinationScale,
+            ChangeBy::Material(_) => Key::CombinationMaterials,
+            ChangeBy::Resistance(_) => Key::CombinationResist,
+        }
+    }
+}
+
+/// What `materials` divides: of an angle the tangent.
+const STRENGTHS: [Key; 6] = [
+    Key::Friction,
+    Key::KineticFriction,
+    Key::Strength,
+    Key::GroundAngle,
+    Key::Cohesion,
+    Key::CentricResistance,
+];
+
+/// The key of a strength after a partial factor.
+fn divided(key: Key, value: f64, by: f64) -> f64 {
+    match key {
+        Key::GroundAngle => (value.to_radians().tan() / by).atan().to_degrees(),
+        _ => value / by,
+    }
+}
+
+impl Reader<'_> {
+    /// A combination: it names loads that there are, and keys, each of them once.
+    pub(super) fn combination(
+        &self,
+        index: usize,
+        forces: &[PointForce<impl Scalar>],
+        pressures: &[FacePressure<impl Scalar>],
+    ) -> Result<Combination, Fault> {
+        let id = |key| Id::new(key, index);
+        let factors = self.inputs.factors(id(Key::LoadFactors));
+        let factors = factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?;
+        let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table));
+        let mut names: Vec<&str> = Vec::new();
+        for table in tables {
+            names.extend(table.in_combination());
+            names.extend(self.names_of_parts(table));
+        }
+        if self.inputs.get(Key::BuoyantWeight).is_some() {
+            names.extend(Table::Water.in_combination());
+        }
+        let own = names.len();
+        let named =
+            forces.iter().map(|force| &force.name).chain(pressures.iter().map(|pressure| &pressure.name));
+        names.extend(named.flatten().map(String::as_str));
+        for (place, (name, factor)) in factors.iter().enumerate() {
+            let problem = match names.iter().filter(|known| *known == name).count() {
+                1 if name == "weight" && factor.all().contains(&0.0) => Problem::NoWeight,
+                1 => continue,
+                0 => {
+                    let names = names.iter().map(|name| (*name).to_owned()).collect();
+                    Problem::UnknownLoad { name: name.clone(), names }
+                }
+                _ if names[..own].contains(&name.as_str()) => Problem::TakenName { name: name.clone() },
+                _ => Problem::SameName { name: name.clone() },
+            };
+            return Err(Fault::new(problem, Place::Element(id(Key::LoadFactors), place)));
+        }
+        let name = self.inputs.text(id(Key::CombinationName)).map(str::to_owned);
+        let earlier = |index| self.inputs.text(Id::new(Key::CombinationName, index));
+        if let Some(name) = name.clone().filter(|name| (0..index).any(|index| earlier(index) == Some(name))) {
+            return Err(Fault::new(Problem::SameCombination { name }, id(Key::CombinationName)));
+        }
+        let (resistances, bearing) = self.resistances(index)?;
+        let mut changes = self.changes(index)?;
+        changes.extend(resistances);
+        let combination = Combination {
+            name,
+            factors: factors.to_vec(),
+            changes,
+            bearing,
+            criteria: self.own_criteria(index)?,
+        };
+        match combination.pairs() {
+            count if count > PAIRS => Err(Fault::new(Problem::TooManyPairs { count }, id(Key::LoadFactors))),
+            _ => Ok(combination),
+        }
+    }
+
+    /// The names of the parts of what a table makes; water that stands equally high on both sides of a block presses on none.
+    fn names_of_parts(&self, table: Table) -> &'static [&'static str] {
+        let sides =
+            self.number(Key::WaterLeft) != self.number(Key::WaterRight) || self.inputs.has(Table::Part);
+        match table {
+            Table::Water if sides => &["water.left", "water.right", "water.base"],
+            Table::Water => &["water.base"],
+            Table::Wave => &["wave.thrust", "wave.uplift"],
+            _ => &[],
+        }
+    }
+
+    /// What a combination sets, scales, and divides of strengths.
+    fn changes(&self, index: usize) -> Result<Vec<InputChange>, Fault> {
+        let mut changes: Vec<InputChange> = Vec::new();
+        let set = self.inputs.settings(Id::new(Key::CombinationSet, index)).unwrap_or_default();
+        let of_ratios = |key, by: fn(f64) -> ChangeBy| {
+            let ratios = self.inputs.ratios(Id::new(key, index)).unwrap_or_default();
+            ratios.iter().enumerate().map(move |(place, (name, ratio))| (place, name, by(*ratio)))
+        };
+        let set =
+            set.iter().enumerate().map(|(place, (name, text))| (place, name, ChangeBy::Set(text.clone())));
+        let all = set
+            .chain(of_ratios(Key::CombinationScale, ChangeBy::Scale))
+            .chain(of_ratios(Key::CombinationMaterials, ChangeBy::Material));
+        for (place, name, by) in all {
+            let key = by.key();
+            let fault = |problem| Fault::new(problem, Place::Element(Id::new(key, index), place));
+            let id = self.key_called(name, key).map_err(fault)?;
+            let is_number = id.key.info().range().is_some();
+            match by {
+                ChangeBy::Scale(_) if !is_number => {
+                    return Err(fault(Problem::NoNumber { name: name.clone() }));
+                }
+                ChangeBy::Material(_) if !STRENGTHS.contains(&id.key) => {
+                    let of = STRENGTHS.into_iter().map(Id::from).filter(|id| self.inputs.get(*id).is_some());
+                    let names = of.map(|id| id.to_string()).collect();
+                    return Err(fault(Problem::NoStrength { name: name.clone(), names }));
+                }
+                _ => {}
+            }
+            if changes.iter().any(|before| before.id == id && before.by.key() == key) {
+                return Err(fault(Problem::NamedTwice { name: name.clone() }));
+            }
+            changes.push(InputChange { id, name: name.clone(), by });
+        }
+        Ok(changes)
+    }
+
+    /// The key that `set`, `scale` or `materials` calls by a name.
+    fn key_called(&self, name: &str, by: Key) -> Result<Id, Problem> {
+        if let Ok(variable) = Variable::find(name, self.inputs) {
+            return Ok(variable.id());
+        }
+        let spelled = spelled(name, self.inputs);
+        let name = spelled.as_deref().unwrap_or(name);
+        let apart = |table: &Table| !matches!(table, Table::Top | Table::Combination | Table::Criteria);
+        let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table)).filter(apart);
+        let mut keys = tables.flat_map(|table| {
+            (0..self.inputs.count(table))
+                .flat_map(move |index| table.keys().map(move |key| Id::of(table, index, key)))
+        });
+        let found = keys.find(|id| id.to_string() == name);
+        // What the case does not say has no number to be multiplied.
+        let found = found.filter(|id| by == Key::CombinationSet || self.inputs.get(*id).is_some());
+        found.ok_or_else(|| {
+            let names = Variable::all(self.inputs).map(|id| id.to_string()).collect();
+            Problem::NoKeyCalled { name: name.to_owned(), by, names }
+        })
+    }
+
+    /// What a combination divides resistances by: the friction, as a change of the inputs, and the divisor of what the ground bears.
+    fn resistances(&self, index: usize) -> Result<(Option<InputChange>, f64), Fault> {
+        const NAMES: [&str; 2] = ["sliding", "bearing"];
+        let id = Id::new(Key::CombinationResist, index);
+        let ratios = self.inputs.ratios(id).unwrap_or_default();
+        for (place, (name, _)) in ratios.iter().enumerate() {
+            let at = Place::Element(id, place);
+            if !NAMES.contains(&name.as_str()) {
+                let names = NAMES.map(str::to_owned).to_vec();
+                return Err(Fault::new(Problem::UnknownResistance { name: name.clone(), names }, at));
+            }
+            if name == "bearing" && !self.inputs.has(Table::Ground) {
+                return Err(Fault::new(Problem::NoBearing, at));
+            }
+        }
+        let of = |name| ratios.iter().find(|(known, _)| known == name).map(|(_, ratio)| *ratio);
+        let sliding = of("sliding").map(|by| InputChange {
+            id: Key::Friction.into(),
+            name: "sliding".to_owned(),
+            by: ChangeBy::Resistance(by),
+        });
+        Ok((sliding, of("bearing").unwrap_or(1.0)))
+    }
+
+    /// The criteria of a combination.
+    fn own_criteria(&self, index: usize) -> Result<Option<Vec<Criterion>>, Fault> {
+        let id = Id::new(Key::CombinationCriteria, index);
+        let Some(bounds) = self.inputs.bounds(id) else { return Ok(None) };
+        let criteria = bounds.iter().enumerate().map(|(place, (key, value))| {
+            Criterion::of(*key, value).ok_or_else(|| {
+                let problem = Problem::CriterionOfAll { name: key.name() };
+                Fault::new(problem, Place::Element(id, place))
+            })
+        });
+        criteria.collect::<Result<_, _>>().map(Some)
+    }
+}
+
+/// The inputs after changes of one kind, with what goes with them; the place of the one that cannot be, and why.
+fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs, (usize, Problem)> {
+    let mut others = Vec::new();
+    let mut numbers = Vec::new();
+    for (place, change) in changes.iter().enumerate() {
+        let present = inputs.number(change.id);
+        let variable = match Variable::find(&change.name, inputs) {
+            Ok(variable) => variable,
+            Err(_) => Variable::of(change.id, inputs),
+        };
+        let value = match &change.by {
+            ChangeBy::Set(text) => {
+                let kind = change.id.key.info().kind;
+                let is_number = change.id.key.info().range().is_some() && present.is_some();
+                if !is_number {
+                    let value = read(change.id, kind, inputs.units(), text);
+                    others.push((change.id, value.map_err(|problem| (place, problem))?));
+                    continue;
+                }
+                let unquoted = text.trim_matches(['"', '\'']);
+                variable.read(unquoted, inputs).map_err(|problem| (place, problem))?
+            }
+            ChangeBy::Scale(by) => variable.value(inputs, case) * by,
+            ChangeBy::Material(by) | ChangeBy::Resistance(by) => {
+                divided(change.id.key, variable.value(inputs, case), *by)
+            }
+        };
+        numbers.push((variable, value));
+    }
+    let numbers: Vec<(&Variable, f64)> = numbers.iter().map(|(variable, value)| (variable, *value)).collect();
+    let mut changed = vary(inputs, case, &numbers);
+    others.into_iter().for_each(|(id, value)| changed.put(id, value));
+    Ok(changed)
+}
