@@ -26,11 +26,14 @@ mod spectrum;
 mod table;
 mod watch;
 
+use std::borrow::Cow;
+
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use standfast::{InputError, Mode, Verdict};
 use standfast_cases::beginnings::BEGINNINGS;
+use standfast_cases::examples::EXAMPLES;
 
 use crate::errors::StandfastError;
 
@@ -84,6 +87,12 @@ fn beginnings() -> Vec<(&'static str, &'static str, &'static str)> {
     BEGINNINGS.iter().map(|beginning| (beginning.name, beginning.title, beginning.text)).collect()
 }
 
+/// The examples: where each lies in their folder, and what it holds.
+#[pyfunction]
+fn examples() -> Vec<(&'static str, Cow<'static, [u8]>)> {
+    EXAMPLES.iter().map(|(path, bytes)| (*path, Cow::Borrowed(*bytes))).collect()
+}
+
 type Codes<'py> = Bound<'py, PyArrayDyn<u8>>;
 
 #[pymodule]
@@ -103,7 +112,12 @@ mod _standfast {
     #[pymodule_export]
     use super::diagram::{diagram_numbers, diagram_outlines, diagram_svg, failing_modes};
     #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "Python's name for it")]
+    const __commit__: Option<&str> = option_env!("STANDFAST_COMMIT");
+    #[pymodule_export]
     use super::errors::{CaseError, NoSolution, StandfastError};
+    #[pymodule_export]
+    use super::examples;
     #[pymodule_export]
     use super::explain::{contact_conditions, explain};
     #[pymodule_export]

@@ -32,3 +32,18 @@ def test_the_package_says_what_to_type() -> None:
     told = subprocess.run([sys.executable, "-m", "standfast"], check=True, capture_output=True, text=True, encoding="utf-8").stdout
     assert told.startswith(f"standfast {standfast.__version__}, a Python package.")
     assert [kind for kind in KINDS if f'standfast.new("{kind}", "my.toml")' in told] == KINDS
+
+
+def test_the_examples_come_with_the_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(FileNotFoundError) as missing:
+        standfast.assess("examples/goda-2000.toml")
+    if sys.version_info >= (3, 11):
+        assert missing.value.__notes__ == ["standfast.examples() writes the examples into the folder examples"]
+    files = standfast.examples()
+    own = Path(__file__).parents[2] / "examples"
+    assert {path.relative_to("examples") for path in files} == {path.relative_to(own) for path in own.rglob("*") if path.is_file() and path.suffix != ".svg"}
+    assert all(path.read_bytes() == (own / path.relative_to("examples")).read_bytes() for path in files)
+    assert standfast.assess("examples/goda-2000.toml").load_factor == pytest.approx(1.1245, abs=1e-3)
+    with pytest.raises(FileExistsError):
+        standfast.examples()

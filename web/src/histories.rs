@@ -185,8 +185,19 @@ impl Page {
     /// # Errors
     /// What is wrong with it.
     pub fn shake_with(&mut self, name: &str) -> Result<(), String> {
-        // With its factor, which is a field: how strong it is.
-        self.shake(&format!("{{ shape = \"file\", file = \"{name}\", factor = 1 }}"))
+        let file = self.settled();
+        let held = file.inputs().number(Key::Horizontal).filter(|peak| *peak != 0.0);
+        match held.and(file.shown(Key::Horizontal.into())) {
+            // As strong as the earthquake was.
+            Some(peak) => {
+                let peak = peak.trim_start_matches('-');
+                self.shake(&format!("{{ shape = \"file\", file = \"{name}\", target_peak = \"{peak}\" }}"))?;
+                self.told += &format!(" The record is scaled to its {peak}.");
+                Ok(())
+            }
+            // With its factor, which is a field: how strong it is.
+            None => self.shake(&format!("{{ shape = \"file\", file = \"{name}\", factor = 1 }}")),
+        }
     }
 
     /// Shakes the base as it is written, in place of an earthquake, with which the same shaking would count twice.
@@ -299,8 +310,10 @@ mod tests {
         page.shake_with("shake.csv").unwrap();
         assert!(page.answered().is_in_time() && !page.text().contains("[earthquake]"));
         assert!(page.text().ends_with(
-            "\n[motion.base]\nhorizontal = { shape = \"file\", file = \"shake.csv\", factor = 1 }\n"
+            "\n[motion.base]\nhorizontal = { shape = \"file\", file = \"shake.csv\", target_peak = \"0.25 g\" }\n"
         ));
+        // As strong as the earthquake was, whose peak the record itself does not have.
+        assert_eq!(page.told, "It takes the place of [earthquake]. The record is scaled to its 0.25 g.");
         assert!(!page.can_shake_with("shake.csv"));
         page.undo();
         assert!(page.text().contains("[earthquake]"));

@@ -32,7 +32,7 @@ test("a dropped record offers to shake the body, in one step, as the program doe
     assert.equal(await page.textContent("#offer-fault"), "", name);
     assert.equal(await page.isVisible("#offer"), false);
     const shaken = await text(page);
-    assert.ok(shaken.endsWith(`\n[motion.base]\nhorizontal = { shape = "file", file = "${name}", factor = 1 }\n`), shaken);
+    assert.ok(shaken.endsWith(`\n[motion.base]\nhorizontal = { shape = "file", file = "${name}", target_peak = "0.25 g" }\n`), shaken);
     assert.ok(!shaken.includes("[earthquake]"));
     assert.equal(await page.isVisible("#transport"), true);
     // The program moves it the same way.

@@ -191,7 +191,7 @@ test("how much stronger a shaking overturns the body comes by itself, as the pro
   const { summary } = JSON.parse(execFileSync(program, ["simulate", rack, "--format", "json", "--no-figures"], { encoding: "utf8" }));
   await page.waitForSelector("#strengths:not([hidden]) svg", { timeout: 30_000 });
   assert.equal(await page.textContent("#near"), summary.near);
-  assert.match(summary.near, /stronger overturns it/);
+  assert.match(summary.near, /stronger \([\d.]+ g to the sides\) overturns it/);
   assert.match(await page.textContent("#strengths desc"), /^Of 47 factors on the loads \d+ overturn it/);
   // Of another text it is looked for anew.
   await page.evaluate(() => {

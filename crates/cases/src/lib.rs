@@ -10,7 +10,7 @@
 //!
 //! | question | start at |
 //! |---|---|
-//! | What does a case look like? | [`beginnings`] |
+//! | What does a case look like? | [`beginnings`], [`examples`] |
 //! | What may stand in a case file? | [`key`], [`units`] |
 //! | What does a file say, and where? | [`CaseFile`], [`Inputs`] |
 //! | What is the answer to a case? | [`Assessment`]; its results by name: [`results`]; its criteria: [`criteria`] |
@@ -34,6 +34,7 @@ pub mod compare;
 pub mod describe;
 pub mod design;
 mod document;
+pub mod examples;
 mod interface;
 mod json;
 pub mod layout;

@@ -46,6 +46,8 @@ pub struct Unknown {
     pub suggestion: Option<String>,
     /// The numbers of the case.
     pub names: Vec<String>,
+    /// The line to write for it, where it is a number that the case may have and does not write; with the table for that.
+    pub unwritten: Option<(Table, String)>,
 }
 
 /// Note on the numbers that stay when the body or the water is changed.
@@ -85,7 +87,13 @@ impl Variable {
         let names: Vec<_> = Variable::all(inputs).map(|id| id.to_string()).collect();
         let candidates = SHORT_NAMES.iter().map(|(short, _)| *short).chain(names.iter().map(String::as_str));
         let suggestion = closest(name, candidates.filter(|candidate| *candidate != name)).map(str::to_owned);
-        Err(Unknown { name: name.to_owned(), suggestion, names })
+        let numbers = Table::ALL.into_iter().filter(|table| inputs.has(*table)).flat_map(|table| {
+            let numbers = table.keys().filter(|key| key.info().range().is_some());
+            numbers.map(move |key| Id::of(table, 0, key))
+        });
+        let mut numbers = numbers.filter(|id| id.to_string() == name);
+        let unwritten = numbers.next().map(|id| (id.table, id.key.info().line()));
+        Err(Unknown { name: name.to_owned(), suggestion, names, unwritten })
     }
 
     /// The numbers of a case that can be varied.

@@ -33,7 +33,7 @@ from ._figure import Figure
 from ._limits import LimitStates, LimitStatesArrays, limit_states
 from ._mode_arrays import ModeArray, ModeNames
 from ._modes import Mode, Modes
-from ._new import new
+from ._new import examples, new
 from ._probability import Probability, draws, probability
 from ._sheet import sheet
 from ._simulate import Simulation, simulate
@@ -86,6 +86,7 @@ __all__ = [
     "contact_conditions",
     "design",
     "draws",
+    "examples",
     "explain",
     "limit_states",
     "new",

@@ -6,7 +6,9 @@ import functools
 import json
 import math
 import os
+import sys
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -170,8 +172,13 @@ def case_text(case: str | os.PathLike[str] | Mapping[str, object]) -> tuple[str,
     name = os.fspath(case)
     if isinstance(case, str) and "\n" in case:
         raise CaseError(f"case is {short(case)!r}, a text; expected the path of a case file, or a dict with the same keys: tomllib.loads(text)")
-    with open(name, "rb") as file:
-        content = file.read()
+    try:
+        with open(name, "rb") as file:
+            content = file.read()
+    except FileNotFoundError as error:
+        if sys.version_info >= (3, 11) and Path(name).parts[:1] == ("examples",):
+            error.add_note("standfast.examples() writes the examples into the folder examples")
+        raise
     try:
         return name, content.decode("utf-8")
     except UnicodeDecodeError as error:

@@ -36,3 +36,25 @@ def new(kind: str, path: str | os.PathLike[str] | None = None) -> str:
         with Path(path).open("x", encoding="utf-8", newline="\n") as file:
             file.write(texts[kind])
     return texts[kind]
+
+
+def examples(folder: str | os.PathLike[str] = "examples") -> list[Path]:
+    """Writes the examples of README and book, with the records that they name: what ``standfast new --examples`` writes.
+
+    Args:
+        folder: where to write them; it is made, and a file that is there stays as it is.
+
+    Returns:
+        The files written.
+
+    Raises:
+        FileExistsError: if one of the files is there already; then none is written.
+    """
+    files = {Path(folder) / name: content for name, content in _standfast.examples()}
+    for path in files:
+        if path.exists():
+            raise FileExistsError(f"{path} is there already; choose another folder")
+    for path, content in files.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    return list(files)

@@ -17,6 +17,7 @@ __all__ = [
     "NoSolution",
     "StandfastError",
     "Sweep",
+    "__commit__",
     "__version__",
     "assess",
     "beginnings",
@@ -35,6 +36,7 @@ __all__ = [
     "diagram_outlines",
     "diagram_svg",
     "failing_modes",
+    "examples",
     "explain",
     "heading",
     "limit_states",
@@ -57,6 +59,7 @@ __all__ = [
 ]
 
 __version__: str
+__commit__: str | None
 class StandfastError(ValueError): ...
 class CaseError(StandfastError): ...
 class NoSolution(StandfastError): ...
@@ -283,6 +286,7 @@ def draws(
 _Polyline = list[tuple[float, float]]
 
 def beginnings() -> list[tuple[str, str, str]]: ...
+def examples() -> list[tuple[str, bytes]]: ...
 def modes() -> list[tuple[str, str, str]]: ...
 def classify(
     arrays: Sequence[NDArray[Any]], mask: _Mask, out: NDArray[np.uint8] | None, run: _Run

@@ -32,6 +32,8 @@ pub fn wheel(toolchain: &Toolchain, system: &System, folder: &Path) -> Result<(P
     let built =
         built.filter_map(Result::ok).map(|entry| entry.path()).find(|path| path.extension().is_some());
     let built = built.ok_or("maturin wrote no wheel")?;
+    let repack = root().join("xtask/dist/repack_wheel.py");
+    ran(Command::new(toolchain.python()).arg(repack).arg(&built).arg(root()))?;
     let unpacked = place.join("unpacked");
     made(&unpacked)?;
     ran(Command::new(toolchain.python()).args(["-m", "zipfile", "-e"]).arg(&built).arg(&unpacked))?;

@@ -214,7 +214,13 @@ impl Explained for DesignError {
     }
 }
 
-fn known(Unknown { suggestion, names, .. }: &Unknown) -> String {
+fn known(Unknown { suggestion, names, unwritten, .. }: &Unknown) -> String {
+    if let Some((table, line)) = unwritten {
+        return format!(
+            "the case does not give it; write it first under {}, for example {line}",
+            table.header()
+        );
+    }
     let names = format!(
         "the quantities of this case: width, height, mass, friction, water_level, crest_height where it has them, or one of {}",
         names.join(", ")

@@ -122,8 +122,17 @@ impl Resolve<'_> {
             Err(unknown) => {
                 let biases = Bias::ALL.map(Bias::name);
                 let suggestion = unknown.suggestion.or_else(|| closest(name, biases).map(str::to_owned));
-                let known =
-                    format!("its numbers are {}, and {}", unknown.names.join(", "), biases.join(", "));
+                let known = match unknown.unwritten {
+                    Some((table, line)) => {
+                        format!(
+                            "the case does not give it: write it first under {}, for example {line}",
+                            table.header()
+                        )
+                    }
+                    None => {
+                        format!("its numbers are {}, and {}", unknown.names.join(", "), biases.join(", "))
+                    }
+                };
                 let name = named.name.clone();
                 Err((RandomProblem::NoNumber { name, suggestion, known }, named.span.clone()))
             }

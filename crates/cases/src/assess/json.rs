@@ -3,7 +3,7 @@
 //! Units are SI throughout. Results stand under the names of the [one list](crate::results). `null` says that there is no such
 //! thing; a number without bound is the word `infinite`.
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
 
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -196,41 +196,73 @@ struct Force<'a> {
 #[derive(Serialize)]
 struct Combination<'a> {
     name: Option<&'a str>,
-    factors: BTreeMap<&'a str, Factor>,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    set: BTreeMap<&'a str, &'a str>,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    scale: BTreeMap<&'a str, f64>,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    materials: BTreeMap<&'a str, f64>,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    resist: BTreeMap<&'a str, f64>,
+    factors: Named<'a>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    set: Named<'a>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    scale: Named<'a>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    materials: Named<'a>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    resist: Named<'a>,
     /// Numbers of the case that are others in it, as they are there.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    numbers: BTreeMap<String, f64>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    numbers: Named<'a>,
     /// The waves, where they are others in it.
     #[serde(skip_serializing_if = "Option::is_none")]
     wave: Option<Wave<'a>>,
     /// The factors of pairs that are the worst.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    factors_used: BTreeMap<&'a str, f64>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    factors_used: Named<'a>,
     /// The other factors of pairs that were tried, none of them worse.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     tried: Vec<Tried<'a>>,
 }
 
-/// A factor, or the two that are tried.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Factor {
-    One(f64),
+/// What stands under names, in the order of the alphabet.
+struct Named<'a>(Vec<(Cow<'a, str>, NamedValue<'a>)>);
+
+/// A number, the two factors of a pair, or words.
+enum NamedValue<'a> {
+    Number(f64),
     Pair([f64; 2]),
+    Words(&'a str),
+}
+
+impl<'a> Named<'a> {
+    fn of(mut named: Vec<(Cow<'a, str>, NamedValue<'a>)>) -> Named<'a> {
+        named.sort_by(|(one, _), (two, _)| one.cmp(two));
+        Named(named)
+    }
+
+    fn numbers(named: Vec<(&'a str, f64)>) -> Named<'a> {
+        let named = named.into_iter().map(|(name, number)| (Cow::Borrowed(name), NamedValue::Number(number)));
+        Named::of(named.collect())
+    }
+
+    fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl Serialize for Named<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (name, value) in &self.0 {
+            match value {
+                NamedValue::Number(number) => map.serialize_entry(name, number)?,
+                NamedValue::Pair(both) => map.serialize_entry(name, both)?,
+                NamedValue::Words(words) => map.serialize_entry(name, words)?,
+            }
+        }
+        map.end()
+    }
 }
 
 /// A way in which a situation was tried.
 #[derive(Serialize)]
 struct Tried<'a> {
-    factors: BTreeMap<&'a str, f64>,
+    factors: Named<'a>,
     earthquake: Option<Earthquake>,
     mode: ResultValue,
     departure: ResultValue,
@@ -454,46 +486,40 @@ impl<'a> Combination<'a> {
         let (combination, under) = (&case.combinations[index], case.under(assessed.acting));
         let factors = combination.factors.iter().map(|(name, factor)| {
             let factor = match *factor {
-                LoadFactor::One(factor) => Factor::One(factor),
-                LoadFactor::Pair(both) => Factor::Pair(both),
+                LoadFactor::One(factor) => NamedValue::Number(factor),
+                LoadFactor::Pair(both) => NamedValue::Pair(both),
             };
-            (name.as_str(), factor)
+            (Cow::Borrowed(name.as_str()), factor)
         });
-        let ratios = |of: fn(&ChangeBy) -> Option<f64>| {
-            let changes = combination.changes.iter();
-            changes.filter_map(move |change| Some((change.name.as_str(), of(&change.by)?))).collect()
-        };
-        let set = combination.changes.iter().filter_map(|change| match &change.by {
-            ChangeBy::Set(text) => Some((change.name.as_str(), text.trim_matches(['"', '\'']))),
-            _ => None,
-        });
-        let mut resist: BTreeMap<&str, f64> = ratios(|by| match by {
-            ChangeBy::Resistance(by) => Some(*by),
-            _ => None,
-        });
-        if combination.bearing != 1.0 {
-            resist.insert("bearing", combination.bearing);
+        let [mut set, mut scale, mut materials, mut resist] = [const { Vec::new() }; 4];
+        for change in &combination.changes {
+            let (to, value) = match &change.by {
+                ChangeBy::Set(text) => (&mut set, NamedValue::Words(text.trim_matches(['"', '\'']))),
+                ChangeBy::Scale(by) => (&mut scale, NamedValue::Number(*by)),
+                ChangeBy::Material(by) => (&mut materials, NamedValue::Number(*by)),
+                ChangeBy::Resistance(by) => (&mut resist, NamedValue::Number(*by)),
+            };
+            to.push((Cow::Borrowed(change.name.as_str()), value));
         }
+        if combination.bearing != 1.0 {
+            resist.push((Cow::Borrowed("bearing"), NamedValue::Number(combination.bearing)));
+        }
+        let numbers = case.values_in(index);
+        let numbers = numbers.map(|(id, value)| (Cow::Owned(id.to_string()), NamedValue::Number(value)));
         let pairs = |assessed: &Assessed| combination::pairs(case, assessed.acting, assessed.trial);
-        let used: BTreeMap<_, _> = pairs(assessed).into_iter().collect();
+        let used = pairs(assessed);
         let others = if used.is_empty() { &[][..] } else { &assessed.others };
         Combination {
             name: combination.name.as_deref(),
-            factors: factors.collect(),
-            set: set.collect(),
-            scale: ratios(|by| match by {
-                ChangeBy::Scale(by) => Some(*by),
-                _ => None,
-            }),
-            materials: ratios(|by| match by {
-                ChangeBy::Material(by) => Some(*by),
-                _ => None,
-            }),
-            resist,
+            factors: Named::of(factors.collect()),
+            set: Named::of(set),
+            scale: Named::of(scale),
+            materials: Named::of(materials),
+            resist: Named::of(resist),
+            numbers: Named::of(numbers.collect()),
             wave: under.wave.as_ref().filter(|_| under.wave != case.wave).map(Wave),
-            numbers: case.values_in(index).map(|(id, value)| (id.to_string(), value)).collect(),
             tried: others.iter().map(|other| Tried::of(pairs(other), other)).collect(),
-            factors_used: used,
+            factors_used: Named::numbers(used),
         }
     }
 }
@@ -501,7 +527,7 @@ impl<'a> Combination<'a> {
 impl<'a> Tried<'a> {
     fn of(factors: Vec<(&'a str, f64)>, assessed: &Assessed) -> Tried<'a> {
         Tried {
-            factors: factors.into_iter().collect(),
+            factors: Named::numbers(factors),
             earthquake: assessed.earthquake.as_ref().map(Earthquake::of),
             mode: ResultName::Mode.of(assessed),
             departure: ResultName::Departure.of(assessed),

@@ -152,6 +152,13 @@ impl Problem {
                     None => known,
                 }
             }
+            Problem::OneWaveHeight { missing: Key::H13 } => {
+                "H13 is Hmax/1.8 where no wave breaks; it has little influence on the pressures".into()
+            }
+            Problem::OneWaveHeight { .. } => {
+                "Hmax is 1.8 times H13 where no wave breaks; give `deep_water_height` in place of both, and both follow".into()
+            }
+            Problem::Unread { .. } => "it is looked for beside the case file".into(),
             Problem::InCombination { problem, .. } => return problem.help(),
             Problem::NoKeyCalled { name, by, names } => {
                 let also = match by {
@@ -231,10 +238,8 @@ impl Problem {
             | Problem::SameCombination { .. }
             | Problem::NoWeight
             | Problem::SidesWithoutWater
-            | Problem::OneWaveHeight { .. }
             | Problem::CaissonWidth { .. }
             | Problem::History { .. }
-            | Problem::Unread { .. }
             | Problem::BothIn { .. }
             | Problem::ByWavesRise { .. }
             | Problem::RatioOfOtherLaw
