@@ -111,7 +111,7 @@ def test_a_text_without_unit_has_no_results_if_that_is_asked() -> None:
         found = quiet(standfast.assess_table, GODA, table, columns=["mode", "P"], on_error="null")
         problems = [None if not isinstance(words, str) or not words else words for words in found["problem"]]
         assert [problem is None for problem in problems] == [True, False, True, False], type(table)
-        assert problems[1] == 'column body.width: "15": it is a text without a unit; expected a number, or a length in mm, cm or m'
+        assert problems[1] == 'column body.width: "15": it is a text without a unit; expected a number, or a length in mm, cm, m, ft or in'
         alone = quiet(standfast.assess_table, GODA, {"body.width": [15, 16]}, columns=["P"])["P"].tolist()
         forces = [force for force, problem in zip(found["P"], problems) if problem is None]
         assert forces == alone

@@ -69,7 +69,7 @@ test("what is none, or could be two, is refused, and stays with its message", as
     [FORCE, "2,700 kN/m", AMBIGUOUS],
     [FORCE, "1.234,5", "“1.234,5” has more than one point or comma: type 1234.5 if that is meant."],
     ["body.friction", "abc", "“abc” is not a number."],
-    ["body.width", "12 ft", "“ft” is not a unit of this field, which takes mm, cm or m."],
+    ["body.width", "12 yd", "“yd” is not a unit of this field, which takes mm, cm, m, ft or in."],
     ["body.friction", "", "A number is missing."],
     ["body.width", "0", "`width` is \"0 m\"; expected a finite number above zero"],
     ["load[1].elevation", "13", "`elevation` is above the crest of the body, which is 12 m high"],

@@ -304,7 +304,7 @@ fn every_refusal_says_why() {
         assert!(!refused.contains("case.toml"), "{refused}");
     }
     let refused = refusal(SEISMIC, ranged("earthquake.horizontal", "rest", "0.1 gal", ""));
-    assert!(refused.contains("as \"0.2 g\": g, m/s2 or m/s²"), "{refused}");
+    assert!(refused.contains("as \"0.2 g\": g, m/s2, m/s², cm/s2, Gal or ft/s2"), "{refused}");
     let refused = refusal(SEISMIC, ranged("earthquake.horizontal", "rest", "0.1", ""));
     assert!(refused.contains("it has no unit"), "{refused}");
     assert!(

@@ -392,7 +392,7 @@ fn bad_ground() {
     for (criteria, parts) in [
         ("ground_factor = 1.4", ["`ground_factor` asks for what the ground bears", "neither `strength` nor"]),
         ("rotation_max = \"2 mrad\"", ["`rotation_max` asks for how far", "no `stiffness`"]),
-        ("rotation_max = \"2 deg\"", ["`deg` does not fit", "rad or mrad"]),
+        ("rotation_max = \"2 gon\"", ["`gon` does not fit", "rad, mrad, deg or °"]),
     ] {
         let said = refused(&format!("{CAISSON}{PUSH}[criteria]\n{criteria}\n"));
         assert!(parts.iter().all(|part| said.contains(part)), "{said}");

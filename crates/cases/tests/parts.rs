@@ -234,7 +234,7 @@ fn units_are_those_of_a_metre_or_of_the_whole() {
     let load = "[[load]]\nelevation = 2\n";
     for (file, expected) in [
         (body(&format!("mass = \"33 t\"\n{load}force = 1\n")), "expected a mass per metre run"),
-        (body(&format!("mass = \"33 t\"\n{load}force = 1\n")), "a single object"),
+        (body(&format!("mass = \"33 t\"\n{load}force = 1\n")), "its `length` in [body]"),
         (
             body(&format!("mass = 33e3\nlength = 2\n{load}force = \"9 kN/m\"\n")),
             "expected a force on the whole",

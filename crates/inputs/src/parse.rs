@@ -700,7 +700,7 @@ impl Field<'_> {
             DeValue::Float(float) => (float.as_str(), 0),
             DeValue::String(text) => {
                 let unit = self.dimension().and_then(|dimension| dimension.split(text).ok());
-                (split_text(text.trim())?.0, unit.map_or(0, |(_, unit)| unit.0))
+                (split_text(text.trim())?.0, unit.map_or(Some(0), |(_, unit)| unit.power())?)
             }
             _ => return None,
         };
@@ -733,6 +733,16 @@ mod tests {
     #[test]
     fn a_slip_is_answered_by_what_to_type() {
         for (text, help) in [
+            (
+                "[[load]]\nforce = \"45 t/m\"",
+                "t is a mass: a force of so many tonnes is in tf, tf/m or tf/m2",
+            ),
+            (
+                "[[pressure]]\npressure = [\"4 kg/cm2\", 0]",
+                "kg is a mass: a force of so many is in kgf, kgf/m or kgf/cm2",
+            ),
+            ("[[load]]\nforce = \"45 lb/ft\"", "a force is in lbf, lbf/ft or psf"),
+            ("[body]\nmass = \"3 ton/m\"", "a ton may be 1000 kg, 2000 lb or 2240 lb"),
             ("[body]\nfriction = 0,6", "a point, with a digit on each side: friction = 0.6"),
             ("[body]\nfriction = .6", "friction = 0.6"),
             ("[body]\nwidth = 12,5 m   # 3\" pipe", "stand in quotes, e.g. width = \"12.5 m\""),

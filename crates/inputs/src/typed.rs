@@ -258,9 +258,13 @@ mod tests {
             (
                 "3 mN/m",
                 of(Dimension::Force),
-                "“mN/m” is not a unit of this field, which takes N/m, kN/m or MN/m.",
+                "“mN/m” is not a unit of this field, which takes N/m, kN/m, MN/m, kgf/m, tf/m, lbf/ft or kip/ft.",
             ),
-            ("3 ft", of(Dimension::Length), "“ft” is not a unit of this field, which takes mm, cm or m."),
+            (
+                "3 yd",
+                of(Dimension::Length),
+                "“yd” is not a unit of this field, which takes mm, cm, m, ft or in.",
+            ),
             ("0.6 m", PLAIN, "“m” is no part of a number, and this one has no unit."),
         ] {
             assert_eq!(read(typed, units), Err(message.to_owned()));

@@ -107,31 +107,63 @@ pub enum Dimension {
 /// The name of a unit, and the power of ten that makes SI of it.
 type NamedUnit = (&'static str, i32);
 
-/// A unit of some dimension: the power of ten by which it is more than that of SI.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Unit(pub i32);
+/// A unit of some dimension, by what makes SI of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// A power of ten.
+    power: i32,
+    /// A factor beside it; 1 of the units of SI.
+    factor: f64,
+}
 
 impl Unit {
+    /// That of SI times a power of ten.
+    pub const fn of_power(power: i32) -> Unit {
+        Unit { power, factor: 1.0 }
+    }
+
+    const fn of_factor(factor: f64) -> Unit {
+        Unit { power: 0, factor }
+    }
+
+    /// The power of ten that makes SI of it, where nothing else does.
+    pub fn power(self) -> Option<i32> {
+        (self.factor == 1.0).then_some(self.power)
+    }
+
     /// So many of it, in SI units: the f64 nearest to the decimal that `value` stands for, times a power of ten. "123 mm" is 0.123,
-    /// just as the plain number is.
+    /// just as the plain number is; of a unit with a factor, to fifteen digits: "3 ft" is 0.9144.
     pub fn si(self, value: f64) -> f64 {
+        if self.factor != 1.0 {
+            return format!("{:.14e}", value * self.factor).parse().unwrap_or(f64::NAN);
+        }
         // A whole number is multiplied, or divided, with one rounding.
-        if self.0 == 0 || value.fract() == 0.0 {
-            let factor = 10f64.powi(self.0.abs());
-            return if self.0 < 0 { value / factor } else { value * factor };
+        if self.power == 0 || value.fract() == 0.0 {
+            let factor = 10f64.powi(self.power.abs());
+            return if self.power < 0 { value / factor } else { value * factor };
         }
         let written = format!("{value:e}");
         let (digits, exponent) = written.split_once('e').unwrap_or((&written, "0"));
-        let exponent = exponent.parse::<i32>().unwrap_or_default() + self.0;
+        let exponent = exponent.parse::<i32>().unwrap_or_default() + self.power;
         format!("{digits}e{exponent}").parse().unwrap_or(f64::NAN)
     }
 
     /// An SI value as a number of this unit.
     pub fn of_si(self, value: f64) -> f64 {
-        let factor = 10f64.powi(self.0.abs());
-        if self.0 < 0 { value * factor } else { value / factor }
+        if self.factor != 1.0 {
+            return value / self.factor;
+        }
+        let factor = 10f64.powi(self.power.abs());
+        if self.power < 0 { value * factor } else { value / factor }
     }
 }
+
+/// kgf, lbf and their like: 9.80665 N by definition, and 0.45359237 kg times that.
+const KGF: f64 = 9.80665;
+const LBF: f64 = 4.448_221_615_260_5;
+/// The foot and the inch, m.
+const FOOT: f64 = 0.3048;
+const INCH: f64 = 0.0254;
 
 /// A unit by its name, in which a number is shown to people.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,7 +174,7 @@ pub struct ShownUnit {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum ShownScale {
-    Power(Unit),
+    Unit(Unit),
     Gravity(f64),
 }
 
@@ -165,7 +197,7 @@ impl ShownUnit {
     /// So many of it, in SI units.
     pub fn in_si(self, number: f64) -> f64 {
         match self.of {
-            ShownScale::Power(unit) => unit.si(number),
+            ShownScale::Unit(unit) => unit.si(number),
             ShownScale::Gravity(gravity) => number * gravity,
         }
     }
@@ -173,7 +205,7 @@ impl ShownUnit {
     /// An SI value as a number of this unit.
     pub fn of_si(self, si: f64) -> f64 {
         match self.of {
-            ShownScale::Power(unit) => unit.of_si(si),
+            ShownScale::Unit(unit) => unit.of_si(si),
             ShownScale::Gravity(gravity) => si / gravity,
         }
     }
@@ -186,20 +218,58 @@ impl Dimension {
             Dimension::Mass => &[("kg/m", 0), ("t/m", 3)],
             Dimension::Density => &[("kg/m3", 0), ("t/m3", 3), ("kg/m³", 0), ("t/m³", 3)],
             Dimension::Force => &[("N/m", 0), ("kN/m", 3), ("MN/m", 6)],
-            Dimension::Acceleration => &[("m/s2", 0), ("m/s²", 0)],
+            Dimension::Acceleration => &[("m/s2", 0), ("m/s²", 0), ("cm/s2", -2), ("Gal", -2)],
             Dimension::Inertia => &[("kg m2/m", 0), ("t m2/m", 3), ("kg m²/m", 0), ("t m²/m", 3)],
-            Dimension::Pressure => &[("Pa", 0), ("kPa", 3), ("MPa", 6), ("kN/m2", 3), ("kN/m²", 3)],
-            Dimension::UnitWeight => &[("N/m3", 0), ("kN/m3", 3), ("N/m³", 0), ("kN/m³", 3)],
+            Dimension::Pressure => &[
+                ("Pa", 0),
+                ("kPa", 3),
+                ("MPa", 6),
+                ("bar", 5),
+                ("kN/m2", 3),
+                ("kN/m²", 3),
+                ("kN/m^2", 3),
+                ("MN/m2", 6),
+                ("N/mm2", 6),
+                ("N/mm²", 6),
+            ],
+            Dimension::UnitWeight => &[("N/m3", 0), ("kN/m3", 3), ("N/m³", 0), ("kN/m³", 3), ("kN/m^3", 3)],
             Dimension::Stiffness => {
                 &[("N/m3", 0), ("kN/m3", 3), ("MN/m3", 6), ("N/m³", 0), ("kN/m³", 3), ("MN/m³", 6)]
             }
             Dimension::Angle => &[("rad", 0), ("mrad", -3)],
-            Dimension::Time => &[("s", 0)],
+            Dimension::Time => &[("s", 0), ("ms", -3)],
             Dimension::Moment => &[("N m/m", 0), ("kN m/m", 3), ("MN m/m", 6)],
             Dimension::WholeMass => &[("kg", 0), ("t", 3)],
             Dimension::WholeForce => &[("N", 0), ("kN", 3), ("MN", 6)],
             Dimension::WholeInertia => &[("kg m2", 0), ("t m2", 3), ("kg m²", 0), ("t m²", 3)],
             Dimension::WholeMoment => &[("N m", 0), ("kN m", 3), ("MN m", 6)],
+        }
+    }
+
+    /// Units that are none of SI times a power of ten, with their size in SI.
+    fn others(self) -> &'static [(&'static str, f64)] {
+        match self {
+            Dimension::Length => &[("ft", FOOT), ("in", INCH)],
+            Dimension::Mass => &[("slug/ft", LBF / FOOT / FOOT)],
+            Dimension::Density => &[("pcf", LBF / KGF / (FOOT * FOOT * FOOT))],
+            Dimension::Force => {
+                &[("kgf/m", KGF), ("tf/m", 1e3 * KGF), ("lbf/ft", LBF / FOOT), ("kip/ft", 1e3 * LBF / FOOT)]
+            }
+            Dimension::Acceleration => &[("ft/s2", FOOT)],
+            Dimension::Pressure => &[
+                ("tf/m2", 1e3 * KGF),
+                ("kgf/cm2", 1e4 * KGF),
+                ("psf", LBF / (FOOT * FOOT)),
+                ("ksf", 1e3 * LBF / (FOOT * FOOT)),
+                ("psi", LBF / (INCH * INCH)),
+            ],
+            Dimension::UnitWeight => &[("tf/m3", 1e3 * KGF), ("pcf", LBF / (FOOT * FOOT * FOOT))],
+            Dimension::Angle => &[("deg", std::f64::consts::PI / 180.0), ("°", std::f64::consts::PI / 180.0)],
+            Dimension::Moment => &[("tf m/m", 1e3 * KGF), ("kip ft/ft", 1e3 * LBF)],
+            Dimension::WholeMass => &[("slug", LBF / FOOT)],
+            Dimension::WholeForce => &[("kgf", KGF), ("tf", 1e3 * KGF), ("lbf", LBF), ("kip", 1e3 * LBF)],
+            Dimension::WholeMoment => &[("tf m", 1e3 * KGF), ("kip ft", 1e3 * LBF * FOOT)],
+            Dimension::Stiffness | Dimension::Inertia | Dimension::WholeInertia | Dimension::Time => &[],
         }
     }
 
@@ -279,9 +349,9 @@ impl Dimension {
         format!("{} {unit}", digits(si / scale))
     }
 
-    /// The units understood, e.g. `mm, cm or m`.
+    /// The units understood, e.g. `mm, cm, m, ft or in`.
     pub fn understood(self) -> String {
-        let names: Vec<_> = self.units().iter().map(|unit| unit.0).collect();
+        let names: Vec<_> = self.names().collect();
         match names.split_last() {
             Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
             _ => names.concat(),
@@ -312,23 +382,29 @@ impl Dimension {
 
     /// The unit of a name, where it fits, to show numbers in.
     pub(crate) fn shown_unit(self, name: &str) -> Option<ShownUnit> {
-        let (name, power) = self.units().iter().find(|(known, _)| *known == name)?;
-        Some(ShownUnit { name, of: ShownScale::Power(Unit(*power)) })
+        let name = self.names().find(|known| *known == name)?;
+        Some(ShownUnit { name, of: ShownScale::Unit(self.unit(name)?) })
     }
 
     /// The unit of plain numbers.
     pub fn shown_in_si(self) -> ShownUnit {
-        ShownUnit { name: self.si(), of: ShownScale::Power(Unit(0)) }
+        ShownUnit { name: self.si(), of: ShownScale::Unit(Unit::of_power(0)) }
     }
 
     /// The names of its units.
     pub fn names(self) -> impl Iterator<Item = &'static str> {
-        self.units().iter().map(|(name, _)| *name)
+        let of_si = self.units().iter().map(|(name, _)| *name);
+        of_si.chain(self.others().iter().map(|(name, _)| *name))
     }
 
     /// The unit of a name, where it fits.
     pub fn unit(self, name: &str) -> Option<Unit> {
-        self.units().iter().find(|(known, _)| *known == name).map(|(_, power)| Unit(*power))
+        let of_si = self.units().iter().find(|(known, _)| *known == name);
+        let other = || self.others().iter().find(|(known, _)| *known == name);
+        match of_si {
+            Some((_, power)) => Some(Unit::of_power(*power)),
+            None => other().map(|(_, factor)| Unit::of_factor(*factor)),
+        }
     }
 }
 
@@ -414,9 +490,44 @@ mod tests {
             (Dimension::UnitWeight, "10 kN/m³", 10e3),
             (Dimension::Stiffness, "50 MN/m3", 50e6),
             (Dimension::Angle, "2 mrad", 2e-3),
+            (Dimension::Pressure, "0.3 N/mm2", 0.3e6),
+            (Dimension::Pressure, "2 MN/m2", 2e6),
+            (Dimension::Pressure, "65.7 kN/m^2", 65.7e3),
+            (Dimension::Pressure, "2 bar", 2e5),
+            (Dimension::UnitWeight, "18 kN/m^3", 18e3),
+            (Dimension::Acceleration, "250 Gal", 2.5),
+            (Dimension::Time, "250 ms", 0.25),
+            (Dimension::Length, "3 ft", 0.9144),
+            (Dimension::Length, "10 in", 0.254),
+            (Dimension::Force, "2 tf/m", 19613.3),
+            (Dimension::WholeForce, "3 kgf", 29.41995),
+            (Dimension::Pressure, "1 kgf/cm2", 98066.5),
         ];
         for (quantity, text, expected) in cases {
             assert_eq!(quantity.parse(text), Ok(expected), "{text}");
+        }
+    }
+
+    /// Units of other systems, by their definitions as they are printed in tables.
+    #[test]
+    fn other_units_have_their_printed_size() {
+        for (quantity, text, expected) in [
+            (Dimension::WholeForce, "1 lbf", 4.448_221_615_260_5),
+            (Dimension::Force, "1 kip/ft", 14_593.902_937),
+            (Dimension::Pressure, "1 psf", 47.880_258_980_4),
+            (Dimension::Pressure, "1 ksf", 47_880.258_980_4),
+            (Dimension::Pressure, "1 psi", 6_894.757_293),
+            (Dimension::UnitWeight, "1 pcf", 157.087_463_846),
+            (Dimension::Density, "1 pcf", 16.018_463_374_0),
+            (Dimension::WholeMass, "1 slug", 14.593_902_94),
+            (Dimension::WholeMoment, "1 kip ft", 1_355.817_948),
+            (Dimension::Angle, "180 deg", std::f64::consts::PI),
+        ] {
+            let found: f64 = quantity.parse(text).unwrap();
+            assert!((found / expected - 1.0).abs() < 3e-10, "{text}: {found}");
+            let unit = quantity.unit(text.split_once(' ').unwrap().1).unwrap();
+            // To fifteen digits.
+            assert!((unit.of_si(unit.si(2.5)) - 2.5).abs() < 1e-13, "{text}");
         }
     }
 

@@ -125,7 +125,7 @@ pub struct RowFault {
 #[derive(Debug, Clone)]
 enum Varied {
     /// A number, with what goes with it.
-    Number(Factor, Variable),
+    Number(Box<Factor>, Variable),
     /// Words, true or false, or the name of a file.
     Word(Id),
 }
@@ -308,7 +308,7 @@ fn find(column: &str, inputs: &Inputs) -> Result<Option<Varied>, ColumnError> {
     let named = || inputs.values().map(|(id, _)| id).find(|id| id.to_string() == name);
     match Factor::find(name, unit, inputs) {
         Ok(factor) => match factor.variable().cloned() {
-            Some(variable) => Ok(Some(Varied::Number(factor, variable))),
+            Some(variable) => Ok(Some(Varied::Number(Box::new(factor), variable))),
             None => Err(ColumnError::Bias { column: column.to_owned() }),
         },
         Err(NoFactor::Unknown(unknown)) => match named() {

@@ -59,7 +59,7 @@ impl Problem {
                         format!("{units}; this key says what g is, for example {}", line(*key))
                     }
                     UnitError::Unknown(unit) => {
-                        let extent = other_extent(dimension, unit).map(str::to_owned);
+                        let extent = other_extent(dimension, unit).or_else(|| ambiguous(dimension, unit)).map(str::to_owned);
                         match extent.or_else(|| weight_for_mass(dimension, written)) {
                             Some(words) => format!("{units}; {words}"),
                             None => units,
@@ -311,6 +311,26 @@ fn other_extent(dimension: Dimension, unit: &str) -> Option<&'static str> {
     } else {
         None
     }
+}
+
+/// What to write in place of a unit that is one thing to the one and another to the other.
+fn ambiguous(dimension: Dimension, unit: &str) -> Option<&'static str> {
+    use Dimension::{Force, Mass, Moment, Pressure, WholeForce, WholeMass, WholeMoment};
+    let is_force = matches!(dimension, Force | WholeForce | Moment | WholeMoment | Pressure);
+    if !is_force && !matches!(dimension, Mass | WholeMass) {
+        return None;
+    }
+    Some(match unit {
+        "t" | "t/m" | "t/m2" | "t/m²" if is_force => {
+            "t is a mass: a force of so many tonnes is in tf, tf/m or tf/m2"
+        }
+        "kg" | "kg/m" | "kg/m2" | "kg/cm2" if is_force => {
+            "kg is a mass: a force of so many is in kgf, kgf/m or kgf/cm2"
+        }
+        "lb" | "lb/ft" | "lb/ft2" => "lb may be a mass or a force: a force is in lbf, lbf/ft or psf",
+        "ton" | "tons" | "ton/m" => "a ton may be 1000 kg, 2000 lb or 2240 lb: write t for 1000 kg",
+        _ => return None,
+    })
 }
 
 /// The names that a table of a file may have: its keys, and at the top the tables.
