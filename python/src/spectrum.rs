@@ -10,7 +10,7 @@ use standfast_cases::motion::{
 };
 
 use crate::errors::StandfastError;
-use crate::figure::figures;
+use crate::figure::{Figure, figures};
 use crate::simulate::{MotionCase, Samples, cases, given_base};
 use crate::watch::watched;
 
@@ -26,8 +26,8 @@ pub(crate) struct Arguments {
     progress: Option<Py<PyAny>>,
 }
 
-/// Text, JSON, CSV and SVG, and whether they are in SI units.
-type Rendered = (String, String, String, String, bool);
+/// Text, JSON, CSV and figures, and whether they are in SI units.
+type Rendered = (String, String, String, Vec<Figure>, bool);
 
 /// Values as they are given: a text with their ends and how many, or one by one.
 #[derive(FromPyObject)]
@@ -76,7 +76,7 @@ pub(crate) fn spectrum(
         let (found, _) = cases(case, &base)?;
         let case = found.into_iter().next().ok_or_else(|| refused(SpectrumError::NoShaking))?;
         let spectrum = Spectrum::of(&case, &request, portion).map_err(refused)?;
-        let svg = figures(&spectrum, &())?.pop().map_or_else(String::new, |(_, _, svg, _)| svg);
-        Ok((spectrum.text(&()), spectrum.json(&(), &[]), spectrum_csv(&spectrum), svg, spectrum.si))
+        let drawn = figures(&spectrum, &())?;
+        Ok((spectrum.text(&()), spectrum.json(&(), &[]), spectrum_csv(&spectrum), drawn, spectrum.si))
     })?
 }

@@ -58,10 +58,12 @@ def test_the_book(monkeypatch: pytest.MonkeyPatch, page: Path) -> None:
     assert runner.summarize().failed == 0
 
 
-def test_the_lines_for_someone_who_has_the_wheel(capsys):
+def test_the_lines_for_someone_who_has_the_wheel(capsys, monkeypatch, tmp_path):
     text = (ROOT / "docs" / "get.md").read_text(encoding="utf-8")
     (block,) = (part.split("```")[0] for part in text.split("```python\n")[1:])
+    monkeypatch.chdir(tmp_path)
     exec(block, {})
     plt.close("all")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["own.png", "plane.png"]
     said = next(line for line in block.splitlines() if line.startswith("print(")).split("# ")[1]
     assert capsys.readouterr().out.strip() == said

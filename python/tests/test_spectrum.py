@@ -38,7 +38,9 @@ def test_it_is_what_the_program_prints(program: list[str], kind: Any, tmp_path: 
     document = json.loads(subprocess.run([*call, "--format=json"], capture_output=True, encoding="utf-8", check=True).stdout)
     assert document | {"figures": []} == json.loads(found.to_json()) and not errors(document, "spectrum.schema.json")
     (figure,) = document["figures"]
-    assert Path(figure).read_text(encoding="utf-8") == found.svg == found._repr_svg_()
+    assert Path(figure).read_text(encoding="utf-8") == found.svg == found.figures[0].svg == found._repr_svg_()
+    found.figures[0].save(tmp_path / "own.png")
+    assert (tmp_path / "own.png").read_bytes().startswith(b"\x89PNG")
     printed = subprocess.run([*call, "--csv=-"], capture_output=True, encoding="utf-8", check=True).stdout
     assert printed == found.csv
     rows = list(csv.reader(io.StringIO(printed)))

@@ -179,7 +179,7 @@ mod tests {
         for (key, typed, message) in [
             ("body.width", "2,700", "“2,700” could be 2.7 or 2700: type 2.7 or 2700."),
             ("body.width", "0", "`width` is \"0 m\"; expected a finite number above zero"),
-            ("body.width", "3 kg", "“kg” is not a unit of this field, which takes mm, cm or m."),
+            ("body.width", "3 kg", "“kg” is not a unit of this field, which takes mm, cm, m, ft or in."),
             ("load[1].elevation", "99", "`elevation` is above the crest of the body, which is 12 m high"),
             ("body.mass", "3", "The case has no number body.mass."),
         ] {

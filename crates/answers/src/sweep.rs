@@ -301,7 +301,7 @@ impl Answer {
             }
             SweepResult::Of(name) => name.of(self.governing()),
             SweepResult::Sea(name) => {
-                let waves = self.assessment.case.wave.as_ref();
+                let waves = self.assessment.case_of(self.governing()).wave.as_ref();
                 waves.map_or(ResultValue::Nothing, |waves| ResultValue::Number(name.of(&waves.goda)))
             }
         }

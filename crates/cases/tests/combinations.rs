@@ -100,6 +100,11 @@ fn a_combination_answers_as_the_file_in_which_its_values_are_typed() {
             "materials = { \"body.friction\" = 1.25 }\nscale = { \"body.friction\" = 1.5 }\nset = { \"body.friction\" = 0.4 }",
             plain.replace("friction = 0.6", "friction = 0.48"),
         ),
+        (
+            "a quotient that rounding would spoil",
+            "materials = { \"body.friction\" = 1.1 }",
+            plain.replace("friction = 0.6", "friction = 0.545454545454545"),
+        ),
         ("resistance", "resist = { sliding = 1.5 }", plain.replace("friction = 0.6", "friction = 0.4")),
         ("a choice", "set = { \"wave.uplift\" = false }", plain.clone() + "uplift = false\n"),
         ("a list", "set = { \"wave.lambda[1]\" = 1 }", plain.clone() + "lambda = [1, 1, 1]\n"),
@@ -173,6 +178,10 @@ fn ground_is_weaker_by_its_partial_factors() {
     let at = less.all[0].departure().load_factor();
     let risen = soil("33", "5e3", "").replace("force = 8e4", &format!("force = {}", 8e4 * at));
     near(number(&assess(&risen).all[0], ResultName::GroundFactor), 1.4, 1e-9);
+    // A strength that the case does not write may be set, and is then divided.
+    let cohesion = "set = { \"ground.cohesion\" = \"5 kPa\" }\nmaterials = { \"ground.cohesion\" = 1.25 }\n";
+    let (one, two) = (soil("33", "0", cohesion).replace("cohesion = 0\n", ""), soil("33", "4e3", ""));
+    same(&assess(&one).all[0], &assess(&two).all[0], "set, then divided");
     // An envelope, and a base that crushes, in which the same is typed.
     for (of, key, more) in
         [("envelope", "centric_resistance", "law = \"envelope\"\n"), ("stone", "strength", "")]
@@ -239,6 +248,45 @@ fn a_pair_is_its_worse_factor_for_each_criterion() {
     assert_eq!(assess(&shaken).all[0].tried().count(), 4 * 32);
 }
 
+/// A body that moves in one of the ways that are tried is not said to stay at rest, whatever a criterion finds worst.
+#[test]
+fn a_way_in_which_the_body_moves_is_told() {
+    let text = format!(
+        "{BODY}[[load]]\nname = \"push\"\nforce = 1.9e6\nelevation = 5\n[[combination]]\nfactors = {{ push = 1, weight = [1.35, 0.9] }}\n\
+         [criteria]\nbearing_max = 3e5\n"
+    );
+    let answer = assess(&text);
+    let slides = |one: &Assessed| one.mode() == Some(standfast::Mode::slide(standfast::Slip::Left));
+    // The heavier body presses more, and rests; the lighter one slides.
+    assert!(!slides(&answer.all[0]) && slides(&answer.all[0].others[0]));
+    let summary = answer.summary().unwrap();
+    assert!(summary.answer.starts_with("The body slides to the left (SL)"), "{}", summary.answer);
+    let json: serde_json::Value =
+        serde_json::from_str(&answer.json(&AssessmentView::default(), &[])).unwrap();
+    assert_eq!(json["criteria"][0]["factors_used"]["weight"], 1.35);
+}
+
+/// The diagram of a combination is that of its own body.
+#[test]
+fn a_diagram_is_that_of_the_combination_s_body() {
+    let text = "[body]\nwidth = 4\nheight = 4\nmass = 40e3\nfriction = 0.8\n[[load]]\nname = \"p\"\nforce = 2.5e5\nelevation = 2\n\
+        [[combination]]\nset = { \"body.width\" = 2, \"body.mass\" = 40e3 }\nfactors = { p = 1 }\n";
+    let typed = text
+        .replace("width = 4", "width = 2")
+        .replace("set = { \"body.width\" = 2, \"body.mass\" = 40e3 }\n", "");
+    let figures = |text: &str| {
+        let figures = assess(text).figures(&AssessmentView::default()).unwrap();
+        figures
+            .into_iter()
+            .find(|figure| figure.words.starts_with("k–μ") || figure.words == "Diagram")
+            .unwrap()
+            .figure
+            .svg()
+            .to_owned()
+    };
+    assert_eq!(figures(text), figures(&typed));
+}
+
 /// The parts of what a table makes have factors of their own, and the more precise name goes before.
 #[test]
 fn parts_of_a_load_have_factors_of_their_own() {
@@ -273,6 +321,17 @@ fn parts_of_a_load_have_factors_of_their_own() {
     // Where a situation has several factors for the sides, each stands for itself.
     assert_eq!(quay("\"water.left\" = 1, \"water.right\" = 1.35").all[0].components().len(), 4);
     assert!(refused(&goda("factors = { \"water.left\" = 1 }")).contains("no load called \"water.left\""));
+    // A part that a combination's own levels make, or leave out, has its name in all.
+    let levels = format!(
+        "{BODY}[water]\nleft = \"6 m\"\nright = \"6 m\"\ndensity = 1000\n[[combination]]\nset = {{ \"water.left\" = \"4 m\" }}\nfactors = {{}}\n\
+         [[combination]]\nfactors = {{ \"water.left\" = 0.9 }}\n[[combination]]\nset = {{ \"water.left\" = \"4 m\" }}\n\
+         factors = {{ \"water.left\" = 0.9 }}\n"
+    );
+    let levels = assess(&levels);
+    let push = |place: usize| levels.all[place].components().iter().map(|load| load.wrench.x).sum::<f64>();
+    near(push(0), 9810.0 * (16.0 - 36.0) / 2.0, 1e-12);
+    assert_eq!(push(1), 0.0);
+    near(push(2), 9810.0 * (0.9 * 16.0 - 36.0) / 2.0, 1e-12);
 }
 
 /// A combination's criteria are in the place of the case's, and are told with it.
@@ -348,13 +407,18 @@ fn what_a_combination_cannot_say_is_refused() {
             "materials = { \"body.width\" = 1.2 }\nfactors = {}",
             "`body.width` is no strength, which alone `materials` divides; the strengths of this case: body.friction",
         ),
+        ("criteria = { p_not_rest = 0.2 }\nfactors = {}", "`p_not_rest` is asked of all combinations alike"),
         (
             "resist = { passive = 1.4 }\nfactors = {}",
             "no resistance called \"passive\"; the resistances: sliding, bearing",
         ),
-        ("resist = { bearing = 1.4 }\nfactors = {}", "the case has no [ground]"),
+        ("resist = { bearing = 1.4 }\nfactors = {}", "no [ground] of the case says what it bears"),
         ("criteria = { SF_slide = 1 }\nfactors = {}", "[criteria] has no key `SF_slide`"),
-        ("criteria = { slide = \"0.1 m\" }\nfactors = {}", "`slide` is asked of the motion"),
+        (
+            "criteria = { ground_factor = 1.0 }\nfactors = {}",
+            "`ground_factor` asks for what the ground bears",
+        ),
+        ("criteria = { slide = \"0.1 m\" }\nfactors = {}", "`slide` is asked of all combinations alike"),
         ("factors = { wave = [1, 2, 3] }", "expected a factor, or two of which the worse counts"),
         ("factors = { wave = [1, -2] }", "a factor from 0 to 1000000"),
         ("factors = { weight = [1, 0] }", "the factor of the weight is 0"),

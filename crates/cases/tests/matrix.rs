@@ -139,8 +139,9 @@ fn every_number_may_be_another_in_a_combination() {
             let scaled = format!("{text}[[combination]]\nscale = {{ \"{id}\" = 1.01 }}\nfactors = {{}}\n");
             let case = plain.case().unwrap();
             let variable = Variable::of(id, plain.inputs());
-            let varied =
-                standfast_cases::couple::vary(plain.inputs(), &case, &[(&variable, more(&plain, id))]);
+            // As it is written in decimals.
+            let value = format!("{:.14e}", more(&plain, id)).parse().unwrap();
+            let varied = standfast_cases::couple::vary(plain.inputs(), &case, &[(&variable, value)]);
             match (situation(&file(&scaled)), situation(&plain.varied(varied))) {
                 (Ok(one), Ok(two)) => assert_eq!(one, two, "{id} in\n{text}"),
                 (Err(one), Err(two)) => assert!(one.contains(&two), "{id} in\n{text}: {one}; {two}"),

@@ -240,10 +240,10 @@ pub enum Problem {
         names: Vec<String>,
     },
     /// The resistance of ground of which nothing is said.
-    #[error("`bearing` is divided, but the case has no [ground], whose resistance it is")]
+    #[error("`bearing` is divided, but no [ground] of the case says what it bears")]
     NoBearing,
-    /// A criterion of the motion in a combination.
-    #[error("`{name}` is asked of the motion, in every combination alike")]
+    /// A criterion of the motion, or of a probability, in a combination.
+    #[error("`{name}` is asked of all combinations alike")]
     CriterionOfAll {
         /// The criterion.
         name: &'static str,

@@ -299,6 +299,28 @@ impl Warning {
         }
     }
 
+    /// True if another warning is the same one again, of a combination's numbers.
+    pub(crate) fn is_same_as(&self, other: &Warning) -> bool {
+        match (self, other) {
+            // The heights may be others; what is told is how they go together.
+            (
+                Warning::WaveHeightRatio { significant, maximum },
+                Warning::WaveHeightRatio { significant: other, maximum: highest },
+            ) => (maximum / significant - highest / other).abs() <= 1e-9 * (maximum / significant).abs(),
+            _ => self.name() == other.name(),
+        }
+    }
+
+    /// True of what is told of all combinations together.
+    pub(crate) fn is_about_combinations(&self) -> bool {
+        matches!(
+            self,
+            Warning::LoadInNoCombination { .. }
+                | Warning::FavourableLoad { .. }
+                | Warning::UpliftAwayFromPush { .. }
+        )
+    }
+
     /// True if it is about waves.
     pub fn is_about_waves(&self) -> bool {
         match self {

@@ -14,6 +14,7 @@ from ._advice import Advice
 from ._answer import Rendered
 from ._arrow import ArrowTable
 from ._assess import case_text
+from ._figure import Figure
 from ._named import units_of
 from ._progress import shown
 from ._ranges import Range, values_of
@@ -35,17 +36,17 @@ class Spectrum(SpectrumDocument, Rendered):
     """What many bodies do under one shaking: :func:`spectrum`'s answer.
 
     ``print`` shows the text of ``standfast spectrum``; the keys of its JSON document, which ``docs/spectrum.schema.json`` describes, are
-    attributes, but for :attr:`points`, which is a table. A notebook shows the figure.
+    attributes, but for :attr:`points`, which is a table. A notebook shows the figure; ``figures[0].save("spectrum.png")`` writes it.
     """
 
     _what = "this spectrum"
     _csv: str
-    _svg: str
+    _drawn: list[tuple[str, str, str, _standfast._Kept]]
     _si: bool
 
-    def __init__(self, text: str, document: str, csv: str, svg: str, si: bool) -> None:
+    def __init__(self, text: str, document: str, csv: str, drawn: list[tuple[str, str, str, _standfast._Kept]], si: bool) -> None:
         super().__init__(text, document)
-        vars(self).update(_csv=csv, _svg=svg, _si=si)
+        vars(self).update(_csv=csv, _drawn=drawn, _si=si)
 
     @functools.cached_property
     def points(self) -> ArrowTable:
@@ -65,19 +66,24 @@ class Spectrum(SpectrumDocument, Rendered):
         """The points as a table in CSV."""
         return self._csv
 
+    @functools.cached_property
+    def figures(self) -> list[Figure]:
+        """The figure of the spectrum, in a list as those of the other answers."""
+        return [Figure(words, svg, kept) for words, _, svg, kept in self._drawn]
+
     @property
     def svg(self) -> str:
         """The figure as an SVG document."""
-        return self._svg
+        return self.figures[0].svg
 
     def _repr_svg_(self) -> str:
-        return self._svg
+        return self.svg
 
     def __repr__(self) -> str:
         return f"<Spectrum {self.kind} of {self.title or 'a case'}: {len(self._document['points'])} motions>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Spectrum, (self._text, self._json, self._csv, self._svg, self._si)
+        return Spectrum, (self._text, self._json, self._csv, self._drawn, self._si)
 
 
 class _Asked(NamedTuple):

@@ -237,7 +237,7 @@ class _Spectrum(Protocol):
 
 def spectrum(
     case: _MotionCase, base: tuple[_RecordOf, _RecordOf], asked: _Spectrum
-) -> tuple[str, str, str, str, bool]: ...
+) -> tuple[str, str, str, list[tuple[str, str, str, _Kept]], bool]: ...
 
 class _Asked(Protocol):
     """`_probability._Asked`."""

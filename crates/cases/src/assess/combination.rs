@@ -1,11 +1,12 @@
 //! What a combination says, in words: the factors of its loads, and what is another in it than in the case.
 
 use standfast_inputs::inputs::LoadFactor;
-use standfast_model::case::{ChangeBy, Combination, Trial};
+use standfast_model::case::{ChangeBy, Combination, InputChange, Trial};
 
 use super::Assessed;
 use crate::case::{Acting, Case};
-use crate::key::{Id, Key};
+use crate::couple::Variable;
+use crate::key::Key;
 use crate::layout::digits;
 
 /// The factors of a combination, as they are given.
@@ -24,13 +25,20 @@ pub fn factors(combination: &Combination) -> String {
 /// What else a combination of a case, by its place, says: its key, and what stands there in words.
 pub fn changes(case: &Case, index: usize) -> Vec<(&'static str, String)> {
     let combination = &case.combinations[index];
-    let inputs = case.under(Acting::Combination(index)).inputs();
-    let becomes = |id: Id| match (inputs.number(id), inputs.dimension(id)) {
-        _ if combination.changes.iter().filter(|change| change.id == id).count() > 1 => String::new(),
-        (Some(number), Some(dimension)) => format!(" = {}", dimension.written(number)),
-        (Some(number), None) if id.key.name().ends_with("_deg") => format!(" = {}°", digits(number)),
-        (Some(number), None) => format!(" = {}", digits(number)),
-        (None, _) => String::new(),
+    let under = case.under(Acting::Combination(index));
+    let inputs = under.inputs();
+    // Of a number that is changed more than once, no step is the last.
+    let becomes = |change: &InputChange| {
+        let same = combination.changes.iter().filter(|other| other.id == change.id);
+        let found = Variable::find(&change.name, inputs).ok().filter(|_| same.count() == 1);
+        found.map_or_else(String::new, |variable| {
+            let number = variable.value(inputs, under);
+            match variable.dimension() {
+                Some(dimension) => format!(" = {}", dimension.written(number)),
+                None if change.id.key.name().ends_with("_deg") => format!(" = {}°", digits(number)),
+                None => format!(" = {}", digits(number)),
+            }
+        })
     };
     let mut told: Vec<(&'static str, Vec<String>)> = Vec::new();
     let mut tell = |key: &'static str, words: String| match told.last_mut() {
@@ -41,11 +49,11 @@ pub fn changes(case: &Case, index: usize) -> Vec<(&'static str, String)> {
         let name = &change.name;
         let words = match &change.by {
             ChangeBy::Set(text) => format!("{name} = {}", text.trim_matches(['"', '\''])),
-            ChangeBy::Scale(by) => format!("{name} × {}{}", digits(*by), becomes(change.id)),
+            ChangeBy::Scale(by) => format!("{name} × {}{}", digits(*by), becomes(change)),
             ChangeBy::Material(by) if change.id.key == Key::GroundAngle => {
-                format!("tan {name} / {}{}", digits(*by), becomes(change.id))
+                format!("tan {name} / {}{}", digits(*by), becomes(change))
             }
-            ChangeBy::Material(by) => format!("{name} / {}{}", digits(*by), becomes(change.id)),
+            ChangeBy::Material(by) => format!("{name} / {}{}", digits(*by), becomes(change)),
             ChangeBy::Resistance(by) => format!("{name} / {}", digits(*by)),
         };
         tell(change.by.key().name(), words);

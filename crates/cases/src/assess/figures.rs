@@ -15,6 +15,7 @@ use crate::layout::digits;
 
 /// A k–μ diagram and the loads in it.
 struct Plane {
+    gamma: f64,
     k_prime: f64,
     in_air: bool,
     /// The base, where it does not bear everything.
@@ -67,7 +68,7 @@ pub(super) fn of(
     for (i, assessed) in shown.iter().enumerate() {
         let suffix = if several { format!("-{}", assessed.index + 1) } else { String::new() };
         if let Some(plane) = planes.iter().find(|plane| plane.first == i) {
-            figures.extend(plane.draw(assessment, &suffix)?);
+            figures.extend(plane.draw(&suffix)?);
         }
         // In air the load factor is k, and the k–μ diagram shows the path.
         if assessed.rises() && assessed.situation.in_air().is_none() {
@@ -93,12 +94,15 @@ fn planes(assessment: &Assessment, shown: &[&Assessed]) -> Result<Vec<Plane>, In
         let label = assessment.name(assessed).unwrap_or_else(|| "full load".to_owned());
         let design = DesignPoint { k: point.k(), mu: point.mu(), label, mirrored: reduced.mirrored };
         let base = Base::of(assessed, point.gamma(), point.k_prime())?;
-        let is_it =
-            |plane: &&mut Plane| (plane.k_prime, plane.in_air, plane.base) == (point.k_prime(), in_air, base);
+        let is_it = |plane: &&mut Plane| {
+            (plane.gamma, plane.k_prime, plane.in_air, plane.base)
+                == (point.gamma(), point.k_prime(), in_air, base)
+        };
         match planes.iter_mut().find(is_it) {
             Some(plane) => plane.points.push(design),
             None => {
-                planes.push(Plane { k_prime: point.k_prime(), in_air, base, first: i, points: vec![design] });
+                let (gamma, k_prime) = (point.gamma(), point.k_prime());
+                planes.push(Plane { gamma, k_prime, in_air, base, first: i, points: vec![design] });
             }
         }
     }
@@ -107,8 +111,8 @@ fn planes(assessment: &Assessment, shown: &[&Assessed]) -> Result<Vec<Plane>, In
 
 impl Plane {
     /// The diagram; none of a base that cannot carry the weight.
-    fn draw(&self, assessment: &Assessment, suffix: &str) -> Result<Option<AnswerFigure>, InputError> {
-        let gamma = assessment.case.body.slenderness();
+    fn draw(&self, suffix: &str) -> Result<Option<AnswerFigure>, InputError> {
+        let gamma = self.gamma;
         let content = DiagramContent { points: &self.points, ..DiagramContent::default() };
         let plane = match self.base {
             None => KMuPlane::Rigid(Diagram::new(gamma, self.k_prime)?),

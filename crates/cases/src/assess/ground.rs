@@ -5,7 +5,8 @@ use standfast::ground::impact::{EventFound, ImpactEvent};
 use standfast_answers::assess::ground::{BaseResponse, Elastic};
 
 use super::Assessed;
-use crate::case::{Case, Limit};
+use crate::case::{Case, ChangeBy, Combination, InputChange, Limit};
+use crate::key::Table;
 use crate::layout::{self, columns, digits, paragraph, percent, row};
 use crate::units::Dimension;
 
@@ -35,7 +36,13 @@ const OFF_MIDDLE: &str = "The centre of mass is off the middle of the base: sway
 pub fn left_out(case: &Case) -> Vec<&'static str> {
     let Some(foundation) = &case.ground else { return Vec::new() };
     let mut notes = Vec::new();
-    if foundation.limit.is_some() {
+    let divides = |combination: &Combination| {
+        let by_material = |change: &InputChange| {
+            matches!(change.by, ChangeBy::Material(_)) && change.id.table == Table::Ground
+        };
+        combination.bearing != 1.0 || combination.changes.iter().any(by_material)
+    };
+    if foundation.limit.is_some() && !case.combinations.iter().any(divides) {
         notes.push(NO_FACTOR);
     }
     match foundation.limit {

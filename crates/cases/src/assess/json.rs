@@ -38,7 +38,7 @@ struct Document<'a> {
     /// True if all criteria are met; null where there is none.
     met: Option<bool>,
     /// Each criterion in the situation that meets it worst, the governing one first.
-    criteria: Vec<Criterion>,
+    criteria: Vec<Criterion<'a>>,
     /// Of a case in time, what is answered of its first instant.
     in_time: Option<&'a str>,
     /// The place of the worst situation.
@@ -104,7 +104,7 @@ struct Situation<'a> {
     /// The other accelerations that were tried, none of them worse.
     other_earthquakes: Vec<OtherEarthquake>,
     /// The governing criterion first.
-    criteria: Vec<Criterion>,
+    criteria: Vec<Criterion<'a>>,
     #[serde(flatten)]
     results: Results<'a>,
     /// Response of the base; null of a rigid one.
@@ -296,13 +296,16 @@ struct OtherEarthquake {
 }
 
 #[derive(Serialize)]
-struct Criterion {
+struct Criterion<'a> {
     #[serde(flatten)]
     check: CheckEntry,
     /// The place of the situation.
     situation: usize,
     /// The acceleration of the base that is worst for it.
     earthquake: Option<Earthquake>,
+    /// The factors of pairs that are worst for it.
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    factors_used: Named<'a>,
 }
 
 #[derive(Serialize)]
@@ -559,14 +562,17 @@ impl OtherEarthquake {
     }
 }
 
-impl Criterion {
-    fn of(assessment: &Assessment, check: &AnyCheck<'_>) -> Criterion {
+impl<'a> Criterion<'a> {
+    fn of(assessment: &'a Assessment, check: &AnyCheck<'_>) -> Criterion<'a> {
         let earthquake = match check {
             AnyCheck::Instant(CaseCheck { assessed, .. }) => assessed.earthquake.as_ref().map(Earthquake::of),
             // The base moves as its records say, with no one acceleration.
             AnyCheck::Motion(..) => None,
         };
-        Criterion { check: CheckEntry::of(check), situation: check.assessed(assessment).index, earthquake }
+        let assessed = check.assessed(assessment);
+        let pairs = combination::pairs(&assessment.case, assessed.acting, assessed.trial);
+        let factors_used = Named::numbers(pairs);
+        Criterion { check: CheckEntry::of(check), situation: assessed.index, earthquake, factors_used }
     }
 }
 

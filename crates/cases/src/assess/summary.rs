@@ -56,9 +56,14 @@ fn is_held(assessed: &Assessed) -> bool {
 /// rests.
 pub(super) fn happens(assessment: &Assessment, who: &str, does: fn(Option<Verdict>) -> String) -> String {
     let rests = |assessed: &Assessed| assessed.mode() == Some(Mode::Rest);
+    // Where a situation is tried in several ways, one in which the body moves.
+    fn moved(assessed: &Assessed) -> &Assessed {
+        assessed.tried().find(|tried| tried.mode() != Some(Mode::Rest)).unwrap_or(assessed)
+    }
     let word = if assessment.case.combinations.is_empty() { "loads" } else { "combinations" };
     let count = assessment.all.len();
-    let moving: Vec<&Assessed> = assessment.worst_first().into_iter().filter(|one| !rests(one)).collect();
+    let all = assessment.worst_first().into_iter().map(moved);
+    let moving: Vec<&Assessed> = all.filter(|one| !rests(one)).collect();
     let springs = assessment.all.iter().any(|assessed| ground::first_event(assessed).is_some());
     let place = match assessment.in_time {
         None if springs => format!("Under loads raised slowly {who}"),
@@ -140,7 +145,7 @@ fn near(assessment: &Assessment) -> Option<String> {
     });
     let points = match verdict::is_object(assessed) && assessment.in_time.is_none() {
         true => {
-            " `standfast simulate` tells what it does after the onset, under a shaking in time ([motion.base])."
+            " What it does after the onset, a shaking in time tells: [motion.base] with a record or a shape."
         }
         false => "",
     };

@@ -160,8 +160,11 @@ fn change(
     let off = nearest.factor - 1.0;
     let size = significant(100.0 * off.abs(), 2);
     let way = if off > 0.0 { "stronger" } else { "weaker" };
-    let amount = amount(followed, nearest.factor);
-    let head = format!("A {drive} {size} % {way}{amount} {other}");
+    let head = format!(
+        "A {drive} {size} % {way}{} {other}{}",
+        amount(followed, nearest.factor),
+        before(followed, nearest, way)
+    );
     let differ = |tried: &&Tried| holds(tried) != verdict.verdict;
     if verdict.windows {
         let near: Vec<&Tried> =
@@ -180,6 +183,18 @@ fn change(
         ("stronger", format!("up to {}", digits(to)))
     };
     format!("{head}; none of {} {side} ones, {end}, does.", behind.len())
+}
+
+/// The motion between the loads as they are and a change that is nearest to this and as they are, where it is so far from it that the
+/// change may well come before.
+fn before(followed: &FollowedMotion, Change { factor, same }: Change, way: &str) -> String {
+    /// As many parts of the loads nobody tells apart.
+    const NEAR: f64 = 0.02;
+    let off = same - 1.0;
+    if (factor - same).abs() <= NEAR || off * (factor - 1.0) <= 0.0 {
+        return String::new();
+    }
+    format!(", one {} % {way}{} does not", significant(100.0 * off.abs(), 2), amount(followed, same))
 }
 
 /// Sentence on how far two motions part whose inputs differ a little.

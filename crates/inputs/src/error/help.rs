@@ -179,7 +179,7 @@ impl Problem {
             Problem::UnknownResistance { names, .. } => {
                 format!("the resistances: {}; a strength is divided under `materials`", names.join(", "))
             }
-            Problem::NoBearing => "add [ground], or take `bearing` out".into(),
+            Problem::NoBearing => "give [ground] a strength, a friction angle or an envelope, or take `bearing` out".into(),
             Problem::CriterionOfAll { .. } => "ask it in [criteria]".into(),
             Problem::PartialFactor { .. } | Problem::SetAndRandom { .. } => {
                 "give the case of the probability a file of its own, without it".into()

@@ -106,11 +106,6 @@ impl Combination {
     pub fn pairs(&self) -> usize {
         self.pair(self.factors.len())
     }
-
-    /// True if it is no more than factors, one for each load.
-    pub fn is_plain(&self) -> bool {
-        self.pairs() == 0 && self.changes.is_empty() && self.bearing == 1.0 && self.criteria.is_none()
-    }
 }
 
 impl Case {
@@ -214,20 +209,24 @@ impl Case {
         all
     }
 
-    /// The ways in which a situation is tried: under each acceleration of the base, with each factor of a pair.
-    pub fn trials(&self, acting: Acting) -> Vec<Trial> {
+    /// The ways in which a situation is tried under the acceleration of the base as it is given: with each factor of a pair.
+    pub(crate) fn trials_of_pairs(&self, acting: Acting) -> impl Iterator<Item = Trial> + use<> {
         let pairs = match acting {
             Acting::Combination(index) => self.combinations[index].pairs(),
             _ => 0,
         };
-        let case = self.under(acting);
-        let shakings = case.shakings(acting);
+        (0..1_u64 << pairs).map(|second| Trial { second, ..Trial::AS_GIVEN })
+    }
+
+    /// The ways in which a situation is tried: under each acceleration of the base, with each factor of a pair.
+    pub fn trials(&self, acting: Acting) -> Vec<Trial> {
+        let shakings = self.under(acting).shakings(acting);
         let shakings =
             if shakings.is_empty() { vec![None] } else { shakings.into_iter().map(Some).collect() };
-        let second = 0..1_u64 << pairs;
-        second
-            .flat_map(|second| shakings.iter().map(move |signs| Trial { second, ..Trial::shaken(*signs) }))
-            .collect()
+        let with = |Trial { second, .. }| {
+            shakings.iter().map(move |signs| Trial { second, ..Trial::shaken(*signs) })
+        };
+        self.trials_of_pairs(acting).flat_map(with).collect()
     }
 }
 
@@ -300,6 +299,15 @@ fn part_name<T: Scalar>(table: Table, load: &Load<T>) -> Option<&'static str> {
     }
 }
 
+/// The names of the parts of what a table makes.
+fn part_names(table: Table) -> &'static [&'static str] {
+    match table {
+        Table::Water => &["water.left", "water.right", "water.base"],
+        Table::Wave => &["wave.thrust", "wave.uplift"],
+        _ => &[],
+    }
+}
+
 impl ChangeBy {
     /// The key of a combination under which it stands.
     pub fn key(&self) -> Key {
@@ -322,7 +330,12 @@ const STRENGTHS: [Key; 6] = [
     Key::CentricResistance,
 ];
 
-/// The key of a strength after a partial factor.
+/// A product or a quotient of decimals without what rounding leaves behind their digits.
+fn decimal(number: f64) -> f64 {
+    format!("{number:.14e}").parse().unwrap_or(number)
+}
+
+/// A strength after a partial factor.
 fn divided(key: Key, value: f64, by: f64) -> f64 {
     match key {
         Key::GroundAngle => (value.to_radians().tan() / by).atan().to_degrees(),
@@ -345,7 +358,7 @@ impl Reader<'_> {
         let mut names: Vec<&str> = Vec::new();
         for table in tables {
             names.extend(table.in_combination());
-            names.extend(self.names_of_parts(table));
+            names.extend(part_names(table));
         }
         if self.inputs.get(Key::BuoyantWeight).is_some() {
             names.extend(Table::Water.in_combination());
@@ -388,18 +401,6 @@ impl Reader<'_> {
         }
     }
 
-    /// The names of the parts of what a table makes; water that stands equally high on both sides of a block presses on none.
-    fn names_of_parts(&self, table: Table) -> &'static [&'static str] {
-        let sides =
-            self.number(Key::WaterLeft) != self.number(Key::WaterRight) || self.inputs.has(Table::Part);
-        match table {
-            Table::Water if sides => &["water.left", "water.right", "water.base"],
-            Table::Water => &["water.base"],
-            Table::Wave => &["wave.thrust", "wave.uplift"],
-            _ => &[],
-        }
-    }
-
     /// What a combination sets, scales, and divides of strengths.
     fn changes(&self, index: usize) -> Result<Vec<InputChange>, Fault> {
         let mut changes: Vec<InputChange> = Vec::new();
@@ -416,7 +417,8 @@ impl Reader<'_> {
         for (place, name, by) in all {
             let key = by.key();
             let fault = |problem| Fault::new(problem, Place::Element(Id::new(key, index), place));
-            let id = self.key_called(name, key).map_err(fault)?;
+            let is_set = |id: &Id| changes.iter().any(|change| change.id == *id);
+            let id = self.key_called(name, key, is_set).map_err(fault)?;
             let is_number = id.key.info().range().is_some();
             match by {
                 ChangeBy::Scale(_) if !is_number => {
@@ -438,7 +440,7 @@ impl Reader<'_> {
     }
 
     /// The key that `set`, `scale` or `materials` calls by a name.
-    fn key_called(&self, name: &str, by: Key) -> Result<Id, Problem> {
+    fn key_called(&self, name: &str, by: Key, is_set: impl Fn(&Id) -> bool) -> Result<Id, Problem> {
         if let Ok(variable) = Variable::find(name, self.inputs) {
             return Ok(variable.id());
         }
@@ -452,7 +454,8 @@ impl Reader<'_> {
         });
         let found = keys.find(|id| id.to_string() == name);
         // What the case does not say has no number to be multiplied.
-        let found = found.filter(|id| by == Key::CombinationSet || self.inputs.get(*id).is_some());
+        let found =
+            found.filter(|id| by == Key::CombinationSet || self.inputs.get(*id).is_some() || is_set(id));
         found.ok_or_else(|| {
             let names = Variable::all(self.inputs).map(|id| id.to_string()).collect();
             Problem::NoKeyCalled { name: name.to_owned(), by, names }
@@ -470,7 +473,8 @@ impl Reader<'_> {
                 let names = NAMES.map(str::to_owned).to_vec();
                 return Err(Fault::new(Problem::UnknownResistance { name: name.clone(), names }, at));
             }
-            if name == "bearing" && !self.inputs.has(Table::Ground) {
+            let limits = [Key::Strength, Key::GroundAngle, Key::CentricResistance];
+            if name == "bearing" && !limits.iter().any(|key| self.inputs.get(*key).is_some()) {
                 return Err(Fault::new(Problem::NoBearing, at));
             }
         }
@@ -488,7 +492,7 @@ impl Reader<'_> {
         let id = Id::new(Key::CombinationCriteria, index);
         let Some(bounds) = self.inputs.bounds(id) else { return Ok(None) };
         let criteria = bounds.iter().enumerate().map(|(place, (key, value))| {
-            Criterion::of(*key, value).ok_or_else(|| {
+            Criterion::of(*key, value).filter(|criterion| !criterion.is_chance()).ok_or_else(|| {
                 let problem = Problem::CriterionOfAll { name: key.name() };
                 Fault::new(problem, Place::Element(id, place))
             })
@@ -519,9 +523,10 @@ fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs
                 let unquoted = text.trim_matches(['"', '\'']);
                 variable.read(unquoted, inputs).map_err(|problem| (place, problem))?
             }
-            ChangeBy::Scale(by) => variable.value(inputs, case) * by,
+            // To fifteen digits: 0.011/1.1 is 0.01, as who writes it in decimals finds it.
+            ChangeBy::Scale(by) => decimal(variable.value(inputs, case) * by),
             ChangeBy::Material(by) | ChangeBy::Resistance(by) => {
-                divided(change.id.key, variable.value(inputs, case), *by)
+                decimal(divided(change.id.key, variable.value(inputs, case), *by))
             }
         };
         numbers.push((variable, value));

@@ -126,24 +126,36 @@ impl Reader<'_> {
         ground.map_err(|error| self.blame(Table::Ground, error))
     }
 
+    /// The place at which a criterion is asked for: in `[criteria]`, or in the first combination that has it.
+    fn asked_at(&self, key: Key) -> Option<Place> {
+        let of_combinations = || {
+            (0..self.inputs.count(Table::Combination)).find_map(|index| {
+                let id = Id::new(Key::CombinationCriteria, index);
+                let place = self.inputs.bounds(id)?.iter().position(|(asked, _)| *asked == key)?;
+                Some(Place::Element(id, place))
+            })
+        };
+        self.inputs.get(key).map(|_| key.into()).or_else(of_combinations)
+    }
+
     /// Refuses criteria that the ground of the case cannot answer, and loads in time without the stiffnesses they need.
     pub(super) fn answerable(&self, ground: Option<&Foundation>) -> Result<(), Fault> {
         let limit = ground.is_some_and(|ground| ground.limit.is_some());
         let stiffness = ground.is_some_and(|ground| ground.stiffness.is_some());
         let tangential = ground.is_some_and(|ground| ground.tangential_stiffness.is_some());
-        let asked = |key: Key| self.inputs.get(key).is_some();
-        if asked(Key::LeastGround) && !limit {
+        let asked = |key: Key| self.asked_at(key);
+        if let Some(at) = asked(Key::LeastGround).filter(|_| !limit) {
             let (of, lacks) = (
                 "what the ground bears",
                 "[ground] has neither `strength` nor a friction angle nor an envelope",
             );
             let problem = Problem::NeedsGround { key: Key::LeastGround, of, lacks };
-            return Err(Fault::new(problem, Key::LeastGround));
+            return Err(Fault::new(problem, at));
         }
-        if asked(Key::GreatestRotation) && !stiffness {
+        if let Some(at) = asked(Key::GreatestRotation).filter(|_| !stiffness) {
             let (of, lacks) = ("how far the base lets the body turn", "[ground] has no `stiffness`");
             let problem = Problem::NeedsGround { key: Key::GreatestRotation, of, lacks };
-            return Err(Fault::new(problem, Key::GreatestRotation));
+            return Err(Fault::new(problem, at));
         }
         if self.inputs.is_in_time() {
             return Ok(());

@@ -118,27 +118,20 @@ const SHALLOW: f64 = 0.02;
 impl Case {
     /// Warnings of unusual values in it.
     pub fn warnings(&self) -> Vec<Warning> {
-        let mut warnings = self.of_all();
+        let of_case = self.of_all();
+        let mut warnings = of_case.clone();
         for acting in self.acting() {
             let under = self.under(acting);
             if std::ptr::eq(under, self) {
                 continue;
             }
             let name = self.acting_name(acting).unwrap_or_default();
-            // What is told of the case is not told again.
+            // What is told of the case is not told again; what is of all combinations together is not one's own.
             let new = under.of_all().into_iter().filter(|new| {
-                let is_of_it = |told: &Warning| match told {
-                    Warning::InCombination { name: of, warning } => {
-                        *of == name && warning.name() == new.name()
-                    }
-                    told => told.name() == new.name(),
-                };
-                !warnings.iter().any(is_of_it)
+                !new.is_about_combinations() && !of_case.iter().any(|told| told.is_same_as(new))
             });
-            let new: Vec<_> = new
-                .map(|warning| Warning::InCombination { name: name.clone(), warning: Box::new(warning) })
-                .collect();
-            warnings.extend(new);
+            let in_it = |warning| Warning::InCombination { name: name.clone(), warning: Box::new(warning) };
+            warnings.extend(new.map(in_it));
         }
         warnings
     }
@@ -246,11 +239,11 @@ impl Case {
         if named.chain(self.pressures.iter().map(|pressure| pressure.permanent)).all(|permanent| permanent) {
             return Vec::new();
         }
-        let situations: Vec<Situation> = self
-            .acting()
-            .into_iter()
-            .filter_map(|acting| self.situation(acting, Trial::AS_GIVEN).ok())
-            .collect();
+        let tried = self.acting().into_iter().flat_map(|acting| {
+            self.trials_of_pairs(acting).map(move |trial| (acting, trial)).collect::<Vec<_>>()
+        });
+        let situations: Vec<Situation> =
+            tried.filter_map(|(acting, trial)| self.situation(acting, trial).ok()).collect();
         // What pulls against all others, or presses the body down, by its wrench alone: most loads push, and cost no more.
         let holding = situations.iter().flat_map(|situation| {
             let full = situation.at(1.0).ok().map(|full| full.wrench);
@@ -290,11 +283,12 @@ impl Case {
 
     /// About what is asked of the results.
     fn asked(&self) -> Option<Warning> {
-        let bearing = self.criteria.iter().find(|criterion| criterion.key == Key::GreatestBearing)?;
-        match bearing.bound {
+        let all = self.all_criteria();
+        let mut bearing = all.iter().filter(|criterion| criterion.key == Key::GreatestBearing);
+        bearing.find_map(|criterion| match criterion.bound {
             Bound::AtMost(pressure) if pressure < BEARING * 1e3 => Some(Warning::SmallBearing { pressure }),
             _ => None,
-        }
+        })
     }
 
     /// About what the base bears.

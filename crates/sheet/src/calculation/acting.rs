@@ -12,8 +12,8 @@ use standfast_cases::units::Dimension;
 use standfast_cases::{Acting, Assessed, Assessment, Id, Inputs, Key, capital};
 
 use crate::measured::{
-    ACCELERATION, DEGREE, DENSITY, KILONEWTON, KILOPASCAL, MASS, METRE, Measured, NONE, SECOND, SheetUnit,
-    number,
+    ACCELERATION, DEGREE, DENSITY, INERTIA, KILONEWTON, KILOPASCAL, MASS, METRE, MOMENT, MRAD, Measured,
+    NONE, SECOND, STIFFNESS, SheetUnit, UNIT_WEIGHT, number,
 };
 use crate::steps::SheetSteps;
 use crate::symbols::numbered;
@@ -100,19 +100,23 @@ pub(super) fn changes(steps: &mut SheetSteps, assessment: &Assessment, assessed:
             None => plain(number),
         };
         let of_file = of_all.inputs().number(id).map(|number| written(number, of_all.inputs()));
-        let by = combination.changes.iter().find(|change| change.id == id).map(|change| &change.by);
-        let words = match (by, of_file) {
-            (Some(ChangeBy::Scale(by)), Some(file)) => format!("{file} × {}", plain(*by)),
-            (Some(ChangeBy::Material(by)), Some(file)) if id.key == Key::GroundAngle => {
-                format!("arctan(tan {file}°/{})", plain(*by))
-            }
-            (Some(ChangeBy::Material(by) | ChangeBy::Resistance(by)), Some(file)) => {
-                format!("{file}/{}", plain(*by))
-            }
-            (Some(ChangeBy::Set(_)), Some(file)) => format!("set, in place of {file}"),
-            (Some(ChangeBy::Set(_)), None) => "set".to_owned(),
-            (_, Some(file)) => format!("with that, in place of {file}"),
-            (_, None) => "with that".to_owned(),
+        let changes = combination.changes.iter().filter(|change| change.id == id);
+        // One after another, as they are made.
+        let chain = changes.fold(of_file.clone(), |words, change| {
+            Some(match (&change.by, words) {
+                (ChangeBy::Set(text), _) => text.trim_matches(['"', '\'']).to_owned(),
+                (ChangeBy::Scale(by), words) => format!("{} × {}", words.unwrap_or_default(), plain(*by)),
+                (ChangeBy::Material(by), words) if id.key == Key::GroundAngle => {
+                    format!("arctan(tan {}°/{})", words.unwrap_or_default(), plain(*by))
+                }
+                (ChangeBy::Material(by) | ChangeBy::Resistance(by), words) => {
+                    format!("{}/{}", words.unwrap_or_default(), plain(*by))
+                }
+            })
+        });
+        let words = match (chain == of_file, of_file) {
+            (true, Some(file)) => format!("with that, in place of {file}"),
+            _ => chain.unwrap_or_else(|| "with that".to_owned()),
         };
         let count = of_all.inputs().count(id.table);
         let (name, unit) = (numbered(id.key.info().symbol, id.index, count), unit_of(case.inputs(), id));
@@ -133,14 +137,19 @@ pub(super) fn changes(steps: &mut SheetSteps, assessment: &Assessment, assessed:
 fn unit_of(inputs: &Inputs, id: Id) -> SheetUnit {
     match inputs.dimension(id) {
         Some(Dimension::Length) => METRE,
-        Some(Dimension::Force) => KILONEWTON,
+        Some(Dimension::Force | Dimension::WholeForce) => KILONEWTON,
+        Some(Dimension::Moment | Dimension::WholeMoment) => MOMENT,
+        Some(Dimension::Inertia | Dimension::WholeInertia) => INERTIA,
         Some(Dimension::Pressure) => KILOPASCAL,
         Some(Dimension::Density) => DENSITY,
-        Some(Dimension::Mass) => MASS,
+        Some(Dimension::UnitWeight) => UNIT_WEIGHT,
+        Some(Dimension::Stiffness) => STIFFNESS,
+        Some(Dimension::Angle) => MRAD,
+        Some(Dimension::Mass | Dimension::WholeMass) => MASS,
         Some(Dimension::Acceleration) => ACCELERATION,
         Some(Dimension::Time) => SECOND,
-        _ if id.key.name().ends_with("_deg") => DEGREE,
-        _ => NONE,
+        None if id.key.name().ends_with("_deg") => DEGREE,
+        None => NONE,
     }
 }
 

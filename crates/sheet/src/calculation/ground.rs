@@ -30,7 +30,8 @@ pub(super) fn steps(
 ) {
     let (Some(foundation), Some(ground)) = (&case.ground, &assessed.ground) else {
         // A criterion of any base.
-        let asked = case.criteria.iter().any(|criterion| criterion.key == Key::GreatestEffective);
+        let asked =
+            case.criteria_of(assessed.acting).iter().any(|criterion| criterion.key == Key::GreatestEffective);
         let reaction = Reaction::of(&assessed.situation, 1.0).ok().flatten();
         if let Some(reaction) = reaction.filter(|_| asked) {
             steps.heading("Pressure on the effective width");

@@ -122,7 +122,7 @@ fn more() -> Vec<(String, String)> {
             [[combination]]\nname = \"as it is\"\nfactors = {{ wave = 1 }}\n[criteria]\nSF_sliding = 1.2\n")),
         ("partial factors of waves", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\n\
             [[combination]]\nname = \"partial factors\"\nscale = {{ \"wave.deep_water_height\" = 1.1 }}\nmaterials = {{ \"body.friction\" = 1.2 }}\n\
-            factors = {{ weight = [1.1, 0.9], \"wave.thrust\" = 0.9, \"wave.uplift\" = [0.77, 1] }}\ncriteria = {{ SF_sliding = 1, bearing_max = 5e5 }}\n")),
+            factors = {{ weight = [1.1, 0.9], \"wave.thrust\" = 0.9, \"wave.uplift\" = [0.77, 1] }}\ncriteria = {{ SF_sliding = 1, bearing_max = 5e5, effective_pressure_max = 5e5 }}\n")),
         ("partial factors of ground", format!("{body}[ground]\nfriction_angle_deg = 38\nunit_weight = 10e3\ncohesion = 2e3\n\
             [[load]]\nname = \"push\"\nforce = 100e3\nelevation = 5\n[[combination]]\nname = \"DA1-2\"\n\
             materials = {{ \"ground.friction_angle_deg\" = 1.1, \"ground.cohesion\" = 1.25 }}\nresist = {{ sliding = 1.1, bearing = 1.2 }}\n\
