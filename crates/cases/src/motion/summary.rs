@@ -182,6 +182,15 @@ fn change(
     } else {
         ("stronger", format!("up to {}", digits(to)))
     };
+    /// Between two that are tried a window of this width may lie unseen.
+    const SEEN: f64 = 0.05;
+    let head = match off.abs() <= SEEN {
+        true => head,
+        false => {
+            let amount = amount(followed, nearest.factor);
+            format!("Of {count} strengths tried, the nearest that {other} is {size} % {way}{amount}")
+        }
+    };
     format!("{head}; none of {} {side} ones, {end}, does.", behind.len())
 }
 
