@@ -24,7 +24,7 @@ use crate::document::{AnswerFigure, Document};
 use crate::interface::Interface;
 use crate::summary::Summary;
 pub use acting::situation_title;
-pub use combination::{changes as combination_changes, factors as combination_factors, pair_words, pairs};
+pub use combination::{changes as combination_changes, pair_words, pairs};
 pub use loads::{left_out, share};
 pub use standfast_answers::assess::{
     AnyCheck, Assessed, Assessment, BaseResponse, CaseCheck, Component, Elastic, MotionAssessment, predicate,

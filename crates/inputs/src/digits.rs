@@ -45,6 +45,11 @@ pub fn plain(x: f64) -> String {
     significant(x, 15)
 }
 
+/// A product or a quotient of decimals without what rounding leaves behind their digits: 3 times 0.3048 is 0.9144.
+pub fn decimal(x: f64) -> f64 {
+    format!("{x:.14e}").parse().unwrap_or(x)
+}
+
 /// Words from a file, shortened where they would fill the screen.
 pub fn shortened(written: &str) -> String {
     const MOST: usize = 120;

@@ -537,13 +537,13 @@ impl Field<'_> {
                 });
                 Value::Numbers(numbers.collect::<Result<_, _>>()?)
             }
-            Kind::Factors => Value::Factors(self.named(kind, |_, field| field.factor())?),
+            Kind::Factors => Value::Factors(self.named(kind, |field| field.factor())?),
             Kind::Settings => {
                 let written =
                     |field: &Field<'_>| self.text.get(field.value.span()).unwrap_or_default().to_owned();
-                Value::Settings(self.named(kind, |_, field| Ok(written(field)))?)
+                Value::Settings(self.named(kind, |field| Ok(written(field)))?)
             }
-            Kind::Ratios => Value::Ratios(self.named(kind, |_, field| field.ratio())?),
+            Kind::Ratios => Value::Ratios(self.named(kind, |field| field.ratio())?),
             Kind::Bounds => Value::Bounds(self.bounds()?),
             Kind::ModeList => {
                 let mut modes = Modes::NONE;
@@ -571,7 +571,7 @@ impl Field<'_> {
     fn named<T>(
         &self,
         kind: Kind,
-        read: impl Fn(&str, &Field<'_>) -> Result<T, PlacedProblem>,
+        read: impl Fn(&Field<'_>) -> Result<T, PlacedProblem>,
     ) -> Result<Vec<(String, T)>, PlacedProblem> {
         let table = self.value.get_ref().as_table();
         let table = table.ok_or_else(|| self.wrong_type(expected_type(kind)))?;
@@ -581,7 +581,7 @@ impl Field<'_> {
             if named.iter().any(|(before, _)| *before == name) {
                 return Err(self.out_of_range("each name once"));
             }
-            let read = read(&name, &Field { value, ..*self })?;
+            let read = read(&Field { value, ..*self })?;
             named.push((name, read));
         }
         Ok(named)

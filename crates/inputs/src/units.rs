@@ -5,7 +5,7 @@
 
 use thiserror::Error;
 
-use crate::digits::{digits, shortened};
+use crate::digits::{decimal, digits, shortened};
 
 /// Extent of forces, masses and moments of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -135,7 +135,7 @@ impl Unit {
     /// just as the plain number is; of a unit with a factor, to fifteen digits: "3 ft" is 0.9144.
     pub fn si(self, value: f64) -> f64 {
         if self.factor != 1.0 {
-            return format!("{:.14e}", value * self.factor).parse().unwrap_or(f64::NAN);
+            return decimal(value * self.factor);
         }
         // A whole number is multiplied, or divided, with one rounding.
         if self.power == 0 || value.fract() == 0.0 {

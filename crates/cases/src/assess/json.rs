@@ -264,14 +264,8 @@ impl Serialize for Named<'_> {
 struct Tried<'a> {
     factors: Named<'a>,
     earthquake: Option<Earthquake>,
-    mode: ResultValue,
-    departure: ResultValue,
-    load_factor: ResultValue,
-    departure_mode: ResultValue,
-    #[serde(rename = "SF_sliding")]
-    sliding: ResultValue,
-    #[serde(rename = "SF_overturning_net")]
-    overturning: ResultValue,
+    #[serde(flatten)]
+    answer: ShortAnswer,
 }
 
 /// m/s², to the right and upwards.
@@ -285,6 +279,13 @@ struct Earthquake {
 struct OtherEarthquake {
     #[serde(flatten)]
     earthquake: Earthquake,
+    #[serde(flatten)]
+    answer: ShortAnswer,
+}
+
+/// What is told of a way that is not the one that is worst.
+#[derive(Serialize)]
+struct ShortAnswer {
     mode: ResultValue,
     departure: ResultValue,
     load_factor: ResultValue,
@@ -532,12 +533,7 @@ impl<'a> Tried<'a> {
         Tried {
             factors: Named::numbers(factors),
             earthquake: assessed.earthquake.as_ref().map(Earthquake::of),
-            mode: ResultName::Mode.of(assessed),
-            departure: ResultName::Departure.of(assessed),
-            load_factor: ResultName::LoadFactor.of(assessed),
-            departure_mode: ResultName::DepartureMode.of(assessed),
-            sliding: ResultName::SfSliding.of(assessed),
-            overturning: ResultName::SfOverturningNet.of(assessed),
+            answer: ShortAnswer::of(assessed),
         }
     }
 }
@@ -550,14 +546,19 @@ impl Earthquake {
 
 impl OtherEarthquake {
     fn of(earthquake: &loads::Earthquake, other: &Assessed) -> OtherEarthquake {
-        OtherEarthquake {
-            earthquake: Earthquake::of(earthquake),
-            mode: ResultName::Mode.of(other),
-            departure: ResultName::Departure.of(other),
-            load_factor: ResultName::LoadFactor.of(other),
-            departure_mode: ResultName::DepartureMode.of(other),
-            sliding: ResultName::SfSliding.of(other),
-            overturning: ResultName::SfOverturningNet.of(other),
+        OtherEarthquake { earthquake: Earthquake::of(earthquake), answer: ShortAnswer::of(other) }
+    }
+}
+
+impl ShortAnswer {
+    fn of(assessed: &Assessed) -> ShortAnswer {
+        ShortAnswer {
+            mode: ResultName::Mode.of(assessed),
+            departure: ResultName::Departure.of(assessed),
+            load_factor: ResultName::LoadFactor.of(assessed),
+            departure_mode: ResultName::DepartureMode.of(assessed),
+            sliding: ResultName::SfSliding.of(assessed),
+            overturning: ResultName::SfOverturningNet.of(assessed),
         }
     }
 }

@@ -160,11 +160,13 @@ fn change(
     let off = nearest.factor - 1.0;
     let size = significant(100.0 * off.abs(), 2);
     let way = if off > 0.0 { "stronger" } else { "weaker" };
-    let head = format!(
-        "A {drive} {size} % {way}{} {other}{}",
-        amount(followed, nearest.factor),
-        before(followed, nearest, way)
-    );
+    let amount = amount(followed, nearest.factor);
+    /// Between two that are tried a window of this width may lie unseen.
+    const SEEN: f64 = 0.05;
+    let head = match verdict.windows || off.abs() <= SEEN {
+        true => format!("A {drive} {size} % {way}{amount} {other}{}", before(followed, nearest, way)),
+        false => format!("Of {count} strengths tried, the nearest that {other} is {size} % {way}{amount}"),
+    };
     let differ = |tried: &&Tried| holds(tried) != verdict.verdict;
     if verdict.windows {
         let near: Vec<&Tried> =
@@ -181,15 +183,6 @@ fn change(
         ("weaker", format!("down to {}", digits(from)))
     } else {
         ("stronger", format!("up to {}", digits(to)))
-    };
-    /// Between two that are tried a window of this width may lie unseen.
-    const SEEN: f64 = 0.05;
-    let head = match off.abs() <= SEEN {
-        true => head,
-        false => {
-            let amount = amount(followed, nearest.factor);
-            format!("Of {count} strengths tried, the nearest that {other} is {size} % {way}{amount}")
-        }
     };
     format!("{head}; none of {} {side} ones, {end}, does.", behind.len())
 }

@@ -15,6 +15,7 @@ use super::reader::Reader;
 use super::{Acting, Case, LoadOrigin};
 use crate::couple::{Variable, spelled, vary};
 use crate::criteria::Criterion;
+use crate::digits::decimal;
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::{Inputs, LoadFactor};
 use crate::key::{Id, Key, Table};
@@ -329,11 +330,6 @@ const STRENGTHS: [Key; 6] = [
     Key::Cohesion,
     Key::CentricResistance,
 ];
-
-/// A product or a quotient of decimals without what rounding leaves behind their digits.
-fn decimal(number: f64) -> f64 {
-    format!("{number:.14e}").parse().unwrap_or(number)
-}
 
 /// A strength after a partial factor.
 fn divided(key: Key, value: f64, by: f64) -> f64 {
