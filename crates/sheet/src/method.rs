@@ -32,7 +32,12 @@ pub fn words(assessment: &Assessment) -> Markup {
                     " Of the forces that act alone, each is an alternative to the others."
                 }
                 @if !case.combinations.is_empty() {
-                    " Loads act in the combinations of the case file, each times its factor there. The body’s mass, its inertia and the friction carry no factor."
+                    " Loads act in the combinations of the case file, each times its factor there."
+                    @if case.combinations.iter().all(|combination| combination.changes.is_empty()) {
+                        " The body’s mass, its inertia and the friction carry no factor."
+                    } @else {
+                        " A factor on a load changes no mass, no inertia and no friction. What a combination changes besides stands at its head."
+                    }
                 }
             }
             @if let Some(wave) = &case.wave {

@@ -274,3 +274,21 @@ fn a_body_on_a_boundary_is_said_to_be_there() {
     let words = text(&document("drum.toml", &drum));
     assert!(words.contains("To the digits given") && !words.contains("The answer is unique"), "{words}");
 }
+
+/// The assumptions do not say that friction has no factor where a combination divides it.
+#[test]
+fn assumptions_hold_where_a_combination_divides_the_friction() {
+    const NO_FACTOR: &str = "its inertia and the friction carry no factor";
+    let case = |line: &str| {
+        let case = format!(
+            "[body]\nwidth = 12\nheight = 10\nmass = 270000\nfriction = 0.6\n\
+             [[load]]\nname = \"push\"\nforce = 5e5\nelevation = 6\n\
+             [[combination]]\nfactors = {{ push = 1.5 }}\n{line}"
+        );
+        text(&document("divided.toml", &case))
+    };
+    assert!(case("").contains(NO_FACTOR));
+    let divided = case("materials = { friction = 1.25 }\n");
+    assert!(!divided.contains(NO_FACTOR));
+    assert!(divided.contains("What a combination changes besides stands at its head."));
+}
