@@ -1,6 +1,7 @@
 //! A case answered: every situation of it with its outcome, and its criteria.
 
 mod any_check;
+mod balance;
 mod because;
 mod components;
 pub mod ground;
@@ -20,6 +21,7 @@ use crate::motion::{Follow, FollowedMotion, MotionCheck, worst_checks as worst_m
 use crate::random::{ProbabilityError, Random, not_rest};
 use crate::units::Extent;
 pub use any_check::AnyCheck;
+pub use balance::{Balance, BalancePart};
 pub use components::Component;
 pub use ground::{BaseResponse, Elastic};
 

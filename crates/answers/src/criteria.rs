@@ -39,10 +39,12 @@ pub(crate) fn met_word(met: bool) -> &'static str {
 }
 
 /// The results that criteria on numbers ask for.
-const RESULTS: [(Key, ResultName); 10] = [
+const RESULTS: [(Key, ResultName); 12] = [
     (Key::LeastSliding, ResultName::SfSliding),
     (Key::LeastOverturningNet, ResultName::SfOverturningNet),
     (Key::LeastOverturningGross, ResultName::SfOverturningGross),
+    (Key::LeastUplift, ResultName::SfUplift),
+    (Key::GreatestTipping, ResultName::Tipping),
     (Key::GreatestBearing, ResultName::BearingMax),
     (Key::LeastContact, ResultName::ContactShare),
     (Key::GreatestEccentricity, ResultName::Eccentricity),
@@ -121,6 +123,8 @@ impl Check {
                     Key::LeastSliding
                     | Key::LeastOverturningNet
                     | Key::LeastOverturningGross
+                    | Key::LeastUplift
+                    | Key::GreatestTipping
                     | Key::LeastGround
                     | Key::LeastLoadFactor => number::beside(value, against, 4).to_string(),
                     _ if value == against => digits(value),

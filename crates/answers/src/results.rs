@@ -14,6 +14,7 @@ use crate::assess::Assessed;
 use crate::assess::ground::{BaseResponse, Elastic};
 use crate::units::Dimension;
 use standfast_inputs::listed;
+use standfast_model::{Criterion, Key};
 
 /// The value of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,6 +150,13 @@ listed! {
     SfOverturningGross = number("SF_overturning_gross", None,
         "safety factor against overturning by gross moments, (W' t + M_s)/(M_s + M_U + M_p) about the heel, the lesser of both corners: the whole weight against all water under the base and P",
         |a| factor(&a.outcome.full, a.outcome.gross.overturning()));
+
+    SfUplift = number("SF_uplift", None,
+        "safety factor against uplift: all that acts down over all that acts up; told where a criterion asks for it, and not of a `buoyant_weight`",
+        |a| perhaps(a.balance().map(|balance| balance.uplift())));
+    Tipping = number("tipping", None,
+        "moments that tip the body over those that hold it, load by load, a load's push and its vertical part apart; the larger of both corners; told where a criterion asks for it, and not of a `buoyant_weight`",
+        |a| perhaps(a.balance().map(|balance| balance.tipping())));
 
     MarginSliding = number("margin_sliding", Some(Dimension::Force),
         "what friction leaves of the horizontal force, μ(W' − U) − P: negative where the body cannot rest for want of friction, and where it is lifted",
@@ -318,6 +326,7 @@ impl ResultName {
             ResultName::SfSliding => "sliding",
             ResultName::SfOverturningNet => "overturning",
             ResultName::SfOverturningGross => "overturning, gross",
+            ResultName::SfUplift => "uplift",
             ResultName::BearingMax => "bearing pressure",
             ResultName::ContactShare => "contact",
             ResultName::GroundFactor => "ground",
@@ -330,6 +339,21 @@ impl ResultName {
     /// Its value for a situation.
     pub fn of(self, assessed: &Assessed) -> ResultValue {
         (self.info().of)(assessed)
+    }
+
+    /// The criterion that has to ask for it, for it to be told; `None` of a result that always is.
+    pub fn asked_by(self) -> Option<Key> {
+        match self {
+            ResultName::SfUplift => Some(Key::LeastUplift),
+            ResultName::Tipping => Some(Key::GreatestTipping),
+            _ => None,
+        }
+    }
+
+    /// True if it is told of a case with these criteria, where it is none of the ground.
+    pub fn is_told(self, criteria: &[Criterion]) -> bool {
+        let asked = |key| criteria.iter().any(|criterion| criterion.key == key);
+        self.asked_by().is_none_or(asked)
     }
 
     /// True if only a case with a `[ground]` has it.

@@ -34,8 +34,7 @@ use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Key, Table};
 use crate::results::{ResultKind, ResultName, ResultValue, SeaResult};
-use standfast_model::CaseFile;
-use standfast_model::Warning;
+use standfast_model::{CaseFile, Criterion, Warning};
 
 /// A case, and which of its numbers vary.
 #[derive(Debug, Clone)]
@@ -88,10 +87,12 @@ pub enum SweepResult {
 const LARGEST_BIAS: f64 = 1e50;
 
 /// The names of criteria, which are those of the keys that ask for them.
-const CRITERIA: [&str; 15] = [
+const CRITERIA: [&str; 17] = [
     "SF_sliding",
     "SF_overturning_net",
     "SF_overturning_gross",
+    "SF_uplift",
+    "tipping",
     "bearing_max",
     "contact_share",
     "eccentricity",
@@ -324,9 +325,14 @@ impl SweepResult {
         of_case.into_iter().chain(of_situation).chain(SeaResult::ALL.iter().copied().map(SweepResult::Sea))
     }
 
-    /// True if it is given only where it is asked for by its name, as tables have columns of such names themselves.
-    pub fn is_by_name(self) -> bool {
-        matches!(self, SweepResult::Sea(_))
+    /// True if it is given of a case with these criteria only where it is asked for by its name: tables have columns of the names of the
+    /// sea themselves.
+    pub fn is_by_name(self, criteria: &[Criterion]) -> bool {
+        match self {
+            SweepResult::Sea(_) => true,
+            SweepResult::Of(result) => !result.is_told(criteria),
+            _ => false,
+        }
     }
 
     /// The result of a name.

@@ -8,10 +8,12 @@ mod figures;
 pub mod ground;
 mod json;
 mod loads;
+pub mod made;
 pub mod pinned;
 pub mod screen;
 mod sea;
 mod section;
+pub mod soil;
 mod summary;
 mod text;
 pub mod verdict;
@@ -27,7 +29,8 @@ pub use acting::situation_title;
 pub use combination::{changes as combination_changes, pair_words, pairs};
 pub use loads::{left_out, share};
 pub use standfast_answers::assess::{
-    AnyCheck, Assessed, Assessment, BaseResponse, CaseCheck, Component, Elastic, MotionAssessment, predicate,
+    AnyCheck, Assessed, Assessment, Balance, BalancePart, BaseResponse, CaseCheck, Component, Elastic,
+    MotionAssessment, predicate,
 };
 pub use text::criteria_met;
 pub(crate) use text::{heading, met_words, note, title};

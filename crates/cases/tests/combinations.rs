@@ -442,3 +442,60 @@ fn what_a_combination_cannot_say_is_refused() {
     let place = error.excerpt().unwrap().places[0].clone();
     assert_eq!(&text[place], "\"wave.heigth\" = 2");
 }
+
+const GROUPS: &str = "[body]\nfriction = 0.6\n\
+    [[part]]\ngroup = \"concrete\"\nleft = 0\nwidth = 15\nbottom = 0\nheight = 2\ndensity = 2400\n\
+    [[part]]\ngroup = \"fill\"\nleft = 1\nwidth = 12\nbottom = 2\nheight = 8\ndensity = 1900\n\
+    [[part]]\nleft = 0\nwidth = 1\nbottom = 2\nheight = 8\ndensity = 2400\n\
+    [water]\nleft = 1\nright = 2\ndensity = 1000\n\
+    [[load]]\nname = \"push\"\nforce = 900e3\nelevation = 8\n[[combination]]\n";
+
+fn grouped(combination: &str) -> Assessment {
+    assess(&format!("{GROUPS}{combination}\n"))
+}
+
+/// The weights of groups of parts add up to the weight; a factor on one is one on its parts' densities; the more precise name goes before.
+#[test]
+fn groups_of_parts_have_factors_of_their_own() {
+    let whole = grouped("factors = { weight = 0.9, push = 1 }");
+    let apart =
+        grouped("factors = { \"weight.fill\" = 0.9, \"weight.concrete\" = 0.9, weight = 0.9, push = 1 }");
+    for result in ResultName::ALL {
+        match (result.of(whole.governing()), result.of(apart.governing())) {
+            (ResultValue::Number(one), ResultValue::Number(two)) if one != two => near(two, one, 1e-12),
+            (one, two) => assert_eq!(one, two, "{}", result.name()),
+        }
+    }
+    assert_eq!(apart.governing().components().len(), whole.governing().components().len() + 2);
+    let light = grouped("factors = { \"weight.fill\" = 0.5, push = 1 }");
+    let lighter = GROUPS.replace("density = 1900", "density = 950");
+    let lighter = assess(&format!("{lighter}factors = {{ push = 1 }}\n"));
+    for result in [ResultName::SfSliding, ResultName::SfOverturningNet, ResultName::BearingMax] {
+        near(number(light.governing(), result), number(lighter.governing(), result), 1e-12);
+    }
+    let text = format!("{GROUPS}factors = {{ \"weight.sand\" = 0.5 }}\n");
+    assert!(refused(&text).contains("weight.fill"), "{}", refused(&text));
+}
+
+/// Tipping and uplift, added up by hand from the loads of the case.
+#[test]
+fn tipping_and_uplift_are_sums_over_the_loads() {
+    let criteria = "criteria = { tipping = 1, SF_uplift = 1 }";
+    let assessed = grouped(&format!("factors = {{ push = 1.2 }}\n{criteria}"));
+    let assessed = assessed.governing();
+    let g = 9.81;
+    let weight = g * (30.0 * 2400.0 + 96.0 * 1900.0 + 8.0 * 2400.0);
+    let about_o = g * (30.0 * 2400.0 * 7.5 + 96.0 * 1900.0 * 7.0 + 8.0 * 2400.0 * 0.5);
+    let up = 1000.0 * g * 1.5 * 15.0;
+    near(number(assessed, ResultName::SfUplift), weight / up, 1e-12);
+    // Water on both sides is one load, that under the base another.
+    let water = 1000.0 * g * (2f64.powi(3) - 1.0) / 6.0;
+    let buoyancy = 1000.0 * g * (1.0 * 15.0 * 7.5 + 1.0 * 15.0 / 2.0 * 10.0);
+    near(number(assessed, ResultName::Tipping), (1.2 * 900e3 * 8.0 + water + buoyancy) / about_o, 1e-12);
+    // Told where it is asked for alone.
+    let json = |text: &str| assess(text).json(&AssessmentView::default(), &[]);
+    assert!(json(&format!("{GROUPS}factors = {{ push = 1 }}\n{criteria}\n")).contains("\"tipping\": 0."));
+    assert!(!json(&format!("{GROUPS}factors = {{ push = 1 }}\n")).contains("tipping"));
+    let given = assess(&goda("factors = { wave = 1 }\ncriteria = { tipping = 1 }"));
+    assert_eq!(ResultName::Tipping.of(given.governing()), ResultValue::Nothing);
+}

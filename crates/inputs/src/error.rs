@@ -558,6 +558,89 @@ pub enum Problem {
     /// An earthquake at the first instant, of a body that is followed in time.
     #[error("an [earthquake] is a peak that is held: it has no course in time")]
     HeldShaking,
+    /// More tables of a kind than there may be.
+    #[error("there are {count} {} tables; expected {} at most", table.header(), table.most())]
+    TooManyTables {
+        /// Their kind.
+        table: Table,
+        /// Their number.
+        count: usize,
+    },
+    /// A ground as steep as its friction.
+    #[error("`slope_deg` of {name} is {}°; expected less than the angle of friction of its soil, {}°", reached(*slope), reached(*friction))]
+    SlopeBeyondFriction {
+        /// The soil.
+        name: String,
+        /// β, degrees.
+        slope: f64,
+        /// φ, degrees.
+        friction: f64,
+    },
+    /// More friction on the wall than in the soil.
+    #[error("`wall_friction_deg` is {}°; expected no more than the angle of friction of the soil, {}°, to either side", reached(*wall), reached(*friction))]
+    WallFrictionBeyondFriction {
+        /// δ, degrees.
+        wall: f64,
+        /// φ, degrees.
+        friction: f64,
+    },
+    /// Water in a soil of which only the weight above water is known.
+    #[error("water stands in this soil, {} m above the base, and `unit_weight_saturated` is not given", reached(*level))]
+    SaturatedWeightMissing {
+        /// Level of the water, m.
+        level: f64,
+    },
+    /// A soil that floats.
+    #[error("`unit_weight_saturated` is {} kN/m³; expected more than that of water, {} kN/m³", reached(saturated / 1e3), reached(water / 1e3))]
+    SoilFloats {
+        /// N/m³.
+        saturated: f64,
+        /// N/m³.
+        water: f64,
+    },
+    /// Layers that end above the base.
+    #[error("the layers of {name} are {} m thick; expected {} m at least, for the last to reach the base", reached(*thickness), reached(*height))]
+    LayersShort {
+        /// The soil.
+        name: String,
+        /// All of them, m.
+        thickness: f64,
+        /// From the ground to the base, m.
+        height: f64,
+    },
+    /// Keys of a soil beside its layers.
+    #[error("{name} has layers, and `{}` of its own", key.name())]
+    SoilBesideLayers {
+        /// The soil.
+        name: String,
+        /// The key.
+        key: Key,
+    },
+    /// A load whose name the program gives to what it makes of another.
+    #[error("a load is called {name}, as the program calls what it makes of a [[backfill]]")]
+    MadeName {
+        /// The name.
+        name: String,
+    },
+    /// An earthquake under which no soil of this friction and slope holds.
+    #[error(
+        "the soil {name} does not hold under this earthquake: φ − β − ψ is below zero, k_h is {}; expected {} at most, with k_v as it is", 
+        reached(*horizontal), reached(*greatest)
+    )]
+    TooSteepForEarthquake {
+        /// The soil.
+        name: String,
+        /// k_h.
+        horizontal: f64,
+        /// The greatest k_h.
+        greatest: f64,
+    },
+    /// Free water that moves with the body on a side that is filled.
+    #[error("`sides` counts the {side}, where soil stands: no free water moves with the body there")]
+    FilledSide {
+        /// The side.
+        side: &'static str,
+    },
     /// A ratio beside another law of impacts.
     #[error("`ratio` goes with law = \"ratio\" only")]
     RatioOfOtherLaw,

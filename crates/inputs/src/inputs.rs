@@ -87,6 +87,8 @@ pub struct Inputs {
     decimals: Vec<((Id, usize), Ball)>,
     /// Units in which the file writes its numbers, where it writes one.
     written: Vec<(Id, ShownUnit)>,
+    /// Numbers that a partial factor has divided: what people write may not be as small.
+    divided: Vec<Id>,
     /// Number of tables of each kind, in the order of [`Table::ALL`].
     tables: [usize; Table::ALL.len()],
 }
@@ -94,7 +96,7 @@ pub struct Inputs {
 /// The same values; in which units they are written is no matter.
 impl PartialEq for Inputs {
     fn eq(&self, other: &Inputs) -> bool {
-        let Inputs { values, decimals, tables, written: _ } = self;
+        let Inputs { values, decimals, tables, divided: _, written: _ } = self;
         (values, decimals, tables) == (&other.values, &other.decimals, &other.tables)
     }
 }
@@ -275,6 +277,16 @@ impl Inputs {
         }
     }
 
+    /// Says that a partial factor has divided a number.
+    pub fn put_divided(&mut self, id: Id) {
+        self.divided.push(id);
+    }
+
+    /// True if a partial factor has divided a number.
+    pub fn is_divided(&self, id: Id) -> bool {
+        self.divided.contains(&id)
+    }
+
     /// Takes away what stands under a key.
     pub fn remove(&mut self, id: Id) {
         self.values.retain(|(other, _)| *other != id);
@@ -287,6 +299,34 @@ impl Inputs {
     /// Number of tables of a kind.
     pub fn count(&self, table: Table) -> usize {
         self.tables[table as usize]
+    }
+
+    /// The numbers of the tables of a kind.
+    pub fn indices(&self, table: Table) -> Vec<usize> {
+        match table {
+            Table::BackfillLayer => {
+                (0..self.count(Table::Backfill)).flat_map(|of| self.tables_in(table, of)).collect()
+            }
+            _ => (0..self.count(table)).collect(),
+        }
+    }
+
+    /// The numbers of the tables of a kind that stand in the `of`-th of another.
+    pub fn tables_in(&self, table: Table, of: usize) -> Vec<usize> {
+        // Each says something, or it could not be read.
+        let mut indices: Vec<usize> = Vec::new();
+        for (id, _) in self.values.iter().filter(|(id, _)| id.table == table) {
+            if table.places(id.index)[0] == of && indices.last() != Some(&id.index) {
+                indices.push(id.index);
+            }
+        }
+        indices
+    }
+
+    /// The place of the table of a key among all of its kind, and the number of these.
+    pub fn place_among(&self, id: Id) -> (usize, usize) {
+        let indices = self.indices(id.table);
+        (indices.iter().position(|index| *index == id.index).unwrap_or(id.index), indices.len())
     }
 
     /// True if there is a table of a kind.

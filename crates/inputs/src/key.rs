@@ -35,6 +35,12 @@ pub enum Table {
     AddedMass,
     /// Pressures along faces.
     Pressure,
+    /// Soil beside the body.
+    Backfill,
+    /// A layer of it.
+    BackfillLayer,
+    /// Keys that a soil has, of one layer or of several; no table of a file itself.
+    Soil,
     /// Forces.
     Load,
     /// Loads that act together, and their factors.
@@ -73,7 +79,7 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 27] = [
+    pub const ALL: [Table; 30] = [
         Table::Top,
         Table::Body,
         Table::Part,
@@ -84,6 +90,9 @@ impl Table {
         Table::Earthquake,
         Table::AddedMass,
         Table::Pressure,
+        Table::Backfill,
+        Table::BackfillLayer,
+        Table::Soil,
         Table::Load,
         Table::Combination,
         Table::Criteria,
@@ -106,7 +115,8 @@ impl Table {
     /// The table that it stands in; `None` of the top, and of what no file has.
     pub const fn parent(self) -> Option<Table> {
         match self {
-            Table::Top | Table::History => None,
+            Table::Top | Table::History | Table::Soil => None,
+            Table::BackfillLayer => Some(Table::Backfill),
             Table::Impact | Table::Initial | Table::Base => Some(Table::Motion),
             Table::BaseHorizontal | Table::BaseVertical => Some(Table::Base),
             Table::WaveHistory => Some(Table::Wave),
@@ -147,9 +157,14 @@ impl Table {
         )
     }
 
-    /// The table under which its keys are listed.
+    /// The table under which its keys are listed, or those that are its own.
     const fn listed(self) -> Table {
         if self.is_history() { Table::History } else { self }
+    }
+
+    /// True if the keys that soils have are among its keys.
+    pub const fn is_of_soil(self) -> bool {
+        matches!(self, Table::Backfill | Table::BackfillLayer)
     }
 
     /// Its name in the table that it stands in; empty for the top.
@@ -165,6 +180,9 @@ impl Table {
             Table::Earthquake => "earthquake",
             Table::AddedMass => "added_mass",
             Table::Pressure => "pressure",
+            Table::Backfill => "backfill",
+            Table::BackfillLayer => "layer",
+            Table::Soil => "soil",
             Table::Load => "load",
             Table::Combination => "combination",
             Table::Criteria => "criteria",
@@ -184,12 +202,28 @@ impl Table {
 
     /// Its place in a file as keys name it, the `index`-th of those that repeat: `motion.base.horizontal`, `load[2].history`.
     pub fn path(self, index: usize) -> String {
-        let place = if self.repeats() { format!("[{}]", index + 1) } else { String::new() };
+        let [of, own] = self.places(index);
+        let place = if self.repeats() { format!("[{}]", own + 1) } else { String::new() };
         match self.parent() {
             None => self.name().to_owned(),
             Some(Table::Top) => format!("{}{place}", self.name()),
-            Some(parent) => format!("{}.{}{place}", parent.path(index), self.name()),
+            Some(parent) => format!("{}.{}{place}", parent.path(of), self.name()),
         }
+    }
+
+    /// The place of the table in which an `index`-th table stands, and its own place there.
+    pub const fn places(self, index: usize) -> [usize; 2] {
+        if matches!(self, Table::BackfillLayer) { [index / LAYERS, index % LAYERS] } else { [index; 2] }
+    }
+
+    /// The number of a table at a place in that of another place; the inverse of [`places`](Table::places).
+    pub const fn index_in(self, of: usize, place: usize) -> usize {
+        if matches!(self, Table::BackfillLayer) { of * LAYERS + place } else { place }
+    }
+
+    /// The most tables of its kind in one other; no limit but for layers.
+    pub const fn most(self) -> usize {
+        if matches!(self, Table::BackfillLayer) { LAYERS } else { usize::MAX }
     }
 
     /// The name of its loads in a combination; `None` for one whose loads have names of their own, or that has none.
@@ -214,6 +248,9 @@ impl Table {
             Table::Earthquake => "[earthquake]",
             Table::AddedMass => "[added_mass]",
             Table::Pressure => "[[pressure]]",
+            Table::Backfill => "[[backfill]]",
+            Table::BackfillLayer => "[[backfill.layer]]",
+            Table::Soil => "a soil",
             Table::Load => "[[load]]",
             Table::Combination => "[[combination]]",
             Table::Criteria => "[criteria]",
@@ -255,6 +292,14 @@ impl Table {
             Table::Pressure => {
                 "one such table for each pressure along a face, linear from point to point and nothing outside"
             }
+            Table::Backfill => {
+                "one such table for each soil beside a side of the body: its pressure follows from its friction; its surcharge is a variable \
+                 load of its own"
+            }
+            Table::BackfillLayer => {
+                "one such table for each layer, from the top down, in place of the soil's own keys; the last reaches the base"
+            }
+            Table::Soil => "what a [[backfill]] of one soil has, or each of its layers",
             Table::Load => {
                 "one such table for each force; each acts alone, beside all other loads, unless it is permanent or \
                  `together = true`"
@@ -294,12 +339,24 @@ impl Table {
 
     /// True if a file may have it more than once.
     pub fn repeats(self) -> bool {
-        matches!(self, Table::Part | Table::Pressure | Table::Load | Table::Combination | Table::BlockLoad)
+        matches!(
+            self,
+            Table::Part
+                | Table::Pressure
+                | Table::Backfill
+                | Table::BackfillLayer
+                | Table::Load
+                | Table::Combination
+                | Table::BlockLoad
+        )
     }
 
     /// Its keys, in their order.
     pub fn keys(self) -> impl Iterator<Item = Key> {
-        Key::ALL.iter().copied().filter(move |key| key.info().table == self.listed())
+        Key::ALL.iter().copied().filter(move |key| {
+            let of = key.info().table;
+            of == self.listed() || of == Table::Soil && self.is_of_soil()
+        })
     }
 
     /// Lines of a file that have the table right.
@@ -317,6 +374,12 @@ impl Table {
             Table::Pressure => {
                 "[[pressure]]\nname = \"backfill\"\nface = \"right\"\nelevation = [\"0 m\", \"9 m\"]\n\
                  pressure = [\"54 kPa\", \"0 kPa\"]\npermanent = true"
+            }
+            Table::Backfill | Table::Soil => {
+                "[[backfill]]\nname = \"sand\"\nface = \"right\"\nfriction_angle_deg = 33\nunit_weight = \"18 kN/m3\""
+            }
+            Table::BackfillLayer => {
+                "[[backfill.layer]]\nthickness = \"4 m\"\nfriction_angle_deg = 33\nunit_weight = \"18 kN/m3\""
             }
             Table::Combination => "[[combination]]\nname = \"storm\"\nfactors = { weight = 0.9, wave = 1.3 }",
             Table::Criteria => "[criteria]\nSF_sliding = 1.2\nSF_overturning_net = 1.2",
@@ -339,6 +402,9 @@ impl Table {
     }
 }
 
+/// The most layers of a backfill.
+const LAYERS: usize = 64;
+
 /// Range of the numbers that a key takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Range {
@@ -354,6 +420,14 @@ pub enum Range {
     ZeroToOne,
     /// An angle of friction of ground, degrees.
     GroundAngle,
+    /// An angle of friction of soil beside a wall, degrees.
+    SoilAngle,
+    /// Batter of the back of a wall, degrees.
+    Batter,
+    /// Height of the increment of an earthquake, as a share of that of the soil.
+    Increment,
+    /// Overconsolidation ratio.
+    FromOne,
 }
 
 impl Range {
@@ -365,7 +439,11 @@ impl Range {
             Range::Positive => value > 0.0,
             Range::Share => value > 0.0 && value <= 1.0,
             Range::ZeroToOne => (0.0..=1.0).contains(&value),
-            Range::GroundAngle => (20.0..=50.0).contains(&value),
+            Range::GroundAngle | Range::SoilAngle | Range::Batter | Range::Increment => {
+                let [low, high] = self.ends();
+                (low..=high).contains(&value)
+            }
+            Range::FromOne => value >= 1.0,
         };
         in_range && value.is_finite()
     }
@@ -379,6 +457,10 @@ impl Range {
             Range::Share => "a share, above zero and 1 at most",
             Range::ZeroToOne => "a number from 0 to 1",
             Range::GroundAngle => "an angle from 20 to 50 degrees",
+            Range::SoilAngle => "an angle from 15 to 50 degrees",
+            Range::Batter => "an angle from -20 to 30 degrees",
+            Range::Increment => "a share from 0.3333 to 0.6667",
+            Range::FromOne => "a finite number, 1 or more",
         }
     }
 
@@ -389,6 +471,10 @@ impl Range {
             Range::NotNegative | Range::Positive => [0.0, f64::INFINITY],
             Range::Share | Range::ZeroToOne => [0.0, 1.0],
             Range::GroundAngle => [20.0, 50.0],
+            Range::SoilAngle => [15.0, 50.0],
+            Range::Batter => [-20.0, 30.0],
+            Range::Increment => [0.3333, 0.6667],
+            Range::FromOne => [1.0, f64::INFINITY],
         }
     }
 }
@@ -549,6 +635,9 @@ const FACES: Kind =
     Kind::Choice { of: &["left", "right", "base", "top"], words: "\"left\", \"right\", \"base\" or \"top\"" };
 const DIRECTIONS: Kind =
     Kind::Choice { of: &["left", "right", "down", "up"], words: "\"left\", \"right\", \"down\" or \"up\"" };
+const SIDE: Kind = Kind::Choice { of: &["left", "right"], words: "\"left\" or \"right\"" };
+const EARTH_STATES: Kind = Kind::Choice { of: &["active", "rest"], words: "\"active\" or \"rest\"" };
+const PORE_WATER: Kind = Kind::Choice { of: &["free", "with-soil"], words: "\"free\" or \"with-soil\"" };
 const LAWS: Kind =
     Kind::Choice { of: &["ec7", "hansen", "envelope"], words: "\"ec7\", \"hansen\" or \"envelope\"" };
 const SHAPES: Kind = Kind::Choice { of: &["block", "cylinder"], words: "\"block\" or \"cylinder\"" };
@@ -577,10 +666,10 @@ use Kind::{
     Bounds, Factors, File, InGravity, List, Measured, ModeList, OneOf, Plain, Plains, Ratios, Reached,
     Settings, Text, Truth,
 };
-use Range::{Finite, NotNegative, Positive, Share, ZeroToOne};
+use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, ZeroToOne};
 use Table::{
-    AddedMass, Block, BlockLoad, Body, Combination, Criteria, Earthquake, Ground, History, Impact, Initial,
-    Load, Motion, Part, Point, Pressure, Storm, Top, Uplift, Water, Wave,
+    AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Earthquake, Ground,
+    History, Impact, Initial, Load, Motion, Part, Point, Pressure, Soil, Storm, Top, Uplift, Water, Wave,
 };
 
 listed! {
@@ -633,6 +722,7 @@ listed! {
         .silent("lengths of parts along the base: as given").moves(Moves::Width).gives(&[Quantity::Width]);
 
     PartName = key(Part, "name", Text, "", "name of the part", "\"footing\"");
+    PartGroup = key(Part, "group", Text, "", "group of parts whose weight combinations multiply by a factor of its own", "\"fill\"");
     PartLeft = key(Part, "left", length(Finite), "x_p", "left end of its bottom, to the right of the origin of the section", "\"1.5 m\"")
         .gives(&[Quantity::PartCorner]);
     PartWidth = key(Part, "width", length(Positive), "w_p", "width of its bottom", "\"12 m\"")
@@ -769,6 +859,39 @@ listed! {
     PressurePermanent = key(Pressure, "permanent", Truth, "", "whether it is there all the time", "true")
         .silent("pressure: variable");
 
+    BackfillName = key(Backfill, "name", Text, "", "name of the soil", "\"sand\"")
+        .silent("name of the soil: backfill");
+    BackfillFace = key(Backfill, "face", SIDE, "", "the side of the body that it stands against", "\"right\"");
+    BackfillTop = key(Backfill, "top", length(Positive), "H_e", "the ground at that side, above the base", "\"9 m\"")
+        .silent("the ground at the side: the crest");
+    BackfillState = key(Backfill, "state", EARTH_STATES, "", "\"active\" where the body gives way, \"rest\" where it does not", "\"active\"")
+        .silent("state of the soil: active");
+    BackfillSlope = key(Backfill, "slope_deg", Plain(Finite), "β_e", "slope of the ground, rising away from the body", "10")
+        .silent("slope of the ground: level");
+    BackfillBatter = key(Backfill, "batter_deg", Plain(Batter), "θ_e", "batter of the side, above zero where the soil stands on it", "5")
+        .silent("batter of the side: upright");
+    BackfillSurcharge = key(Backfill, "surcharge", Measured(Dimension::Pressure, NotNegative), "q_e", "load on the ground, per horizontal area; it is variable, with a name of its own, as \"sand.surcharge\"", "\"20 kPa\"")
+        .silent("load on the ground: none");
+    PoreWaterMoves = key(Backfill, "pore_water", PORE_WATER, "", "how its water moves in an earthquake: free, as in gravel, or with the soil", "\"free\"")
+        .silent("water in the soil in an earthquake: moves freely");
+    IncrementAt = key(Backfill, "increment_at", Plain(Increment), "η_e", "height of the increment of an earthquake, as a share of that of the soil", "0.5")
+        .silent("height of the increment of an earthquake: 0.6 of the soil's");
+    LayerThickness = key(BackfillLayer, "thickness", length(Positive), "h_e", "its thickness at the body", "\"4 m\"");
+    SoilFriction = key(Soil, "friction_angle_deg", Plain(SoilAngle), "φ_e", "angle of friction of the soil, 15° to 50°", "33");
+    WallFriction = key(Soil, "wall_friction_deg", Plain(Finite), "δ_e", "angle of friction between soil and body, no more than that of the soil", "22")
+        .silent("angle of friction between soil and body: 0");
+    SoilWeight = key(Soil, "unit_weight", Measured(Dimension::UnitWeight, Positive), "γ_e", "unit weight of the soil, moist", "\"18 kN/m3\"");
+    SaturatedWeight = key(Soil, "unit_weight_saturated", Measured(Dimension::UnitWeight, Positive), "γ_sat", "unit weight of the soil under water, its water with it", "\"20 kN/m3\"")
+        .silent("unit weight under water: needed where water stands in the soil");
+    DryWeight = key(Soil, "unit_weight_dry", Measured(Dimension::UnitWeight, Positive), "γ_dry", "unit weight of the soil without its water, of an earthquake with free pore water", "\"16.5 kN/m3\"")
+        .silent("unit weight without water: the moist one");
+    SoilCohesion = key(Soil, "cohesion", Measured(Dimension::Pressure, NotNegative), "c_e", "effective cohesion of the soil", "\"5 kPa\"")
+        .silent("cohesion of the soil: none");
+    SoilAdhesion = key(Soil, "adhesion", Measured(Dimension::Pressure, NotNegative), "a_e", "adhesion between soil and body", "\"0 kPa\"")
+        .silent("adhesion between soil and body: none");
+    Overconsolidation = key(Soil, "ocr", Plain(FromOne), "OCR", "overconsolidation ratio, of a soil at rest", "1")
+        .silent("overconsolidation ratio: 1");
+
     LoadName = key(Load, "name", Text, "", "name of the load", "\"breaking wave\"");
     Force = key(Load, "force", Measured(Dimension::Force, NotNegative), "F", "force", "\"450 kN/m\"")
         .gives(&[Quantity::Force, Quantity::K]);
@@ -804,6 +927,10 @@ listed! {
         "at least: safety factor against overturning, net: water under the base taken off the weight; the lesser of both corners", "1.2");
     LeastOverturningGross = key(Criteria, "SF_overturning_gross", Plain(Positive), "",
         "at least: safety factor against overturning by gross moments, water under the base turning the body; the lesser of both corners", "1.5");
+    LeastUplift = key(Criteria, "SF_uplift", Plain(Positive), "",
+        "at least: safety factor against uplift, all that acts down over all that acts up", "1.0");
+    GreatestTipping = key(Criteria, "tipping", Plain(Positive), "",
+        "at most: moments that tip the body over those that hold it, the larger of both corners", "1.0");
     GreatestBearing = key(Criteria, "bearing_max", Measured(Dimension::Pressure, Positive), "",
         "at most: bearing pressure, the larger of both edges", "\"400 kPa\"");
     LeastContact = key(Criteria, "contact_share", Plain(Share), "", "at least: share of the base that is pressed", "0.667");
@@ -923,6 +1050,11 @@ impl Key {
         name.split_once('[').map_or(name, |(list, _)| list)
     }
 
+    /// True of an angle of friction, of which a partial factor divides the tangent.
+    pub fn is_friction_angle(self) -> bool {
+        matches!(self, Key::GroundAngle | Key::SoilFriction | Key::WallFriction)
+    }
+
     /// True if it asks something of the motion in time.
     pub fn is_of_motion(self) -> bool {
         matches!(self, Key::GreatestSlide | Key::GreatestTheta | Key::NotOverturned)
@@ -961,10 +1093,11 @@ impl Id {
     pub fn words(&self) -> String {
         let words = self.key.info().words;
         let short = words.split_once(", ").map_or(words, |(short, _)| short);
-        if self.table.repeats() {
-            format!("{short}, {} {}", self.table.name(), self.index + 1)
-        } else {
-            short.to_owned()
+        let [of, place] = self.table.places(self.index);
+        match self.table {
+            Table::BackfillLayer => format!("{short}, layer {} of backfill {}", place + 1, of + 1),
+            table if table.repeats() => format!("{short}, {} {}", table.name(), place + 1),
+            _ => short.to_owned(),
         }
     }
 }

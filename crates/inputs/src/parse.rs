@@ -286,14 +286,20 @@ impl CaseText {
         text: &str,
         value: &Spanned<DeValue<'_>>,
         table: Table,
+        of: usize,
     ) -> Result<(), PlacedProblem> {
         const EXPECTED: &str = "one table for each, under a header in double brackets";
         let Some(list) = value.get_ref().as_array() else { return Err(no_table(value, table, EXPECTED)) };
         if list.is_empty() {
             return Err(PlacedProblem { problem: Problem::NoTables { table }, span: value.span() });
         }
-        for (index, value) in list.iter().enumerate() {
+        if list.len() > table.most() {
+            let problem = Problem::TooManyTables { table, count: list.len() };
+            return Err(PlacedProblem { problem, span: value.span() });
+        }
+        for (place, value) in list.iter().enumerate() {
             let inner = as_table(value, table, EXPECTED)?;
+            let index = table.index_in(of, place);
             self.begin(table, index, value.span());
             self.read_table(text, inner, table, index)?;
         }
@@ -353,7 +359,7 @@ impl CaseText {
         for child in table.children() {
             let Some(value) = found.get(child.name()) else { continue };
             if child.repeats() {
-                self.read_tables(text, value, child)?;
+                self.read_tables(text, value, child, index)?;
                 continue;
             }
             let expected = if child.is_history() { "a shape with its numbers, in braces" } else { "a table" };

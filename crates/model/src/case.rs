@@ -25,6 +25,7 @@
 //!
 //! Nothing here reads text, so that a case may be varied millions of times.
 
+mod backfill;
 mod bias;
 mod combination;
 mod ground;
@@ -37,12 +38,13 @@ mod section;
 use std::sync::Arc;
 
 use standfast::loads::{
-    Action, AddedMass, Earthquake, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
+    Action, AddedMass, BodyPoint, Earthquake, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
 };
-use standfast::section::{Part, Section, WaterTable};
+use standfast::section::{Part, PartMass, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
-use standfast::{Ball, Body, InputError, Scalar, Situation, Wrench};
+use standfast::{Ball, Body, InputError, Plan, Scalar, Situation, Wrench};
 
+pub use backfill::{Made, SoilFill, soil_of};
 pub use bias::{Bias, Biases, biased};
 pub use combination::{ChangeBy, Combination, InputChange, Trial};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
@@ -56,7 +58,7 @@ pub use section::OF_PARTS;
 
 use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};
-use crate::inputs::{GRAVITY, Inputs};
+use crate::inputs::{GRAVITY, Inputs, LoadFactor};
 use crate::key::{Key, Table};
 use crate::units::Extent;
 
@@ -79,6 +81,8 @@ pub struct Case<T = f64> {
     pub water_table: Option<WaterTable>,
     /// The names of its parts.
     pub part_names: Vec<Option<String>>,
+    /// The groups of its parts.
+    pub part_groups: Vec<Option<String>>,
     /// Coulomb friction μ between body and base, to stick.
     pub friction: T,
     /// Coulomb friction μ to slip.
@@ -103,6 +107,8 @@ pub struct Case<T = f64> {
     pub added_mass: AddedMass<T>,
     /// Pressures along faces.
     pub pressures: Vec<FacePressure<T>>,
+    /// Soil beside it.
+    pub soils: Vec<SoilFill>,
     /// Forces.
     pub forces: Vec<PointForce<T>>,
     /// Factors between what formulas give and what acts; no file says them, but draws and tables do.
@@ -253,8 +259,15 @@ impl<T: Scalar> Case<T> {
         let added_mass = given
             .in_table(Table::AddedMass, |given| given.added_mass(&body, water.as_ref(), wave.as_ref()))?;
         // A body on a base that moves needs no load.
-        const OTHER_LOADS: [Table; 6] =
-            [Table::Water, Table::Uplift, Table::Earthquake, Table::Wave, Table::Pressure, Table::Motion];
+        const OTHER_LOADS: [Table; 7] = [
+            Table::Water,
+            Table::Uplift,
+            Table::Earthquake,
+            Table::Wave,
+            Table::Pressure,
+            Table::Backfill,
+            Table::Motion,
+        ];
         if !inputs.has(Table::Load) && !OTHER_LOADS.iter().any(|table| inputs.has(*table)) {
             return Err(Fault::new(Problem::MissingTable { table: Table::Load }, Table::Top));
         }
@@ -264,8 +277,16 @@ impl<T: Scalar> Case<T> {
             .collect::<Result<_, _>>()?;
         let pressures: Vec<_> =
             every(Table::Pressure).map(|index| given.pressure(index, &body)).collect::<Result<_, _>>()?;
+        let table = given.water_table();
+        let unit_weight = water.as_ref().map(|water| water.density().value());
+        let unit_weight = unit_weight.or(wave.as_ref().map(|wave| wave.sea.water_density));
+        let in_soil = table.zip(unit_weight.map(|density| density * gravity.value()));
+        let soils: Vec<_> = every(Table::Backfill)
+            .map(|index| given.backfill(index, &body.rounded(), in_soil))
+            .collect::<Result<_, _>>()?;
+        given.no_made_name(&soils, &forces, &pressures)?;
         let combinations =
-            every(Table::Combination).map(|index| given.combination(index, &forces, &pressures));
+            every(Table::Combination).map(|index| given.combination(index, &forces, &pressures, &soils));
         let combinations = combinations.collect::<Result<_, _>>()?;
         let case = Case {
             title: inputs.text(Key::Title).map(str::to_owned),
@@ -275,7 +296,8 @@ impl<T: Scalar> Case<T> {
             body,
             section,
             water_table: given.water_table(),
-            part_names: given.part_names(),
+            part_names: given.of_parts(Key::PartName),
+            part_groups: given.of_parts(Key::PartGroup),
             friction,
             kinetic_friction,
             ground,
@@ -291,6 +313,7 @@ impl<T: Scalar> Case<T> {
                 None => AddedMass::of(T::of(0.0)).map_err(|error| given.blame(Table::Body, error))?,
             },
             pressures,
+            soils,
             forces,
             biases: Biases::default(),
             combinations,
@@ -300,7 +323,16 @@ impl<T: Scalar> Case<T> {
             inputs: Arc::clone(&shared),
         };
         case.bare().map_err(|error| given.blame(Table::Body, error))?;
+        given.soils_hold(&case.soils, &case.accelerations(), case.gravity.value())?;
         Ok(case)
+    }
+
+    /// The accelerations of the base that are tried, whatever acts: as given, and to the other side and down for up unless that is fixed.
+    fn accelerations(&self) -> Vec<Earthquake> {
+        let Some(given) = self.earthquake.as_ref().map(Earthquake::rounded) else { return Vec::new() };
+        let signs = |both: bool| if both { &[1.0, -1.0][..] } else { &[1.0] };
+        let ways = |side: &f64| signs(self.both_ways).iter().map(|way| given.turned(*side, *way)).collect();
+        signs(self.both_sides).iter().flat_map(|side| -> Vec<_> { ways(side) }).collect()
     }
 
     /// The acceleration of the base times signs, to the sides and upwards.
@@ -341,8 +373,7 @@ impl<T: Scalar> Case<T> {
 
     /// All loads of the case but for alternatives to the one that acts, and what each is of.
     fn loads(&self, acting: Acting, earthquake: Option<Earthquake<T>>) -> Vec<(LoadOrigin, Load<T>)> {
-        let weight = Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight);
-        let mut loads = vec![(LoadOrigin::Table(Table::Body), weight)];
+        let mut loads = self.weights(acting);
         let mut add = |of, more: Vec<Load<T>>| loads.extend(more.into_iter().map(|load| (of, load)));
         let over_time = |load: Load<T>, history: &Option<standfast::History>| match history {
             Some(history) => load.over_time(history.clone()),
@@ -360,6 +391,7 @@ impl<T: Scalar> Case<T> {
         if let Some(uplift) = &self.uplift {
             add(LoadOrigin::Table(Table::Uplift), vec![uplift.load(&self.body)]);
         }
+        let shaken = earthquake.as_ref().map(Earthquake::rounded);
         if let Some(earthquake) = earthquake {
             add(LoadOrigin::Table(Table::Earthquake), earthquake.loads(&self.added_mass));
         }
@@ -370,6 +402,12 @@ impl<T: Scalar> Case<T> {
         for (index, pressure) in self.pressures.iter().enumerate() {
             add(LoadOrigin::Pressure(index), vec![pressure.load()]);
         }
+        for (index, soil) in self.soils.iter().enumerate() {
+            let (body, shaken) = (self.body.rounded(), shaken.as_ref());
+            let of_soil = soil.loads(index, &body, self.gravity.value(), shaken);
+            loads.extend(of_soil.into_iter().map(|(of, load)| (of, load.computed())));
+        }
+        let mut add = |of, more: Vec<Load<T>>| loads.extend(more.into_iter().map(|load| (of, load)));
         for (index, force) in self.forces.iter().enumerate() {
             let replaced = matches!(acting, Acting::Alone(alone) if alone != index && force.acts_alone());
             if !replaced {
@@ -377,6 +415,65 @@ impl<T: Scalar> Case<T> {
             }
         }
         loads
+    }
+
+    /// The weight of the body; where a combination names groups of its parts, that of each of these, and that of the rest.
+    fn weights(&self, acting: Acting) -> Vec<(LoadOrigin, Load<T>)> {
+        let groups = self.weighed_apart(acting);
+        let weight = |action| Load::permanent(LoadSource::Weight, LoadKind::Weight, action);
+        let whole = || (LoadOrigin::Table(Table::Body), weight(Action::Weight));
+        let Some(section) = self.section.as_ref().filter(|_| !groups.is_empty()) else {
+            return vec![whole()];
+        };
+        let masses = section.masses(self.water_table);
+        let length = match self.body.plan() {
+            Plan::Rectangle { length } => length.value(),
+            _ => 1.0,
+        };
+        let of = |group: Option<&str>| {
+            let members = self.members(&groups, group);
+            let mass: f64 = members.iter().map(|part| masses[*part].mass).sum();
+            let moment = |along: fn(&PartMass) -> f64| -> f64 {
+                members.iter().map(|part| masses[*part].mass * along(&masses[*part])).sum()
+            };
+            let [x, y] = [moment(|part| part.centre.x), moment(|part| part.centre.y)].map(|sum| sum / mass);
+            let down = -(length * mass * self.gravity.value());
+            let action = Action::Force { at: BodyPoint { x, y }, right: 0.0, up: down };
+            let load = Load::permanent(LoadSource::Weight, LoadKind::Weight, action);
+            let (of, name) = match group {
+                Some(group) => (LoadOrigin::Group(members[0]), format!("weight of {group}")),
+                None => (LoadOrigin::Table(Table::Body), "weight of the rest".to_owned()),
+            };
+            (mass > 0.0).then(|| (of, load.named(name).computed()))
+        };
+        groups.iter().copied().map(Some).chain([None]).filter_map(of).collect()
+    }
+
+    /// The groups of parts whose weights are loads of their own in a situation.
+    fn weighed_apart(&self, acting: Acting) -> Vec<&str> {
+        match acting {
+            Acting::Combination(index) => self.groups_in(&self.combinations[index]),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The parts of a group, by their places; those in none of `groups`.
+    fn members(&self, groups: &[&str], group: Option<&str>) -> Vec<usize> {
+        let is_it = |of: Option<&str>| match group {
+            Some(group) => of == Some(group),
+            None => of.is_none_or(|of| !groups.contains(&of)),
+        };
+        (0..self.part_groups.len()).filter(|part| is_it(self.part_groups[*part].as_deref())).collect()
+    }
+
+    /// The parts of which a load of a situation is the weight, by their places, where it is that of some.
+    pub fn parts_weighed(&self, acting: Acting, load: &Load<T>) -> Option<Vec<usize>> {
+        let groups = self.weighed_apart(acting);
+        let is_weight = load.source == LoadSource::Weight && load.action != Action::Weight;
+        is_weight.then(|| match said_by(load.id) {
+            Place::Table(Table::Part, first) => self.members(&groups, self.part_groups[first].as_deref()),
+            _ => self.members(&groups, None),
+        })
     }
 
     /// Buoyancy under a weight that is given less it: what lacks to m g, and to its moment about O.
@@ -455,9 +552,10 @@ impl Case {
         match (acting, Table::Earthquake.in_combination()) {
             (Acting::Combination(index), Some(name)) => {
                 let factors = &self.combinations[index].factors;
-                factors
-                    .iter()
-                    .any(|(named, factor)| named == name && factor.all().iter().any(|factor| *factor != 0.0))
+                let of_soil =
+                    |named: &str| self.soils.iter().any(|soil| soil.made(Made::Earthquake) == named);
+                let acts = |factor: &LoadFactor| factor.all().iter().any(|factor| *factor != 0.0);
+                factors.iter().any(|(named, factor)| (named == name || of_soil(named)) && acts(factor))
             }
             _ => true,
         }
@@ -504,8 +602,12 @@ impl Case {
 enum LoadOrigin {
     /// A table of the case.
     Table(Table),
+    /// A group of parts, by the place of its first.
+    Group(usize),
     /// A pressure, by its place.
     Pressure(usize),
+    /// A soil, by its place, or something else that it makes.
+    Soil(usize, Option<Made>),
     /// A force, by its place.
     Force(usize),
 }
@@ -515,7 +617,9 @@ impl LoadOrigin {
     fn place(self) -> Place {
         match self {
             LoadOrigin::Table(table) => Place::Table(table, 0),
+            LoadOrigin::Group(index) => Place::Table(Table::Part, index),
             LoadOrigin::Pressure(index) => Place::Table(Table::Pressure, index),
+            LoadOrigin::Soil(index, _) => Place::Table(Table::Backfill, index),
             LoadOrigin::Force(index) => Place::Table(Table::Load, index),
         }
     }
@@ -526,7 +630,9 @@ impl From<LoadOrigin> for LoadId {
     fn from(of: LoadOrigin) -> LoadId {
         let (table, index) = match of {
             LoadOrigin::Table(table) => (table, 0),
+            LoadOrigin::Group(index) => (Table::Part, index),
             LoadOrigin::Pressure(index) => (Table::Pressure, index),
+            LoadOrigin::Soil(index, _) => (Table::Backfill, index),
             LoadOrigin::Force(index) => (Table::Load, index),
         };
         LoadId((table as u64) << 32 | index as u64)

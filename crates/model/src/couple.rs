@@ -253,12 +253,18 @@ impl Variable {
 
 /// The key of a load, a pressure or a part by its name, with its place in that of the name.
 pub(crate) fn spelled(name: &str, inputs: &Inputs) -> Option<String> {
-    const NAMED: [(Table, Key); 3] =
-        [(Table::Load, Key::LoadName), (Table::Pressure, Key::PressureName), (Table::Part, Key::PartName)];
+    const NAMED: [(Table, Key); 4] = [
+        (Table::Load, Key::LoadName),
+        (Table::Pressure, Key::PressureName),
+        (Table::Backfill, Key::BackfillName),
+        (Table::Part, Key::PartName),
+    ];
     NAMED.into_iter().find_map(|(table, of)| {
-        let (called, key) = name.strip_prefix(table.name())?.strip_prefix('.')?.rsplit_once('.')?;
-        let place =
-            (0..inputs.count(table)).find(|index| inputs.text(Id::new(of, *index)) == Some(called))?;
+        let rest = name.strip_prefix(table.name())?.strip_prefix('.')?;
+        // Of a layer the name is followed by its place.
+        let key = |index: usize| rest.strip_prefix(inputs.text(Id::new(of, index))?)?.strip_prefix('.');
+        let keys = (0..inputs.count(table)).filter_map(|index| Some((index, key(index)?)));
+        let (place, key) = keys.min_by_key(|(_, key)| key.len())?;
         Some(format!("{}.{key}", table.path(place)))
     })
 }

@@ -44,10 +44,11 @@ pub enum MotionCriterion {
 }
 
 /// Criteria on a number that has to be at least the bound; all others have to be at most that.
-const AT_LEAST: [Key; 6] = [
+const AT_LEAST: [Key; 7] = [
     Key::LeastSliding,
     Key::LeastOverturningNet,
     Key::LeastOverturningGross,
+    Key::LeastUplift,
     Key::LeastContact,
     Key::LeastGround,
     Key::LeastLoadFactor,

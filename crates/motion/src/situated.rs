@@ -20,7 +20,7 @@
 //! ```
 
 use standfast::contact::Block;
-use standfast::loads::{Earthquake, Load, LoadSource, Pose};
+use standfast::loads::{Action, Earthquake, Load, LoadSource, Pose};
 use standfast::{History, Situation, Wrench};
 
 use crate::error::MotionError;
@@ -91,7 +91,7 @@ impl MotionProblem {
 
 /// True if a load is the weight that a problem has of itself.
 pub fn is_own_weight(load: &Load) -> bool {
-    load.source == LoadSource::Weight && load.factor == 1.0
+    load.action == Action::Weight && load.factor == 1.0
 }
 
 /// The push of the water that moves with the body, on a base with the acceleration `shaken` to the right.

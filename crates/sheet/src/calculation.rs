@@ -1,6 +1,7 @@
 //! The calculation, step by step; every result is the library's.
 
 mod acting;
+mod balance;
 mod body;
 mod classical;
 mod contact;

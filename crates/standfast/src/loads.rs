@@ -7,12 +7,14 @@
 //! | Pressures under the base | [`Uplift`] |
 //! | A base that is shaken; water that moves with the body | [`Earthquake`], [`AddedMass`] |
 //! | Waves by Goda's formulas | [`wave`] |
+//! | Soil beside the body | [`earth`] |
 //! | One horizontal force in the report's numbers | [`HorizontalForce`] |
 //!
 //! Each kind of load is a small checked type whose `loads` a [`Situation`](crate::Situation) takes. What a load means (is it
 //! there all the time? does it count as weight, uplift or push?) is decided here, once.
 
 mod action;
+pub mod earth;
 mod earthquake;
 mod force;
 mod uplift;
@@ -69,6 +71,12 @@ pub enum LoadSource {
     WavePressure,
     /// Waves under the base.
     WaveUplift,
+    /// Soil against a side.
+    EarthPressure,
+    /// Soil that drags a side down.
+    EarthDrag,
+    /// Water in a soil that is shaken.
+    PoreWater,
     /// A force.
     Force,
     /// A pressure along a face, as given.

@@ -305,7 +305,8 @@ fn asked(sweep: &Sweep, case: &CaseTable, interface: Interface) -> Result<Vec<Sw
             return Err(TableError::ResultTwice { option: interface.columns(), column: result.name() });
         }
     }
-    let plain = || all.iter().copied().filter(|result| !result.is_by_name()).collect();
+    let criteria = sweep.case().all_criteria();
+    let plain = || all.iter().copied().filter(|result| !result.is_by_name(&criteria)).collect();
     Ok(if case.results.is_empty() { plain() } else { case.results.clone() })
 }
 

@@ -468,7 +468,8 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
     let verdict = assessed.departure().verdict().or(assessed.verdict());
     let by = match check.criterion.key {
         Key::LeastSliding => "sliding",
-        Key::LeastOverturningNet | Key::LeastOverturningGross => "overturning",
+        Key::LeastOverturningNet | Key::LeastOverturningGross | Key::GreatestTipping => "overturning",
+        Key::LeastUplift => "uplift",
         Key::GreatestBearing => "bearing",
         Key::LeastContact => "contact",
         Key::GreatestEccentricity => "eccentricity",

@@ -6,7 +6,6 @@ use standfast_model::case::{ChangeBy, Combination, InputChange, Trial};
 use super::Assessed;
 use crate::case::{Acting, Case};
 use crate::couple::Variable;
-use crate::key::Key;
 use crate::layout::digits;
 
 /// The factors of a combination, as they are given.
@@ -50,7 +49,7 @@ pub fn changes(case: &Case, index: usize) -> Vec<(&'static str, String)> {
         let words = match &change.by {
             ChangeBy::Set(text) => format!("{name} = {}", text.trim_matches(['"', '\''])),
             ChangeBy::Scale(by) => format!("{name} × {}{}", digits(*by), becomes(change)),
-            ChangeBy::Material(by) if change.id.key == Key::GroundAngle => {
+            ChangeBy::Material(by) if change.id.key.is_friction_angle() => {
                 format!("tan {name} / {}{}", digits(*by), becomes(change))
             }
             ChangeBy::Material(by) => format!("{name} / {}{}", digits(*by), becomes(change)),

@@ -11,6 +11,7 @@ use standfast::ground::impact::EventFound;
 use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
+use super::made::{MadeLoad, made_loads};
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck, combination};
 use crate::case::{Acting, Case, ChangeBy, PointForce, Waves};
 use crate::json::{CheckEntry, SCHEMA, number_or_word, written};
@@ -115,6 +116,9 @@ struct Situation<'a> {
     motion: Option<Motion>,
     wrench: Wrench,
     components: Vec<Component>,
+    /// Loads that the program makes and that act.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    made_loads: Vec<MadeLoad>,
     path: Vec<PathStage>,
     report: Option<Report>,
     /// Reason why there is no report.
@@ -133,14 +137,18 @@ struct Report {
 }
 
 /// The results of the one list.
-struct Results<'a>(&'a Assessed);
+struct Results<'a> {
+    of: &'a Assessed,
+    /// Criteria of the case, which some results are told for alone.
+    criteria: &'a [crate::Criterion],
+}
 
 impl Serialize for Results<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let of_rigid = || ResultName::ALL.iter().filter(|result| !result.is_of_ground());
-        let mut map = serializer.serialize_map(Some(of_rigid().count()))?;
-        for result in of_rigid() {
-            map.serialize_entry(result.name(), &result.of(self.0))?;
+        let told = |result: &&ResultName| !result.is_of_ground() && result.is_told(self.criteria);
+        let mut map = serializer.serialize_map(None)?;
+        for result in ResultName::ALL.iter().filter(told) {
+            map.serialize_entry(result.name(), &result.of(self.of))?;
         }
         map.end()
     }
@@ -440,7 +448,7 @@ impl<'a> Situation<'a> {
                 .iter()
                 .map(|check| Criterion::of(assessment, check))
                 .collect(),
-            results: Results(assessed),
+            results: Results { of: assessed, criteria: case.criteria_of(assessed.acting) },
             ground: assessed.ground.as_ref().map(|_| Ground(assessed)),
             mode_words: assessed.verdict().map(Verdict::words),
             because: assessed.because().iter().map(RelationDocument::of).collect(),
@@ -458,6 +466,7 @@ impl<'a> Situation<'a> {
                     wrench: component.wrench,
                 })
                 .collect(),
+            made_loads: made_loads(case.under(assessed.acting), assessed),
             path: assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
             // The report's ground is rigid.
             report: full.effective.as_ref().filter(|_| !assessed.is_on_ground()).map(|reduced| Report {

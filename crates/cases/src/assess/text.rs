@@ -6,7 +6,7 @@ use standfast::Mode;
 
 use super::{
     AnyCheck, Assessed, Assessment, AssessmentView, GOVERNING, acting, checks, combination, coordinates,
-    ground, loads, sea, verdict,
+    ground, loads, sea, soil, verdict,
 };
 use crate::case::Case;
 use crate::describe::{self, Scale};
@@ -25,6 +25,11 @@ pub(super) fn render(assessment: &Assessment, view: &AssessmentView) -> String {
     text += &warnings(case, |warning| !warning.is_about_waves());
     if let Some(wave) = &case.wave {
         text += &sea::render(case, wave);
+    }
+    if !case.soils.is_empty() {
+        text += "\n";
+        text += soil::render(case).trim_end_matches('\n');
+        text += "\n";
     }
     let several = assessment.all.len() > 1;
     if several {
@@ -124,7 +129,8 @@ pub(super) fn warnings(case: &Case, of: impl Fn(&Warning) -> bool) -> String {
 fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool) -> String {
     let full = &assessed.outcome.full;
     let under = case.under(assessed.acting);
-    let mut text = "Forces and moments\n".to_owned();
+    let mut text = if under.soils == case.soils { String::new() } else { soil::render(under) };
+    text += "Forces and moments\n";
     text += &loads::components(assessed);
     if first {
         text += &paragraph("Moments are counter-clockwise about the centre of mass C.", 2);
@@ -132,6 +138,9 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
             text += &paragraph(note, 2);
         }
         text += &acting::notes(case, assessed);
+    }
+    if let Some(earthquake) = &assessed.earthquake {
+        text += &soil::increments(under, earthquake);
     }
     text += "\nActions\n";
     text += &checks::actions(assessed);

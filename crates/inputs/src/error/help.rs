@@ -226,7 +226,26 @@ impl Problem {
             Problem::Height { base_depth, crest_height, .. } => {
                 format!("with them the height is {} m", plain(base_depth + crest_height))
             }
+            Problem::SaturatedWeightMissing { .. } => {
+                format!("add for example\n{}", line(Key::SaturatedWeight))
+            }
+            Problem::SoilFloats { .. } => {
+                "it is the weight of the soil with the water in it; of an effective unit weight add that of water".into()
+            }
+            Problem::SoilBesideLayers { .. } => "write it in each [[backfill.layer]]".into(),
+            Problem::MadeName { name } => format!("call it otherwise than {name}"),
+            Problem::TooSteepForEarthquake { .. } => {
+                "no formula holds beyond: a flatter ground or a smaller acceleration; or its pressure as a [[pressure]]".into()
+            }
+            Problem::FilledSide { side } => {
+                let other = if *side == "right" { "left" } else { "right" };
+                format!("sides = \"{other}\"; the water in the soil follows from `pore_water`")
+            }
             Problem::Mechanics(_)
+            | Problem::TooManyTables { .. }
+            | Problem::SlopeBeyondFriction { .. }
+            | Problem::WallFrictionBeyondFriction { .. }
+            | Problem::LayersShort { .. }
             | Problem::KineticFriction { .. }
             | Problem::OneLevel { .. }
             | Problem::Lengths { .. }
@@ -410,7 +429,9 @@ fn known(table: Table, name: &str) -> String {
     /// A key of more tables than these tells nothing by them.
     const FEW: usize = 3;
     // One that stands in another table as it is written is no slip of a letter; a table's name at the top may be.
-    let others = Table::ALL.into_iter().filter(|other| *other != table && names_keys(*other, name));
+    let others = Table::ALL
+        .into_iter()
+        .filter(|other| ![table, Table::Soil].contains(other) && names_keys(*other, name));
     let others: Vec<&str> = others.map(|other| other.header()).collect();
     let belongs =
         (1..=FEW).contains(&others.len()).then(|| format!("`{name}` belongs in {}", others.join(" or ")));

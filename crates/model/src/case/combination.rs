@@ -5,14 +5,16 @@
 //! is made; its loads then get `factors`; what comes of it is held against `criteria`. Of a pair of factors each is tried, and the worse
 //! counts.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use standfast::Scalar;
 use standfast::loads::{Action, Face, Load, LoadSource};
 
+use super::backfill::of_all_layers;
 use super::loads::{FacePressure, PointForce};
 use super::reader::Reader;
-use super::{Acting, Case, LoadOrigin};
+use super::{Acting, Case, LoadOrigin, Made, SoilFill};
 use crate::couple::{Variable, spelled, vary};
 use crate::criteria::Criterion;
 use crate::digits::decimal;
@@ -153,7 +155,7 @@ impl Case {
         let loads = self.loads(Acting::Combination(index), self.earthquake);
         let mut names: Vec<String> = Vec::new();
         for (of, load) in loads.iter().filter(|(of, load)| !self.acts_in(combination, *of, load)) {
-            let name = self.called(*of, load).next().map_or_else(|| load_words(load), str::to_owned);
+            let name = self.called(*of, load).next().map_or_else(|| load_words(load), Cow::into_owned);
             if !names.contains(&name) {
                 names.push(name);
             }
@@ -250,14 +252,14 @@ impl<T: Scalar> Case<T> {
         load: &Load<T>,
         trial: Trial,
     ) -> f64 {
-        let factor = self.called(of, load).find_map(|name| combination.factor(name, trial));
+        let factor = self.called(of, load).find_map(|name| combination.factor(&name, trial));
         factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
     }
 
     /// The same factor of a combination, by its place, with all its decimals.
     pub(super) fn factor_as_written(&self, index: usize, of: LoadOrigin, load: &Load<T>, trial: Trial) -> T {
         let combination = &self.combinations[index];
-        let named = |name: &str| combination.factors.iter().position(|(known, _)| known == name);
+        let named = |name: Cow<str>| combination.factors.iter().position(|(known, _)| *known == name);
         let factor = self.factor(combination, of, load, trial);
         match self.called(of, load).find_map(named) {
             Some(place) if matches!(combination.factors[place].1, LoadFactor::One(_)) => {
@@ -272,15 +274,42 @@ impl<T: Scalar> Case<T> {
         &'a self,
         of: LoadOrigin,
         load: &Load<T>,
-    ) -> impl Iterator<Item = &'a str> + use<'a, T> {
+    ) -> impl Iterator<Item = Cow<'a, str>> + use<'a, T> {
         let (part, whole) = match of {
+            LoadOrigin::Group(index) => {
+                let group = self.part_groups[index].as_deref().unwrap_or_default();
+                let name = format!("{WEIGHT_OF}{group}");
+                return [Some(name.into()), Table::Body.in_combination().map(Cow::from)]
+                    .into_iter()
+                    .flatten();
+            }
             LoadOrigin::Table(table) => (part_name(table, load), table.in_combination()),
             LoadOrigin::Pressure(index) => (None, self.pressures[index].name.as_deref()),
+            LoadOrigin::Soil(index, None) => (None, Some(&*self.soils[index].name)),
+            LoadOrigin::Soil(index, Some(made)) => {
+                let shaken = if made == Made::Earthquake { Table::Earthquake.in_combination() } else { None };
+                (Some(self.soils[index].made(made)), shaken)
+            }
             LoadOrigin::Force(index) => (None, self.forces[index].name.as_deref()),
         };
-        part.into_iter().chain(whole)
+        [part, whole].map(|name| name.map(Cow::from)).into_iter().flatten()
+    }
+
+    /// The groups of parts whose weight a combination names.
+    pub(super) fn groups_in<'a>(&'a self, combination: &Combination) -> Vec<&'a str> {
+        let mut groups: Vec<&str> = Vec::new();
+        for group in self.part_groups.iter().flatten().map(String::as_str) {
+            let is_named = |(name, _): &(String, LoadFactor)| name.strip_prefix(WEIGHT_OF) == Some(group);
+            if !groups.contains(&group) && combination.factors.iter().any(is_named) {
+                groups.push(group);
+            }
+        }
+        groups
     }
 }
+
+/// What stands before the name of a group of parts in that of its weight.
+const WEIGHT_OF: &str = "weight.";
 
 /// The name in a combination of a part of what a table makes.
 fn part_name<T: Scalar>(table: Table, load: &Load<T>) -> Option<&'static str> {
@@ -322,20 +351,24 @@ impl ChangeBy {
 }
 
 /// What `materials` divides: of an angle the tangent.
-const STRENGTHS: [Key; 6] = [
+const STRENGTHS: [Key; 10] = [
     Key::Friction,
     Key::KineticFriction,
     Key::Strength,
     Key::GroundAngle,
     Key::Cohesion,
     Key::CentricResistance,
+    Key::SoilFriction,
+    Key::WallFriction,
+    Key::SoilCohesion,
+    Key::SoilAdhesion,
 ];
 
 /// A strength after a partial factor.
 fn divided(key: Key, value: f64, by: f64) -> f64 {
-    match key {
-        Key::GroundAngle => (value.to_radians().tan() / by).atan().to_degrees(),
-        _ => value / by,
+    match key.is_friction_angle() {
+        true => (value.to_radians().tan() / by).atan().to_degrees(),
+        false => value / by,
     }
 }
 
@@ -346,12 +379,14 @@ impl Reader<'_> {
         index: usize,
         forces: &[PointForce<impl Scalar>],
         pressures: &[FacePressure<impl Scalar>],
+        soils: &[SoilFill],
     ) -> Result<Combination, Fault> {
         let id = |key| Id::new(key, index);
         let factors = self.inputs.factors(id(Key::LoadFactors));
         let factors = factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?;
         let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table));
-        let mut names: Vec<&str> = Vec::new();
+        let of_groups = self.weights_of_groups();
+        let mut names: Vec<&str> = of_groups.iter().map(String::as_str).collect();
         for table in tables {
             names.extend(table.in_combination());
             names.extend(part_names(table));
@@ -363,6 +398,7 @@ impl Reader<'_> {
         let named =
             forces.iter().map(|force| &force.name).chain(pressures.iter().map(|pressure| &pressure.name));
         names.extend(named.flatten().map(String::as_str));
+        names.extend(soils.iter().flat_map(SoilFill::names));
         for (place, (name, factor)) in factors.iter().enumerate() {
             let problem = match names.iter().filter(|known| *known == name).count() {
                 1 if name == "weight" && factor.all().contains(&0.0) => Problem::NoWeight,
@@ -397,6 +433,18 @@ impl Reader<'_> {
         }
     }
 
+    /// The names of the weights of groups of parts, each once.
+    fn weights_of_groups(&self) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for group in self.of_parts(Key::PartGroup).into_iter().flatten() {
+            let name = format!("{WEIGHT_OF}{group}");
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
+    }
+
     /// What a combination sets, scales, and divides of strengths.
     fn changes(&self, index: usize) -> Result<Vec<InputChange>, Fault> {
         let mut changes: Vec<InputChange> = Vec::new();
@@ -421,7 +469,7 @@ impl Reader<'_> {
                     return Err(fault(Problem::NoNumber { name: name.clone() }));
                 }
                 ChangeBy::Material(_) if !STRENGTHS.contains(&id.key) => {
-                    let of = STRENGTHS.into_iter().map(Id::from).filter(|id| self.inputs.get(*id).is_some());
+                    let of = Variable::all(self.inputs).filter(|id| STRENGTHS.contains(&id.key));
                     let names = of.map(|id| id.to_string()).collect();
                     return Err(fault(Problem::NoStrength { name: name.clone(), names }));
                 }
@@ -445,13 +493,17 @@ impl Reader<'_> {
         let apart = |table: &Table| !matches!(table, Table::Top | Table::Combination | Table::Criteria);
         let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table)).filter(apart);
         let mut keys = tables.flat_map(|table| {
-            (0..self.inputs.count(table))
-                .flat_map(move |index| table.keys().map(move |key| Id::of(table, index, key)))
+            let indices = self.inputs.indices(table).into_iter();
+            indices.flat_map(move |index| table.keys().map(move |key| Id::of(table, index, key)))
         });
         let found = keys.find(|id| id.to_string() == name);
         // What the case does not say has no number to be multiplied.
-        let found =
-            found.filter(|id| by == Key::CombinationSet || self.inputs.get(*id).is_some() || is_set(id));
+        let has = |id: &Id| self.inputs.get(*id).is_some() || is_set(id);
+        let found = found.filter(|id| match by {
+            Key::CombinationSet => true,
+            Key::CombinationMaterials => of_all_layers(self.inputs, *id).iter().any(has),
+            _ => has(id),
+        });
         found.ok_or_else(|| {
             let names = Variable::all(self.inputs).map(|id| id.to_string()).collect();
             Problem::NoKeyCalled { name: name.to_owned(), by, names }
@@ -500,7 +552,7 @@ impl Reader<'_> {
 /// The inputs after changes of one kind, with what goes with them; the place of the one that cannot be, and why.
 fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs, (usize, Problem)> {
     let mut others = Vec::new();
-    let mut numbers = Vec::new();
+    let (mut numbers, mut divisions) = (Vec::new(), Vec::new());
     for (place, change) in changes.iter().enumerate() {
         let present = inputs.number(change.id);
         let variable = match Variable::find(&change.name, inputs) {
@@ -521,14 +573,36 @@ fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs
             }
             // To fifteen digits: 0.011/1.1 is 0.01, as who writes it in decimals finds it.
             ChangeBy::Scale(by) => decimal(variable.value(inputs, case) * by),
-            ChangeBy::Material(by) | ChangeBy::Resistance(by) => {
-                decimal(divided(change.id.key, variable.value(inputs, case), *by))
+            ChangeBy::Resistance(by) => decimal(divided(change.id.key, variable.value(inputs, case), *by)),
+            ChangeBy::Material(by) => {
+                for id in with_wall(inputs, change.id, changes) {
+                    let Some(present) = inputs.number(id) else { continue };
+                    divisions.push((Variable::of(id, inputs), decimal(divided(id.key, present, *by))));
+                }
+                continue;
             }
         };
         numbers.push((variable, value));
     }
+    let strengths: Vec<Id> = divisions.iter().map(|(variable, _)| variable.id()).collect();
+    numbers.extend(divisions);
     let numbers: Vec<(&Variable, f64)> = numbers.iter().map(|(variable, value)| (variable, *value)).collect();
     let mut changed = vary(inputs, case, &numbers);
     others.into_iter().for_each(|(id, value)| changed.put(id, value));
+    strengths.into_iter().for_each(|id| changed.put_divided(id));
     Ok(changed)
+}
+
+/// What a divisor of a strength divides: of a soil in all its layers, and with its angle of friction that on the wall, unless that is
+/// divided by itself.
+fn with_wall(inputs: &Inputs, id: Id, changes: &[&InputChange]) -> Vec<Id> {
+    let mut ids = of_all_layers(inputs, id);
+    if id.key == Key::SoilFriction {
+        let is_named =
+            |wall: Id| changes.iter().any(|change| of_all_layers(inputs, change.id).contains(&wall));
+        let walls = ids.iter().map(|id| Id { key: Key::WallFriction, ..*id });
+        let walls: Vec<Id> = walls.filter(|wall| !is_named(*wall)).collect();
+        ids.extend(walls);
+    }
+    ids
 }

@@ -11,7 +11,7 @@ use super::motion::CaseMotion;
 use super::{Waves, Weight};
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::{Inputs, Value};
-use crate::key::{Id, Key, Table};
+use crate::key::{Id, Key, Range, Table};
 
 /// Difference up to which lengths count as equal, m.
 const SAME_LENGTH: f64 = 1e-6;
@@ -30,7 +30,9 @@ impl Reader<'_> {
     pub(crate) fn ranges(&self) -> Result<(), Fault> {
         for (id, number) in self.inputs.numbers() {
             let key = id.key;
-            if let Some(range) = key.info().range().filter(|range| !range.contains(number)) {
+            // A partial factor may divide an angle to less than one writes.
+            let is_divided = || key.info().range() == Some(Range::SoilAngle) && self.inputs.is_divided(id);
+            if let Some(range) = key.info().range().filter(|range| !range.contains(number) && !is_divided()) {
                 return Err(Fault::new(Problem::out_of_range(key, range, number), id));
             }
         }
@@ -272,7 +274,24 @@ impl Reader<'_> {
     /// The depths of the water on the sides on which it moves with the body; `depths` are those at the right and at the left.
     fn wet(&self, sides: &Value, [right, left]: [f64; 2]) -> Result<Vec<f64>, Fault> {
         let dry = |side| Err(Fault::new(Problem::DrySide { side }, Key::WetSides));
+        let is_filled = |side| self.is_filled(side);
+        let filled = match sides {
+            Value::Choice("both") | Value::Number(2.0) => {
+                ["right", "left"].into_iter().find(|side| is_filled(side))
+            }
+            Value::Choice(side) => Some(*side).filter(|side| is_filled(side)),
+            _ => None,
+        };
+        if let Some(side) = filled {
+            return Err(Fault::new(Problem::FilledSide { side }, Key::WetSides));
+        }
         match sides {
+            // Beside soil there is no free water.
+            Value::Number(1.0) if is_filled("right") && is_filled("left") => {
+                Err(Fault::new(Problem::FilledSide { side: "right" }, Key::WetSides))
+            }
+            Value::Number(1.0) if is_filled("right") => Ok(vec![left]),
+            Value::Number(1.0) if is_filled("left") => Ok(vec![right]),
             Value::Choice("right") if right == 0.0 => dry("right"),
             Value::Choice("left") if left == 0.0 => dry("left"),
             Value::Choice("both") if right == 0.0 => dry("right"),
@@ -286,6 +305,13 @@ impl Reader<'_> {
             Value::Number(1.0) => Ok(vec![right.max(left)]),
             _ => Ok(vec![right, left]),
         }
+    }
+
+    /// True if soil stands beside a side of the body.
+    fn is_filled(&self, side: &str) -> bool {
+        let mut fills =
+            (0..self.inputs.count(Table::Backfill)).map(|index| Id::new(Key::BackfillFace, index));
+        fills.any(|face| self.inputs.choice(face) == Some(side))
     }
 
     pub(super) fn waves(

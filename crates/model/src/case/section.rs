@@ -134,10 +134,11 @@ impl Reader<'_> {
         })
     }
 
-    pub(super) fn part_names(&self) -> Vec<Option<String>> {
-        let names = (0..self.inputs.count(Table::Part))
-            .map(|index| self.inputs.text(Id::new(Key::PartName, index)).map(str::to_owned));
-        names.collect()
+    /// The words under a key of the parts.
+    pub(super) fn of_parts(&self, key: Key) -> Vec<Option<String>> {
+        let words = (0..self.inputs.count(Table::Part))
+            .map(|index| self.inputs.text(Id::new(key, index)).map(str::to_owned));
+        words.collect()
     }
 
     fn part(&self, index: usize) -> Result<Part, Fault> {

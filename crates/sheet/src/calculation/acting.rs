@@ -9,7 +9,7 @@ use standfast_cases::assess::{Component, combination_changes, pairs, verdict};
 use standfast_cases::case::ChangeBy;
 use standfast_cases::layout::plain;
 use standfast_cases::units::Dimension;
-use standfast_cases::{Acting, Assessed, Assessment, Id, Inputs, Key, capital};
+use standfast_cases::{Acting, Assessed, Assessment, Id, Inputs, capital};
 
 use crate::measured::{
     ACCELERATION, DEGREE, DENSITY, INERTIA, KILONEWTON, KILOPASCAL, MASS, METRE, MOMENT, MRAD, Measured,
@@ -106,7 +106,7 @@ pub(super) fn changes(steps: &mut SheetSteps, assessment: &Assessment, assessed:
             Some(match (&change.by, words) {
                 (ChangeBy::Set(text), _) => text.trim_matches(['"', '\'']).to_owned(),
                 (ChangeBy::Scale(by), words) => format!("{} × {}", words.unwrap_or_default(), plain(*by)),
-                (ChangeBy::Material(by), words) if id.key == Key::GroundAngle => {
+                (ChangeBy::Material(by), words) if id.key.is_friction_angle() => {
                     format!("arctan(tan {}°/{})", words.unwrap_or_default(), plain(*by))
                 }
                 (ChangeBy::Material(by) | ChangeBy::Resistance(by), words) => {

@@ -6,6 +6,7 @@ use standfast_cases::assess::{Component, checks};
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case};
 
+use super::balance;
 use super::loads::{grouped, parts, sum};
 use crate::measured::{FACTOR, KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
 use crate::steps::SheetSteps;
@@ -129,6 +130,7 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
         formula => steps.add(about, "", [key, formula], stability.overturning(), FACTOR, key),
     }
     gross(steps, assessed, components);
+    balance::steps(steps, case, assessed, components);
     // That is practice for breakwaters.
     if !case.criteria_of(assessed.acting).is_empty() || case.wave.is_none() {
         return;

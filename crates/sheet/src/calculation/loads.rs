@@ -313,7 +313,17 @@ fn formulas(
     let way = |turned: bool, text: &str| if turned { less(text) } else { some(text) };
     let [force, elevation, distance] = force_symbols(case, &component.load);
     match component.load.source {
-        LoadSource::Weight => [None, some("m g"), None],
+        LoadSource::Weight => match case.parts_weighed(assessed.acting, &component.load) {
+            Some(parts) => {
+                let sum = |term: &dyn Fn(usize) -> String| {
+                    parts.iter().map(|part| term(part + 1)).collect::<Vec<_>>().join(" + ")
+                };
+                let mass = sum(&|n| format!("m_{n}"));
+                let moment = sum(&|n| format!("m_{n} (x_{n} − x_C)"));
+                [None, some(&format!("({mass}) g")), less(&format!("({moment}) g"))]
+            }
+            None => [None, some("m g"), None],
+        },
         LoadSource::Buoyancy if matches!(case.weight, Weight::Buoyant { .. }) => {
             [None, less("(m g − W_g)"), some("W_g (b_1 − t_g)")]
         }

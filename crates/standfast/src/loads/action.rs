@@ -130,6 +130,14 @@ impl<T: Scalar> PressureDiagram<T> {
     }
 }
 
+impl PressureDiagram {
+    /// A pressure of numbers that were computed in f64, in any arithmetic.
+    fn computed<T: Scalar>(self) -> PressureDiagram<T> {
+        let of = T::computed;
+        PressureDiagram::through(self.points.iter().map(|at| (of(at.position), of(at.pressure))))
+    }
+}
+
 /// Action on a body, and its place.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -150,6 +158,15 @@ pub enum Action<T = f64> {
         /// The face.
         face: Face,
         /// Along it.
+        diagram: PressureDiagram<T>,
+    },
+    /// A force down along a side, which turns with it; per metre of height.
+    Drag {
+        /// The side, at the edge of the base.
+        face: Face,
+        /// How far the side leans towards the body, as a share of its height.
+        batter: T,
+        /// Along it, downwards.
         diagram: PressureDiagram<T>,
     },
     /// The body's inertia against an acceleration of its base, m/s²: its motion is then the one relative to the base.
@@ -200,7 +217,9 @@ impl<T: Scalar> Action<T> {
                 let of = |acceleration: &T| zero() - body.mass() * acceleration.clone();
                 ([zero(), zero()], [of(right), of(up)])
             }
-            Action::Pressure { .. } | Action::Resultant(_) => ([zero(), zero()], [zero(), zero()]),
+            Action::Pressure { .. } | Action::Drag { .. } | Action::Resultant(_) => {
+                ([zero(), zero()], [zero(), zero()])
+            }
         };
         BodyForce { at, size, follows: false }
     }
@@ -211,6 +230,7 @@ impl<T: Scalar> Action<T> {
             // As it is given, without the rounding of forces and couples.
             Action::Resultant(wrench) => wrench.clone(),
             Action::Pressure { face, diagram } => pressed(body, *face, diagram),
+            Action::Drag { face, batter, diagram } => dragged(body, *face, batter.clone(), diagram),
             _ => Wrench::zero() + self.force(body, gravity).upright(),
         }
     }
@@ -222,6 +242,7 @@ impl Action {
     pub fn forces(&self, body: &Body, gravity: f64) -> Vec<BodyForce> {
         match self {
             Action::Pressure { face, diagram } => pressing(body, *face, diagram),
+            Action::Drag { face, batter, diagram } => dragging(body, *face, *batter, diagram),
             Action::Resultant(Wrench { x, p, m }) => {
                 let force = BodyForce { at: [0.0; 2], size: [*x, 0.0 - p], follows: false };
                 [force].into_iter().chain(couple(*m).into_iter().flatten()).collect()
@@ -235,8 +256,8 @@ impl Action {
         match self {
             _ if pose == Pose::UPRIGHT => self.upright(body, gravity),
             Action::Resultant(wrench) => *wrench,
-            Action::Pressure { face, diagram } => {
-                pressing(body, *face, diagram).iter().map(|force| force.wrench(pose)).sum()
+            Action::Pressure { .. } | Action::Drag { .. } => {
+                self.forces(body, gravity).iter().map(|force| force.wrench(pose)).sum()
             }
             _ => Wrench::ZERO + self.force(body, gravity).wrench(pose),
         }
@@ -250,9 +271,9 @@ impl Action {
             Action::Force { at, right, up } => {
                 Action::Force { at: BodyPoint { x: of(at.x), y: of(at.y) }, right: of(right), up: of(up) }
             }
-            Action::Pressure { face, diagram } => {
-                let points = diagram.points.iter().map(|at| (of(at.position), of(at.pressure)));
-                Action::Pressure { face, diagram: PressureDiagram::through(points) }
+            Action::Pressure { face, diagram } => Action::Pressure { face, diagram: diagram.computed() },
+            Action::Drag { face, batter, diagram } => {
+                Action::Drag { face, batter: of(batter), diagram: diagram.computed() }
             }
             Action::Inertia { right, up } => Action::Inertia { right: of(right), up: of(up) },
             Action::Resultant(Wrench { x, p, m }) => {
@@ -322,6 +343,29 @@ fn pressing(body: &Body, face: Face, diagram: &PressureDiagram) -> Vec<BodyForce
         Some(at) => vec![BodyForce { at, size: [x, up], follows: true }],
         None => couple(m).into_iter().flatten().collect(),
     }
+}
+
+/// The wrench of a drag along a side of a body that stands upright.
+fn dragged<T: Scalar>(body: &Body<T>, face: Face, batter: T, diagram: &PressureDiagram<T>) -> Wrench<T> {
+    let (force, moment) = diagram.resultant_on(body, face);
+    let lean = batter * moment;
+    // Down at the right of C turns clockwise.
+    let m = match face {
+        Face::Left => (force.clone() * body.heel_distance()).plus(-lean),
+        _ => lean.plus(-(force.clone() * body.toe_distance())),
+    };
+    Wrench { x: T::of(0.0), p: force, m }
+}
+
+/// The resultant of a drag where it acts on its side, or the couple that is left where it has none.
+fn dragging(body: &Body, face: Face, batter: f64, diagram: &PressureDiagram) -> Vec<BodyForce> {
+    let Wrench { p, m, .. } = dragged(body, face, batter, diagram);
+    if p == 0.0 {
+        return couple(m).into_iter().flatten().collect();
+    }
+    let (force, moment) = diagram.resultant_on(body, face);
+    let at = [0.0 - m / p, moment / force - body.centroid_height()];
+    vec![BodyForce { at, size: [0.0, 0.0 - p], follows: true }]
 }
 
 /// The wrench of a pressure on a body that stands upright.

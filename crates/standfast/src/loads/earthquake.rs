@@ -66,6 +66,13 @@ impl<T: Scalar> Earthquake<T> {
     }
 }
 
+impl<T: Scalar> Earthquake<T> {
+    /// Earthquake in f64.
+    pub fn rounded(&self) -> Earthquake {
+        Earthquake { horizontal: self.horizontal.value(), vertical: self.vertical.value() }
+    }
+}
+
 impl AddedMass {
     /// No water.
     pub const NONE: AddedMass = AddedMass { mass: 0.0, height: None };

@@ -1,0 +1,195 @@
+//! Soil beside the body and the pressure that it makes, for reading.
+
+use standfast::loads::earth::{EarthIncrement, EarthPoint, EarthState, PoreWater, SoilLayer};
+use standfast::loads::{Earthquake, Face};
+
+use crate::case::{Case, SoilFill};
+use crate::layout::{columns, digits, paragraph, row};
+
+/// The words of the formula of the coefficients of a soil, and where it is from.
+pub fn formula(fill: &SoilFill) -> &'static str {
+    match fill.soil.state {
+        EarthState::Active => "Coulomb's wedge, as in UFC 3-220-20 (2025), chapter 4",
+        EarthState::AtRest => "Jaky's formula, as in UFC 3-220-20 (2025), chapter 4",
+    }
+}
+
+/// The same of what an earthquake adds.
+pub fn formula_of_increment(fill: &SoilFill) -> &'static str {
+    match fill.soil.state {
+        EarthState::Active => "Mononobe and Okabe, as in UFC 3-220-20 (2025), equations 4-15 to 4-22",
+        EarthState::AtRest => "Wood, of a wall that does not yield, as in UFC 3-220-20 (2025), equation 4-18",
+    }
+}
+
+/// The side that a soil stands on.
+pub fn side(face: Face) -> &'static str {
+    if face == Face::Left { "left" } else { "right" }
+}
+
+/// The resultant of a pressure: what pushes, its height above the base, and what drags down; N and m.
+pub fn resultant(points: &[EarthPoint]) -> [f64; 3] {
+    let sums = points.windows(2).fold([0.0; 3], |[push, moment, drag], pair| {
+        let [low, high] = [&pair[0], &pair[1]];
+        let height = high.elevation - low.elevation;
+        [
+            push + (low.normal + high.normal) / 2.0 * height,
+            moment
+                + height / 6.0
+                    * (low.normal * (2.0 * low.elevation + high.elevation)
+                        + high.normal * (low.elevation + 2.0 * high.elevation)),
+            drag + (low.tangential + high.tangential) / 2.0 * height,
+        ]
+    });
+    let [push, moment, drag] = sums;
+    [push, if push == 0.0 { 0.0 } else { moment / push }, drag]
+}
+
+/// Every soil of a case.
+pub(super) fn render(case: &Case) -> String {
+    case.soils.iter().map(|fill| one(case, fill)).collect()
+}
+
+fn metres(x: f64) -> String {
+    format!("{} m", digits(x))
+}
+
+fn one(case: &Case, fill: &SoilFill) -> String {
+    let SoilFill { soil, water, pressure, name, .. } = fill;
+    let state = match soil.state {
+        EarthState::Active => "active",
+        EarthState::AtRest => "at rest",
+    };
+    let mut text = paragraph(&format!("Soil: {name}, at the {}, {state}", side(soil.face)), 0);
+    let slope = if soil.slope_deg == 0.0 {
+        "level".to_owned()
+    } else {
+        format!("rising at {}°", digits(soil.slope_deg))
+    };
+    let batter = if soil.batter_deg == 0.0 {
+        String::new()
+    } else {
+        format!("; batter {}°", digits(soil.batter_deg))
+    };
+    let mut rows = vec![row!["ground", format!("{} above the base, {slope}{batter}", metres(soil.top))]];
+    match water.filter(|water| water.level > 0.0) {
+        Some(water) => rows.push(row!["water in it", format!("{} above the base", metres(water.level))]),
+        None => rows.push(row!["water in it", "none"]),
+    }
+    let mut upper = soil.top;
+    for (place, (layer, of)) in soil.layers.iter().zip(&pressure.coefficients).enumerate() {
+        let lower = if place + 1 == soil.layers.len() { 0.0 } else { (upper - layer.thickness).max(0.0) };
+        let heading = match soil.layers.len() {
+            1 => "friction".to_owned(),
+            _ => format!("{} to {} m", digits(upper), digits(lower)),
+        };
+        rows.push(row![heading, layer_words(layer, of.k)]);
+        if layer.soil.cohesion > 0.0 {
+            let words = format!("c = {} kPa, K_c = {}", digits(layer.soil.cohesion / 1e3), digits(of.k_c));
+            rows.push(row!["", words]);
+        }
+        upper = lower;
+    }
+    let of = |points: &[EarthPoint]| {
+        let [push, elevation, drag] = resultant(points);
+        let drag = if drag == 0.0 {
+            String::new()
+        } else {
+            format!(", drags down {}", case.extent.kilonewtons(drag * along(case)))
+        };
+        format!("{} at {}{drag}", case.extent.kilonewtons(push * along(case)), metres(elevation))
+    };
+    for (place, words) in diagram(&pressure.soil).into_iter().enumerate() {
+        rows.push(row![if place == 0 { "pressure" } else { "" }, words]);
+    }
+    rows.push(row!["pushes", of(&pressure.soil)]);
+    if !pressure.surcharge.is_empty() {
+        let words =
+            format!("{} kPa on the ground: {}", digits(soil.surcharge / 1e3), of(&pressure.surcharge));
+        rows.push(row!["surcharge", words]);
+    }
+    text += &columns(&rows, 2, &[]);
+    text += &paragraph(&format!("K by {}.", formula(fill)), 2);
+    if soil.layers.iter().all(|layer| layer.soil.wall_friction_deg == 0.0) && soil.state == EarthState::Active
+    {
+        text += &paragraph("No friction between soil and body is counted: `wall_friction_deg` is 0.", 2);
+    }
+    text + "\n"
+}
+
+/// How long the body is along the soil, m.
+pub(super) fn along(case: &Case) -> f64 {
+    case.body.plan().side(case.body.width())
+}
+
+fn layer_words(SoilLayer { soil, .. }: &SoilLayer, k: f64) -> String {
+    let kilonewtons = |weight: f64| digits(weight / 1e3);
+    let mut words = format!(
+        "φ = {}°, δ = {}°: K = {}; {}",
+        digits(soil.friction_angle_deg),
+        digits(soil.wall_friction_deg),
+        digits(k),
+        kilonewtons(soil.unit_weight)
+    );
+    if let Some(saturated) = soil.unit_weight_saturated {
+        words += &format!(", under water {}", kilonewtons(saturated));
+    }
+    words + " kN/m³"
+}
+
+/// A pressure from the top down, in lines of a few points.
+fn diagram(points: &[EarthPoint]) -> Vec<String> {
+    /// Points in a line.
+    const LINE: usize = 3;
+    let mut words: Vec<String> = Vec::new();
+    for point in points.iter().rev() {
+        let at = if point.elevation == 0.0 { "the base".to_owned() } else { metres(point.elevation) };
+        let said = format!("{} kPa at {at}", digits(point.normal / 1e3));
+        if words.last() != Some(&said) {
+            words.push(said);
+        }
+    }
+    words.chunks(LINE).map(|line| line.join(", ")).collect()
+}
+
+/// What an earthquake adds to each soil that it drives against the body.
+pub(super) fn increments(case: &Case, earthquake: &Earthquake) -> String {
+    let mut text = String::new();
+    for fill in &case.soils {
+        let Some(increment) = fill.increment(earthquake, case.gravity) else { continue };
+        let EarthIncrement { coefficients, force, drag, points, pore_water } = increment;
+        let mut rows = Vec::new();
+        for (place, both) in coefficients.iter().enumerate() {
+            let layer = if coefficients.len() > 1 { format!("layer {}, ", place + 1) } else { String::new() };
+            for (wet, found) in both.iter().enumerate() {
+                let Some([k, ψ]) = found else { continue };
+                let place = ["above water", "below water"][wet];
+                rows.push(row![
+                    format!("{layer}{place}"),
+                    format!("ψ = {}°: K_E = {}", digits(*ψ), digits(*k))
+                ]);
+            }
+        }
+        let drag = if drag == 0.0 {
+            String::new()
+        } else {
+            format!(", drags down {}", case.extent.kilonewtons(drag * along(case)))
+        };
+        let [_, elevation, _] = resultant(&points);
+        let pushes =
+            format!("{} at {}{drag}", case.extent.kilonewtons(force * along(case)), metres(elevation));
+        rows.push(row!["adds", pushes]);
+        if let Some([force, elevation]) = pore_water {
+            let words = format!("{} at {}", case.extent.kilonewtons(force * along(case)), metres(elevation));
+            rows.push(row!["pore water", words]);
+        }
+        text += &format!("\n{}", paragraph(&format!("{} in the earthquake", fill.name), 0));
+        text += &columns(&rows, 2, &[]);
+        let moves = match fill.soil.pore_water {
+            PoreWater::Free => "water that moves freely",
+            PoreWater::WithSoil => "water that moves with the soil",
+        };
+        text += &paragraph(&format!("By {}; {moves}.", formula_of_increment(fill)), 2);
+    }
+    text
+}

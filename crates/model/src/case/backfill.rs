@@ -1,0 +1,328 @@
+//! Soil beside the body, and the loads that it makes: its pressure, its surcharge, what an earthquake adds.
+
+use standfast::loads::earth::{
+    Backfill, EarthIncrement, EarthPressure, EarthState, GroundWater, PoreWater, Shaking, Soil, SoilLayer,
+};
+use standfast::loads::{Earthquake, Face, Load, LoadSource};
+use standfast::section::WaterTable;
+use standfast::{Body, Scalar};
+
+use super::LoadOrigin;
+use super::loads::{FacePressure, PointForce};
+use super::reader::Reader;
+use crate::error::{Fault, Place, Problem};
+use crate::inputs::Inputs;
+use crate::key::{Id, Key, Table};
+
+/// Soil beside the body, with the water that stands in it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SoilFill {
+    /// Its name.
+    pub name: String,
+    /// The names of what it makes beside its pressure, in the order of [`Made`].
+    made: [String; 2],
+    /// The soil.
+    pub soil: Backfill,
+    /// Water in it.
+    pub water: Option<GroundWater>,
+    /// Its pressure on the body.
+    pub pressure: EarthPressure,
+}
+
+/// What a soil makes beside its own pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Made {
+    /// What its surcharge adds.
+    Surcharge,
+    /// What an earthquake adds.
+    Earthquake,
+}
+
+impl Made {
+    const ALL: [Made; 2] = [Made::Surcharge, Made::Earthquake];
+
+    fn name(self) -> &'static str {
+        match self {
+            Made::Surcharge => "surcharge",
+            Made::Earthquake => "earthquake",
+        }
+    }
+}
+
+/// The name of a soil that has none.
+const UNNAMED: &str = "backfill";
+
+/// Words behind the name of a soil for what it drags down.
+const DRAG: &str = ", drag";
+
+/// The name of the pressure that a load of a soil belongs to: that of what drags is the name of what pushes.
+pub fn soil_of(name: &str) -> &str {
+    name.strip_suffix(DRAG).unwrap_or(name)
+}
+
+impl SoilFill {
+    /// Name of what it makes.
+    pub fn made(&self, made: Made) -> &str {
+        &self.made[made as usize]
+    }
+
+    /// Names of what it makes that a combination may name.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        let surcharge = (self.soil.surcharge > 0.0).then(|| self.made(Made::Surcharge));
+        [Some(&*self.name), surcharge, Some(self.made(Made::Earthquake))].into_iter().flatten()
+    }
+
+    /// What an acceleration of the base adds; `None` where it moves the body away from the soil, or the soil does not hold.
+    pub fn increment(&self, earthquake: &Earthquake, gravity: f64) -> Option<EarthIncrement> {
+        let shaking = shaking(self.soil.face, earthquake, gravity)?;
+        self.soil.increment(self.water, shaking).ok()
+    }
+
+    /// The loads on `body`, beside the place of the table: of the soil and its surcharge, and of an earthquake.
+    pub(super) fn loads(
+        &self,
+        index: usize,
+        body: &Body,
+        gravity: f64,
+        earthquake: Option<&Earthquake>,
+    ) -> Vec<(LoadOrigin, Load)> {
+        let SoilFill { soil, pressure, .. } = self;
+        let named = |loads: Vec<Load>, name: &str| -> Vec<Load> {
+            let named = loads.into_iter().map(|load| match load.source {
+                LoadSource::EarthDrag => load.named(format!("{name}{DRAG}")),
+                _ => load.named(name),
+            });
+            named.collect()
+        };
+        let variable = |loads: Vec<Load>| -> Vec<Load> {
+            loads.into_iter().map(|load| Load { permanent: false, ..load }).collect()
+        };
+        let mut loads: Vec<(LoadOrigin, Load)> = Vec::new();
+        let mut add = |of: LoadOrigin, more: Vec<Load>| loads.extend(more.into_iter().map(|load| (of, load)));
+        add(LoadOrigin::Soil(index, None), named(soil.loads(&pressure.soil), &self.name));
+        if !pressure.surcharge.is_empty() {
+            let of = soil.loads(&pressure.surcharge);
+            let made = Made::Surcharge;
+            add(LoadOrigin::Soil(index, Some(made)), variable(named(of, self.made(made))));
+        }
+        if let Some(increment) = earthquake.and_then(|earthquake| self.increment(earthquake, gravity)) {
+            let made = Made::Earthquake;
+            let of = LoadOrigin::Soil(index, Some(made));
+            add(of, variable(named(soil.loads(&increment.points), self.made(made))));
+            if let Some(pore) = increment.pore_water {
+                add(of, vec![soil.pore_load(body, pore).named(format!("{}, pore water", self.name))]);
+            }
+        }
+        loads
+    }
+}
+
+/// An acceleration of the base as a soil at a face sees it; `None` where it moves the body away from the soil.
+fn shaking(face: Face, earthquake: &Earthquake, gravity: f64) -> Option<Shaking> {
+    let towards = match face {
+        Face::Left => -earthquake.horizontal(),
+        _ => earthquake.horizontal(),
+    };
+    let shaking = Shaking { horizontal: towards / gravity, gravity: 1.0 + earthquake.vertical() / gravity };
+    (towards > 0.0 && shaking.gravity > 0.0).then_some(shaking)
+}
+
+impl Reader<'_> {
+    /// The names of soils, and of what they make; the place of the table of each.
+    pub(super) fn soil_name(&self, index: usize) -> String {
+        let name = self.inputs.text(Id::of(Table::Backfill, index, Key::BackfillName));
+        name.unwrap_or(UNNAMED).to_owned()
+    }
+
+    /// A soil beside `body`, in water up to the line of `water` whose unit weight is `unit_weight`.
+    pub(super) fn backfill(
+        &self,
+        index: usize,
+        body: &Body,
+        water: Option<(WaterTable, f64)>,
+    ) -> Result<SoilFill, Fault> {
+        let id = |key| Id::of(Table::Backfill, index, key);
+        let number = |key| self.inputs.number(id(key));
+        let name = self.soil_name(index);
+        let face = match self.inputs.choice(id(Key::BackfillFace)) {
+            Some("left") => Face::Left,
+            Some(_) => Face::Right,
+            None => return Err(self.missing_in(id(Key::BackfillFace))),
+        };
+        let top = number(Key::BackfillTop).unwrap_or(body.height());
+        if !body.reaches(top) {
+            let problem = Problem::AboveCrest { height: body.height() };
+            return Err(Fault::new(problem, id(Key::BackfillTop)));
+        }
+        let water = water.map(|(table, unit_weight)| GroundWater {
+            level: if face == Face::Left { table.left } else { table.right },
+            unit_weight,
+        });
+        let soil = Backfill {
+            face,
+            top,
+            state: match self.inputs.choice(id(Key::BackfillState)) {
+                Some("rest") => EarthState::AtRest,
+                _ => EarthState::Active,
+            },
+            slope_deg: number(Key::BackfillSlope).unwrap_or(0.0),
+            batter_deg: number(Key::BackfillBatter).unwrap_or(0.0),
+            surcharge: number(Key::BackfillSurcharge).unwrap_or(0.0),
+            layers: self.layers(index, top)?,
+            pore_water: match self.inputs.choice(id(Key::PoreWaterMoves)) {
+                Some("with-soil") => PoreWater::WithSoil,
+                _ => PoreWater::Free,
+            },
+            increment_at: number(Key::IncrementAt).unwrap_or(0.6),
+        };
+        self.stands(index, &soil, water)?;
+        let made = Made::ALL.map(|made| format!("{name}.{}", made.name()));
+        let pressure = soil.pressure(water);
+        Ok(SoilFill { name, made, soil, water, pressure })
+    }
+
+    /// No load is called as the program calls what it makes of a soil.
+    pub(super) fn no_made_name(
+        &self,
+        soils: &[SoilFill],
+        forces: &[PointForce<impl Scalar>],
+        pressures: &[FacePressure<impl Scalar>],
+    ) -> Result<(), Fault> {
+        let made = |name: &Option<String>| {
+            let is_it = |name: &String| soils.iter().any(|soil| soil.made.contains(name));
+            name.clone().filter(is_it)
+        };
+        let of_forces = forces.iter().enumerate();
+        let of_forces =
+            of_forces.filter_map(|(index, force)| Some((made(&force.name)?, Id::new(Key::LoadName, index))));
+        let of_pressures = pressures.iter().enumerate();
+        let of_pressures = of_pressures
+            .filter_map(|(index, pressure)| Some((made(&pressure.name)?, Id::new(Key::PressureName, index))));
+        match of_forces.chain(of_pressures).next() {
+            Some((name, id)) => Err(Fault::new(Problem::MadeName { name }, id)),
+            None => Ok(()),
+        }
+    }
+
+    /// The layers of a soil as high as `height`: its own keys, or its tables of layers.
+    fn layers(&self, index: usize, height: f64) -> Result<Vec<SoilLayer>, Fault> {
+        let tables = self.inputs.tables_in(Table::BackfillLayer, index);
+        if tables.is_empty() {
+            let soil = self.soil_in(Table::Backfill, index)?;
+            return Ok(vec![SoilLayer { soil, thickness: height }]);
+        }
+        let own = self.inputs.values().map(|(id, _)| id).find(|id| {
+            (id.table, id.index) == (Table::Backfill, index) && id.key.info().table == Table::Soil
+        });
+        if let Some(id) = own {
+            let problem = Problem::SoilBesideLayers { name: self.soil_name(index), key: id.key };
+            return Err(Fault::new(problem, id));
+        }
+        let layer = |place: &usize| {
+            let id = Id::of(Table::BackfillLayer, *place, Key::LayerThickness);
+            let thickness = self.inputs.number(id).ok_or_else(|| self.missing_in(id))?;
+            Ok(SoilLayer { soil: self.soil_in(Table::BackfillLayer, *place)?, thickness })
+        };
+        let layers = tables.iter().map(layer).collect::<Result<Vec<_>, Fault>>()?;
+        let thickness: f64 = layers.iter().map(|layer| layer.thickness).sum();
+        if thickness < height - 1e-6 {
+            let problem = Problem::LayersShort { name: self.soil_name(index), thickness, height };
+            return Err(Fault::new(problem, Place::Table(Table::Backfill, index)));
+        }
+        Ok(layers)
+    }
+
+    fn soil_in(&self, table: Table, index: usize) -> Result<Soil, Fault> {
+        let id = |key| Id::of(table, index, key);
+        let number = |key| self.inputs.number(id(key));
+        let needed = |key| number(key).ok_or_else(|| self.missing_in(id(key)));
+        Ok(Soil {
+            friction_angle_deg: needed(Key::SoilFriction)?,
+            wall_friction_deg: number(Key::WallFriction).unwrap_or(0.0),
+            unit_weight: needed(Key::SoilWeight)?,
+            unit_weight_saturated: number(Key::SaturatedWeight),
+            unit_weight_dry: number(Key::DryWeight),
+            cohesion: number(Key::SoilCohesion).unwrap_or(0.0),
+            adhesion: number(Key::SoilAdhesion).unwrap_or(0.0),
+            ocr: number(Key::Overconsolidation).unwrap_or(1.0),
+        })
+    }
+
+    /// What of a soil goes together.
+    fn stands(&self, index: usize, soil: &Backfill, water: Option<GroundWater>) -> Result<(), Fault> {
+        let tables = self.inputs.tables_in(Table::BackfillLayer, index);
+        for (layer, SoilLayer { soil: of, .. }) in soil.layers.iter().enumerate() {
+            let (table, place) = match tables.get(layer) {
+                Some(place) => (Table::BackfillLayer, *place),
+                None => (Table::Backfill, index),
+            };
+            let id = |key| Id::of(table, place, key);
+            let φ = of.friction_angle_deg;
+            if soil.slope_deg >= φ {
+                let problem = Problem::SlopeBeyondFriction {
+                    name: self.soil_name(index),
+                    slope: soil.slope_deg,
+                    friction: φ,
+                };
+                let slope = Id::of(Table::Backfill, index, Key::BackfillSlope);
+                return Err(Fault::new(problem, slope).and(id(Key::SoilFriction)));
+            }
+            if of.wall_friction_deg.abs() > φ {
+                let problem =
+                    Problem::WallFrictionBeyondFriction { wall: of.wall_friction_deg, friction: φ };
+                return Err(Fault::new(problem, id(Key::WallFriction)).and(id(Key::SoilFriction)));
+            }
+            let Some(GroundWater { level, unit_weight }) =
+                water.filter(|water| soil.is_wet(layer, water.level))
+            else {
+                continue;
+            };
+            match of.unit_weight_saturated {
+                None => {
+                    let problem = Problem::SaturatedWeightMissing { level };
+                    return Err(Fault::new(problem, Place::Table(table, place)));
+                }
+                Some(saturated) if saturated <= unit_weight => {
+                    let problem = Problem::SoilFloats { saturated, water: unit_weight };
+                    return Err(Fault::new(problem, id(Key::SaturatedWeight)));
+                }
+                Some(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Every soil holds under the accelerations of the base that are tried.
+    pub(super) fn soils_hold(
+        &self,
+        soils: &[SoilFill],
+        tried: &[Earthquake],
+        gravity: f64,
+    ) -> Result<(), Fault> {
+        for (index, fill) in soils.iter().enumerate() {
+            for earthquake in tried {
+                let Some(shaking) = shaking(fill.soil.face, earthquake, gravity) else { continue };
+                if let Err(steep) = fill.soil.increment(fill.water, shaking) {
+                    let problem = Problem::TooSteepForEarthquake {
+                        name: fill.name.clone(),
+                        horizontal: shaking.horizontal,
+                        greatest: steep.greatest,
+                    };
+                    let at = Place::Table(Table::Backfill, index);
+                    return Err(Fault::new(problem, Key::Horizontal).and(at));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The keys of the soil of a fill, of all its layers, that are one angle or strength by name: those of the fill itself, or of each layer.
+pub(super) fn of_all_layers(inputs: &Inputs, id: Id) -> Vec<Id> {
+    let layers = inputs.tables_in(Table::BackfillLayer, id.index);
+    let is_of_fill = id.table == Table::Backfill && id.key.info().table == Table::Soil;
+    match is_of_fill && !layers.is_empty() {
+        true => layers.iter().map(|place| Id::of(Table::BackfillLayer, *place, id.key)).collect(),
+        false => vec![id],
+    }
+}

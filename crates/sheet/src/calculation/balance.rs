@@ -1,0 +1,110 @@
+//! What lifts the body against what presses it, what tips it against what holds it: where a criterion asks for it.
+
+use standfast::Corner;
+use standfast_cases::assess::{Balance, BalancePart, Component};
+use standfast_cases::results::ResultName;
+use standfast_cases::{Assessed, Case};
+
+use super::loads::{parts, sum};
+use crate::measured::{FACTOR, KILONEWTON, MOMENT};
+use crate::steps::SheetSteps;
+
+pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components: &[Component]) {
+    let criteria = case.criteria_of(assessed.acting);
+    let is_asked = |result: ResultName| result.is_told(criteria);
+    if !is_asked(ResultName::SfUplift) && !is_asked(ResultName::Tipping) {
+        return;
+    }
+    let Some(balance) = assessed.balance() else {
+        return steps.note(
+            "Of a weight less buoyancy it is not known what acts down and what up: neither SF_uplift nor tipping is answered.",
+        );
+    };
+    if is_asked(ResultName::SfUplift) {
+        uplift(steps, &balance, components);
+    }
+    if is_asked(ResultName::Tipping) {
+        tipping(steps, &balance);
+    }
+}
+
+fn uplift(steps: &mut SheetSteps, balance: &Balance, components: &[Component]) {
+    let [down, up] = balance.vertical();
+    let of = |sign: f64| {
+        let forces = components.iter().map(|component| (component.wrench.p * sign).max(0.0));
+        sum(forces.enumerate().map(|(i, force)| (parts(i)[1].clone(), force)))
+    };
+    let (name, about) = ("SF_uplift", "Safety against uplift");
+    match of(1.0) {
+        Some(formula) => steps.add("All that acts down", "", ["G", &formula], down, KILONEWTON, ""),
+        None => steps.told("All that acts down", "G", down, KILONEWTON, "nothing", ""),
+    }
+    match of(-1.0) {
+        Some(formula) => {
+            steps.add("All that acts up", "", ["G_up", &format!("−({formula})")], up, KILONEWTON, "");
+            steps.add(about, "", [name, "G/G_up"], balance.uplift(), FACTOR, name);
+        }
+        None => steps.told(about, name, balance.uplift(), FACTOR, "nothing acts up", name),
+    }
+}
+
+fn tipping(steps: &mut SheetSteps, balance: &Balance) {
+    let corner = balance.corner();
+    let letter = corner.letter().replace('\'', "′");
+    steps.note(&format!(
+        "Moments about {letter}, where tipping is the larger: of each load, its horizontal and its vertical part apart; above zero they tip the body."
+    ));
+    let (mut tips, mut holds) = (Vec::new(), Vec::new());
+    for (place, part) in balance.parts().iter().enumerate() {
+        let moment = part.tips(balance.body(), corner);
+        if moment == 0.0 {
+            continue;
+        }
+        let name = format!("T_{}", place + 1);
+        one(steps, balance, part, corner, &name);
+        if moment > 0.0 { tips.push(name) } else { holds.push(name) }
+    }
+    let [tipping, holding] = balance.moments(corner);
+    let about = "Moments that tip the body over those that hold it";
+    if tips.is_empty() {
+        return steps.told(about, "Λ_tip", balance.tipping(), FACTOR, "nothing tips it", "tipping");
+    }
+    steps.add("What tips it", "", ["T_tip", &tips.join(" + ")], tipping, MOMENT, "");
+    if holds.is_empty() {
+        return steps.told(about, "Λ_tip", balance.tipping(), FACTOR, "nothing holds it", "tipping");
+    }
+    steps.add("What holds it", "", ["T_hold", &format!("−({})", holds.join(" + "))], holding, MOMENT, "");
+    steps.add(about, "", ["Λ_tip", "T_tip/T_hold"], balance.tipping(), FACTOR, "tipping");
+}
+
+/// The moment of one part.
+fn one(steps: &mut SheetSteps, balance: &Balance, part: &BalancePart, corner: Corner, name: &str) {
+    let [x, v, m] = parts(part.of);
+    let moment = part.tips(balance.body(), corner);
+    let about = format!("Load {}", part.of + 1);
+    let (arm, sign) = if corner == Corner::O { ("b_1", 1.0) } else { ("b_2", -1.0) };
+    if balance.parts().iter().filter(|other| other.of == part.of).count() > 1 {
+        let words = if part.wrench.p == 0.0 { "of its horizontal part" } else { "of its vertical part" };
+        return steps.told(&about, name, moment, MOMENT, words, "");
+    }
+    let mut formula = String::new();
+    let mut add = |plus: bool, term: &str| {
+        let sign = match (plus, formula.is_empty()) {
+            (true, true) => "",
+            (false, true) => "−",
+            (true, false) => " + ",
+            (false, false) => " − ",
+        };
+        formula += &format!("{sign}{term}");
+    };
+    if part.wrench.m != 0.0 {
+        add(sign > 0.0, &m);
+    }
+    if part.wrench.x != 0.0 {
+        add(sign < 0.0, &format!("{x} y_C"));
+    }
+    if part.wrench.p != 0.0 {
+        add(false, &format!("{v} {arm}"));
+    }
+    steps.add(&about, "", [name, &formula], moment, MOMENT, "");
+}

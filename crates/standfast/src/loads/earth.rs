@@ -1,0 +1,425 @@
+//! Pressure of soil on a wall: from its angles of friction to what pushes the body and drags it down.
+//!
+//! φ is the angle of friction of the soil, δ that between soil and wall, β the slope of the ground, rising away from the wall, θ the batter
+//! of its back (above zero the soil stands on the back: the wall is wider at its foot), ψ the angle by which an earthquake turns gravity:
+//!
+//! ```text
+//! K = cos²(φ−θ−ψ)/{cos ψ cos²θ cos(θ+δ+ψ) [1 + √(sin(φ+δ) sin(φ−β−ψ)/(cos(θ+δ+ψ) cos(θ−β)))]²}
+//! K_0 = (1 − sin φ) OCR^(sin φ) (1 + sin β)                             at rest
+//! e(z) = max(0, K σ'(z) + K q cos θ cos β/cos(θ−β) − c K_c)             K_c = min(2√(K(1 + a/c)), 2.56√K)
+//! ```
+//!
+//! z counts downwards from the ground where it meets the wall, σ' = Σγ Δz with γ above the water and γ_sat − γ_w below it, q is the
+//! surcharge per horizontal metre, c cohesion and a adhesion. Per metre of height e cos(θ+δ) presses on the wall and e sin(θ+δ) drags it
+//! down, linear from point to point, with a step where the soil changes. Water in the soil is a load of its own.
+//!
+//! K is Coulomb's for ψ = 0, Rankine's for θ = 0 and δ = β, else of Mononobe and Okabe: that of the plane wedge that pushes most. In an
+//! earthquake, with (1 − k_v)g the acceleration that weighs the soil,
+//!
+//! ```text
+//! e_E(z) = K_E (1 − k_v)(σ' + q cos θ cos β/cos(θ−β))    ΔP = ∫(e_E − e) cos(θ+δ) dz
+//! tan ψ = k_h/(1 − k_v) above the water;   γ_sat k_h/((γ_sat − γ_w)(1 − k_v)) below it where the water moves with the soil,
+//!         γ_d k_h/((γ_sat − γ_w)(1 − k_v)) where it moves freely, and then presses with 7/12 k_h γ_w H_w² at 0.4 H_w beside
+//! ```
+//!
+//! The static pressure stays where it is; the increment ΔP is straight from ΔP(4 − 6η)/H at the foot to ΔP(6η − 2)/H at the top.
+
+use super::{Action, Face, Load, LoadKind, LoadSource, PressureDiagram};
+use crate::body::Body;
+
+/// A soil; angles in degrees, SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Soil {
+    /// φ, from 15 to 50.
+    pub friction_angle_deg: f64,
+    /// δ, φ at most to either side; below zero where the wall settles more than the soil.
+    pub wall_friction_deg: f64,
+    /// γ above the water, N/m³.
+    pub unit_weight: f64,
+    /// γ_sat, N/m³; needed where water stands in the soil.
+    pub unit_weight_saturated: Option<f64>,
+    /// γ_d, N/m³; of an earthquake with free pore water. That of the moist soil where it is not given.
+    pub unit_weight_dry: Option<f64>,
+    /// c, Pa.
+    pub cohesion: f64,
+    /// a on the wall, Pa.
+    pub adhesion: f64,
+    /// Overconsolidation ratio, of a pressure at rest.
+    pub ocr: f64,
+}
+
+/// A layer of soil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoilLayer {
+    /// The soil.
+    pub soil: Soil,
+    /// Thickness at the wall, m; that of the last layer may reach below the base.
+    pub thickness: f64,
+}
+
+/// State of a soil beside a wall.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum EarthState {
+    /// The wall gives way: the least push.
+    Active,
+    /// The wall does not move.
+    AtRest,
+}
+
+/// Movement of the water in a soil that is shaken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PoreWater {
+    /// Apart from the soil, as in gravel.
+    Free,
+    /// With the soil.
+    WithSoil,
+}
+
+/// Soil beside a face of the body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Backfill {
+    /// [`Face::Left`] or [`Face::Right`].
+    pub face: Face,
+    /// The ground at the face, above the base, m.
+    pub top: f64,
+    /// Whether the wall gives way.
+    pub state: EarthState,
+    /// β, degrees, below φ.
+    pub slope_deg: f64,
+    /// θ, degrees, from −20 to 30.
+    pub batter_deg: f64,
+    /// q, Pa.
+    pub surcharge: f64,
+    /// The layers from the top down, which reach the base.
+    pub layers: Vec<SoilLayer>,
+    /// Movement of its water in an earthquake.
+    pub pore_water: PoreWater,
+    /// η: height of the increment of an earthquake, as a share of that of the soil.
+    pub increment_at: f64,
+}
+
+/// Still water in a soil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroundWater {
+    /// Above the base, m.
+    pub level: f64,
+    /// γ_w, N/m³.
+    pub unit_weight: f64,
+}
+
+/// Acceleration of the base in shares of gravity, as a soil at a wall sees it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shaking {
+    /// k_h, not below zero: towards the soil, whose inertia presses it against the wall.
+    pub horizontal: f64,
+    /// 1 − k_v, above zero.
+    pub gravity: f64,
+}
+
+/// Pressure of a soil at a height.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EarthPoint {
+    /// Above the base, m.
+    pub elevation: f64,
+    /// Against the upright, Pa.
+    pub normal: f64,
+    /// Down the wall, per metre of height, Pa.
+    pub tangential: f64,
+}
+
+/// Coefficients of a layer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EarthCoefficients {
+    /// K, or K_0.
+    pub k: f64,
+    /// K_c, of its cohesion; zero where it has none, and at rest.
+    pub k_c: f64,
+}
+
+/// Pressure of a soil on a wall.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EarthPressure {
+    /// Of each layer.
+    pub coefficients: Vec<EarthCoefficients>,
+    /// Of its weight, from the base up.
+    pub soil: Vec<EarthPoint>,
+    /// What the surcharge adds; empty where there is none.
+    pub surcharge: Vec<EarthPoint>,
+}
+
+/// What an earthquake adds to the pressure of a soil.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EarthIncrement {
+    /// K_E of each layer, above the water and below it, with its ψ in degrees; `None` at rest, and of what has no part above or below.
+    pub coefficients: Vec<[Option<[f64; 2]>; 2]>,
+    /// ΔP against the upright, N per metre run.
+    pub force: f64,
+    /// Down the wall, N per metre run.
+    pub drag: f64,
+    /// Its straight diagram, from the base up.
+    pub points: Vec<EarthPoint>,
+    /// 7/12 k_h γ_w H_w² of free pore water, N per metre run, and its height above the base, m.
+    pub pore_water: Option<[f64; 2]>,
+}
+
+/// A state in which no wedge of soil holds: the ground is steeper than its friction, turned by an earthquake, allows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TooSteep {
+    /// The layer, from the top.
+    pub layer: usize,
+    /// The greatest k_h at which it holds.
+    pub greatest: f64,
+}
+
+/// K of the active state, of Coulomb, or of Mononobe and Okabe; angles in degrees. NaN where φ − β − ψ < 0.
+pub fn active(φ: f64, δ: f64, β: f64, θ: f64, ψ: f64) -> f64 {
+    let [φ, δ, β, θ, ψ] = [φ, δ, β, θ, ψ].map(f64::to_radians);
+    // What rounding leaves below zero of a slope as steep as it can be is nothing.
+    let steep = match (φ - β - ψ).sin() {
+        sin if sin < 0.0 && sin > -1e-12 => 0.0,
+        sin => sin,
+    };
+    let inclined = (θ + δ + ψ).cos();
+    let root = ((φ + δ).sin() * steep / (inclined * (θ - β).cos())).sqrt();
+    (φ - θ - ψ).cos().powi(2) / (ψ.cos() * θ.cos().powi(2) * inclined * (1.0 + root).powi(2))
+}
+
+/// K_0, of a soil at rest; angles in degrees.
+pub fn at_rest(φ: f64, β: f64, ocr: f64) -> f64 {
+    let sin = φ.to_radians().sin();
+    (1.0 - sin) * ocr.powf(sin) * (1.0 + β.to_radians().sin())
+}
+
+/// K_c, of cohesion `c` with adhesion `a`, beside `k`.
+pub fn of_cohesion(k: f64, c: f64, a: f64) -> f64 {
+    if c == 0.0 { 0.0 } else { (2.0 * (k * (1.0 + a / c)).sqrt()).min(2.56 * k.sqrt()) }
+}
+
+/// A stretch of one soil on one side of the water, from the top down.
+struct Stretch<'a> {
+    layer: usize,
+    soil: &'a Soil,
+    /// Elevations of its ends, the upper first.
+    ends: [f64; 2],
+    /// σ' there.
+    stress: [f64; 2],
+    wet: bool,
+}
+
+impl Backfill {
+    /// Coefficients of each layer.
+    pub fn coefficients(&self) -> Vec<EarthCoefficients> {
+        let of = |SoilLayer { soil, .. }: &SoilLayer| match self.state {
+            EarthState::Active => {
+                let Soil { friction_angle_deg: φ, wall_friction_deg: δ, cohesion, adhesion, .. } = *soil;
+                let k = active(φ, δ, self.slope_deg, self.batter_deg, 0.0);
+                EarthCoefficients { k, k_c: of_cohesion(k, cohesion, adhesion) }
+            }
+            EarthState::AtRest => {
+                let k = at_rest(soil.friction_angle_deg, self.slope_deg, soil.ocr);
+                EarthCoefficients { k, k_c: 0.0 }
+            }
+        };
+        self.layers.iter().map(of).collect()
+    }
+
+    /// The stretches of soil and water down to the base.
+    fn stretches(&self, water: Option<GroundWater>) -> Vec<Stretch<'_>> {
+        let (mut upper, mut stress) = (self.top, 0.0);
+        let mut stretches = Vec::new();
+        for (layer, SoilLayer { soil, thickness }) in self.layers.iter().enumerate() {
+            let last = layer + 1 == self.layers.len();
+            let bottom = if last { 0.0 } else { (upper - thickness).max(0.0) };
+            let level = water.map_or(f64::NEG_INFINITY, |water| water.level);
+            for lower in [level, bottom].map(|end| end.max(bottom)) {
+                if lower >= upper {
+                    continue;
+                }
+                let wet = upper <= level;
+                let lifted = water.filter(|_| wet).map_or(0.0, |water| water.unit_weight);
+                let weight = if wet {
+                    soil.unit_weight_saturated.unwrap_or(soil.unit_weight)
+                } else {
+                    soil.unit_weight
+                };
+                let below = stress + (weight - lifted) * (upper - lower);
+                stretches.push(Stretch { layer, soil, ends: [upper, lower], stress: [stress, below], wet });
+                (upper, stress) = (lower, below);
+            }
+        }
+        stretches
+    }
+
+    /// q cos θ cos β/cos(θ − β): the surcharge as the wedge has it.
+    fn weighed_surcharge(&self) -> f64 {
+        let [β, θ] = [self.slope_deg, self.batter_deg].map(f64::to_radians);
+        match self.state {
+            EarthState::Active => self.surcharge * (θ.cos() * β.cos() / (θ - β).cos()),
+            EarthState::AtRest => self.surcharge,
+        }
+    }
+
+    /// The pressure of a soil with `water` in it.
+    pub fn pressure(&self, water: Option<GroundWater>) -> EarthPressure {
+        let coefficients = self.coefficients();
+        let surcharge = self.weighed_surcharge();
+        let (mut soil_points, mut surcharge_points) = (Vec::new(), Vec::new());
+        for stretch in self.stretches(water) {
+            let EarthCoefficients { k, k_c } = coefficients[stretch.layer];
+            let held = stretch.soil.cohesion * k_c;
+            let of_soil = stretch.stress.map(|stress| k * stress - held);
+            let of_both = of_soil.map(|e| e + k * surcharge);
+            // Ends, and where either passes zero, from the top down.
+            let share = |[upper, lower]: [f64; 2]| {
+                (upper.min(lower) < 0.0 && upper.max(lower) > 0.0).then(|| upper / (upper - lower))
+            };
+            let mut shares = vec![0.0, 1.0];
+            shares.extend(share(of_soil));
+            shares.extend(share(of_both).filter(|_| surcharge != 0.0));
+            shares.sort_by(f64::total_cmp);
+            shares.dedup();
+            let along = |[upper, lower]: [f64; 2], share: f64| upper + (lower - upper) * share;
+            let angle = (self.batter_deg + stretch.soil.wall_friction_deg).to_radians();
+            for share in shares {
+                let soil = along(of_soil, share).max(0.0);
+                let point = |e: f64| EarthPoint {
+                    elevation: along(stretch.ends, share),
+                    normal: e * angle.cos(),
+                    tangential: e * angle.sin(),
+                };
+                soil_points.push(point(soil));
+                surcharge_points.push(point(along(of_both, share).max(0.0) - soil));
+            }
+        }
+        if self.surcharge == 0.0 {
+            surcharge_points.clear();
+        }
+        let [soil, surcharge] = [soil_points, surcharge_points].map(from_base);
+        EarthPressure { coefficients, soil, surcharge }
+    }
+
+    /// What an earthquake adds that drives the soil against the wall.
+    ///
+    /// # Errors
+    /// If the soil is too steep for it.
+    pub fn increment(
+        &self,
+        water: Option<GroundWater>,
+        shaking: Shaking,
+    ) -> Result<EarthIncrement, TooSteep> {
+        let Shaking { horizontal: k_h, gravity } = shaking;
+        let stretches = self.stretches(water);
+        let wet_height = water.map_or(0.0, |water| water.level.min(self.top));
+        let mut coefficients = vec![[None; 2]; self.layers.len()];
+        let (mut force, mut drag) = (0.0, 0.0);
+        let height = self.top;
+        let mut at = self.increment_at;
+        match self.state {
+            EarthState::Active => {
+                let surcharge = self.weighed_surcharge();
+                for Stretch { layer, soil, ends, stress, wet } in &stretches {
+                    let Soil { friction_angle_deg: φ, wall_friction_deg: δ, .. } = **soil;
+                    let heavier = self.inertia_share(soil, water.filter(|_| *wet));
+                    let ψ = (heavier * k_h / gravity).atan().to_degrees();
+                    if φ - self.slope_deg - ψ < -1e-9 {
+                        let greatest = gravity * (φ - self.slope_deg).to_radians().tan() / heavier;
+                        return Err(TooSteep { layer: *layer, greatest });
+                    }
+                    let k_e = active(φ, δ, self.slope_deg, self.batter_deg, ψ);
+                    coefficients[*layer][usize::from(*wet)] = Some([k_e, ψ]);
+                    let mean = (stress[0] + stress[1]) / 2.0 + surcharge;
+                    let sum = k_e * gravity * mean * (ends[0] - ends[1]);
+                    let angle = (self.batter_deg + δ).to_radians();
+                    force += sum * angle.cos();
+                    drag += sum * angle.sin();
+                }
+                let EarthPressure { soil, surcharge, .. } = self.pressure(water);
+                for points in [soil, surcharge] {
+                    force -= sum_of(&points, |point| point.normal);
+                    drag -= sum_of(&points, |point| point.tangential);
+                }
+            }
+            // Wood's, of a wall that does not yield.
+            EarthState::AtRest => {
+                let weight = |stretch: &Stretch<'_>| {
+                    let Soil { unit_weight, unit_weight_saturated, .. } = *stretch.soil;
+                    let of =
+                        if stretch.wet { unit_weight_saturated.unwrap_or(unit_weight) } else { unit_weight };
+                    of * (stretch.ends[0] - stretch.ends[1])
+                };
+                force = k_h * stretches.iter().map(weight).sum::<f64>() * height;
+                at = 0.6;
+            }
+        }
+        let point = |elevation: f64, share: f64| EarthPoint {
+            elevation,
+            normal: force * share / height,
+            tangential: drag * share / height,
+        };
+        let points = vec![point(0.0, 4.0 - 6.0 * at), point(height, 6.0 * at - 2.0)];
+        let free = water.filter(|_| self.pore_water == PoreWater::Free && wet_height > 0.0 && k_h > 0.0);
+        let pore_water = free
+            .map(|water| [7.0 / 12.0 * k_h * water.unit_weight * wet_height * wet_height, 0.4 * wet_height]);
+        Ok(EarthIncrement { coefficients, force, drag, points, pore_water })
+    }
+
+    /// What is shaken over what weighs: the share by which k_h counts in tan ψ.
+    fn inertia_share(&self, soil: &Soil, water: Option<GroundWater>) -> f64 {
+        let Some(water) = water else { return 1.0 };
+        let saturated = soil.unit_weight_saturated.unwrap_or(soil.unit_weight);
+        let shaken = match self.pore_water {
+            PoreWater::WithSoil => saturated,
+            PoreWater::Free => soil.unit_weight_dry.unwrap_or(soil.unit_weight),
+        };
+        shaken / (saturated - water.unit_weight)
+    }
+
+    /// True if a layer has water in it that stands up to `level`.
+    pub fn is_wet(&self, layer: usize, level: f64) -> bool {
+        let above: f64 = self.layers[..layer].iter().map(|layer| layer.thickness).sum();
+        let bottom = if layer + 1 == self.layers.len() {
+            0.0
+        } else {
+            self.top - above - self.layers[layer].thickness
+        };
+        level > bottom.max(0.0)
+    }
+
+    /// The loads of a pressure: what pushes, and what drags the body down.
+    pub fn loads(&self, points: &[EarthPoint]) -> Vec<Load> {
+        let diagram = |of: fn(&EarthPoint) -> f64| {
+            PressureDiagram::through(points.iter().map(|point| (point.elevation, of(point))))
+        };
+        let push = Action::Pressure { face: self.face, diagram: diagram(|point| point.normal) };
+        let mut loads = vec![Load::permanent(LoadSource::EarthPressure, LoadKind::Horizontal, push)];
+        if points.iter().any(|point| point.tangential != 0.0) {
+            let (face, batter) = (self.face, self.batter_deg.to_radians().tan());
+            let drag = Action::Drag { face, batter, diagram: diagram(|point| point.tangential) };
+            loads.push(Load::permanent(LoadSource::EarthDrag, LoadKind::Weight, drag));
+        }
+        loads
+    }
+
+    /// The push of free pore water in an earthquake.
+    pub fn pore_load(&self, body: &Body, [force, elevation]: [f64; 2]) -> Load {
+        let towards = if self.face == Face::Right { -force } else { force };
+        let length = body.plan().side(body.width());
+        let push = Action::horizontal(towards * length, elevation);
+        Load::variable(LoadSource::PoreWater, LoadKind::Horizontal, push)
+    }
+}
+
+/// Points from the base up, of those from the top down; at one elevation each pressure once.
+fn from_base(mut points: Vec<EarthPoint>) -> Vec<EarthPoint> {
+    points.dedup();
+    points.reverse();
+    points
+}
+
+/// ∫ of a pressure over the height.
+fn sum_of(points: &[EarthPoint], of: fn(&EarthPoint) -> f64) -> f64 {
+    points
+        .windows(2)
+        .map(|pair| (of(&pair[0]) + of(&pair[1])) / 2.0 * (pair[1].elevation - pair[0].elevation))
+        .sum()
+}
