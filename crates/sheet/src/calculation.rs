@@ -11,6 +11,7 @@ mod loads;
 mod mode;
 mod motion;
 mod path;
+mod soil;
 mod waves;
 
 use std::collections::BTreeSet;
@@ -68,6 +69,10 @@ pub fn steps(
         steps.part("Waves and pressures (Goda, Takahashi)", None);
         waves::steps(&mut steps, case, wave);
     }
+    if !case.soils.is_empty() {
+        steps.part("Pressure of soil", None);
+        soil::steps(&mut steps, case);
+    }
     let shown: Vec<&Assessed> = situations.all().collect();
     if !case.combinations.is_empty() {
         steps.part(
@@ -117,6 +122,7 @@ fn situation(
     let inputs = if std::ptr::eq(case, &assessment.case) { inputs } else { case.inputs() };
     let components = assessed.components();
     acting::steps(steps, assessment, assessed);
+    soil::increments(steps, case, assessed);
     loads::steps(steps, case, assessed, &components);
     classical::steps(steps, case, assessed, &components);
     ground::steps(steps, case, inputs, assessed, &components);

@@ -68,10 +68,9 @@ fn wedge([φ, δ, β, θ, ψ]: [f64; 5], q: f64, ρ: f64) -> f64 {
 
 /// The greatest push of all wedges, by a fine scan and then thirds.
 fn greatest(of: [f64; 5], q: f64) -> f64 {
-    let [φ, _, β, θ, ψ] = of;
+    let [φ, _, β, θ, _] = of;
     let (mut low, mut high): (f64, f64) = (φ.max(β + 1e-6), std::f64::consts::FRAC_PI_2 + θ.min(0.0) - 1e-6);
     let at = |ρ: f64| wedge(of, q, ρ);
-    let _ = ψ;
     let steps = 4000;
     let place = (1..steps).max_by(|one, two| {
         let ρ = |i: &i32| low + (high - low) * f64::from(*i) / f64::from(steps);
@@ -116,7 +115,7 @@ fn rankine_is_coulomb_along_the_slope() {
         let [cos_φ, cos_β] = [φ, β].map(|angle| angle.to_radians().cos());
         let q = (cos_β * cos_β - cos_φ * cos_φ).sqrt();
         // On the vertical plane the push is along the slope.
-        near(active(φ, β, β, 0.0, 0.0), cos_β * (cos_β - q) / (cos_β + q) / cos_β.powi(0), 1e-12);
+        near(active(φ, β, β, 0.0, 0.0), cos_β * (cos_β - q) / (cos_β + q), 1e-12);
     }
     near(at_rest(30.0, 0.0, 1.0), 0.5, 1e-15);
     near(at_rest(30.0, 10.0, 4.0), 0.5 * 2.0 * (1.0 + 10f64.to_radians().sin()), 1e-15);
@@ -141,8 +140,9 @@ fn worked_numbers() {
     let drag = force(&pressure.soil, |p| p.tangential)[0] + force(&pressure.surcharge, |p| p.tangential)[0];
     six(drag, 93.6696e3);
     let at = |points: &[EarthPoint], i: usize| points[i].normal;
+    assert_eq!(pressure.surcharge.len(), 2);
     let whole: Vec<f64> =
-        (0..pressure.soil.len()).map(|i| at(&pressure.soil, i) + at(&pressure.surcharge, i)).collect();
+        (0..pressure.soil.len()).map(|i| at(&pressure.soil, i) + at(&pressure.surcharge, 0)).collect();
     six(whole[0], 34.6900e3);
     six(whole[1], 11.5245e3);
     six(*whole.last().unwrap(), 4.90405e3);
@@ -184,18 +184,7 @@ fn worked_numbers() {
     assert_eq!(together.pore_water, None);
 }
 
-/// Published examples: a manual's wall, and a gravity wall.
-#[test]
-fn published_numbers() {
-    // FHWA NHI-06-089, example 10-1: φ 27°, 30 ft of soil of 115 lb/ft³ moist, water 12 ft above the foot, in lb and ft.
-    let pcf = 1.0;
-    let sand = Soil { unit_weight: 110.0 * pcf, unit_weight_saturated: Some(110.0 * pcf), ..soil(27.0, 0.0) };
-    near(active(27.0, 0.0, 0.0, 0.0, 0.0), 0.3755, 1e-3);
-    let _ = sand;
-}
-
-/// One layer is two of the same soil; a shaking of nothing adds nothing; a factor on the weights of all is one on the pressure; the
-/// diagram is the sum over thin slices.
+/// The diagram is the sum over thin slices; one layer is two of the same soil; a shaking of nothing adds nothing.
 #[test]
 fn diagrams_agree_with_slices() {
     let mut random = 12_345u64;

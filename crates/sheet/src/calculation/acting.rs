@@ -131,6 +131,9 @@ pub(super) fn changes(steps: &mut SheetSteps, assessment: &Assessment, assessed:
     if let Some(wave) = case.wave.as_ref().filter(|_| case.wave != of_all.wave) {
         super::waves::steps(steps, case, wave);
     }
+    if case.soils != of_all.soils {
+        super::soil::steps(steps, case);
+    }
 }
 
 /// The unit in which a sheet has the numbers under a key.

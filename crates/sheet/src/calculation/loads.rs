@@ -8,6 +8,7 @@ use standfast_cases::case::{FacePressure, PointForce, Weight};
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case, Key};
 
+use super::soil;
 use crate::measured::{
     ACCELERATION, AREA, DENSITY, KILONEWTON, KILOPASCAL, MASS, METRE, MOMENT, Measured, NONE, number,
 };
@@ -160,8 +161,13 @@ fn one(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, i: usize, compo
         pressure(steps, case, &about, &sums, (&component.load, *face, diagram));
         about.clear();
     }
+    if soil::load(steps, case, assessed, &about, &sums, &component.load) {
+        about.clear();
+    }
     let long = along(&case.body, case.extent);
-    let [fx, fv, fm] = formulas(case, assessed, component, [&x, &v], &sums, &factor, &long);
+    let of_soil = soil::formulas(case, &component.load, [&x, &v], &sums, &factor);
+    let [fx, fv, fm] =
+        of_soil.unwrap_or_else(|| formulas(case, assessed, component, [&x, &v], &sums, &factor, &long));
     let mut about = about.as_str();
     let parts = [(x, fx, wrench.x, KILONEWTON), (v, fv, wrench.p, KILONEWTON), (m, fm, wrench.m, MOMENT)];
     for (name, formula, value, unit) in parts {

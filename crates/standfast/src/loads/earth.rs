@@ -195,15 +195,19 @@ pub fn of_cohesion(k: f64, c: f64, a: f64) -> f64 {
     if c == 0.0 { 0.0 } else { (2.0 * (k * (1.0 + a / c)).sqrt()).min(2.56 * k.sqrt()) }
 }
 
-/// A stretch of one soil on one side of the water, from the top down.
-struct Stretch<'a> {
-    layer: usize,
-    soil: &'a Soil,
-    /// Elevations of its ends, the upper first.
-    ends: [f64; 2],
-    /// σ' there.
-    stress: [f64; 2],
-    wet: bool,
+/// A stretch of one soil on one side of the water.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoilStretch<'a> {
+    /// The layer, from the top.
+    pub layer: usize,
+    /// Its soil.
+    pub soil: &'a Soil,
+    /// Its ends above the base, the upper first, m.
+    pub ends: [f64; 2],
+    /// σ' there, Pa.
+    pub stress: [f64; 2],
+    /// True if it lies below the water.
+    pub wet: bool,
 }
 
 impl Backfill {
@@ -223,8 +227,8 @@ impl Backfill {
         self.layers.iter().map(of).collect()
     }
 
-    /// The stretches of soil and water down to the base.
-    fn stretches(&self, water: Option<GroundWater>) -> Vec<Stretch<'_>> {
+    /// The stretches of soil and water, from the top down to the base.
+    pub fn stretches(&self, water: Option<GroundWater>) -> Vec<SoilStretch<'_>> {
         let (mut upper, mut stress) = (self.top, 0.0);
         let mut stretches = Vec::new();
         for (layer, SoilLayer { soil, thickness }) in self.layers.iter().enumerate() {
@@ -243,15 +247,21 @@ impl Backfill {
                     soil.unit_weight
                 };
                 let below = stress + (weight - lifted) * (upper - lower);
-                stretches.push(Stretch { layer, soil, ends: [upper, lower], stress: [stress, below], wet });
+                stretches.push(SoilStretch {
+                    layer,
+                    soil,
+                    ends: [upper, lower],
+                    stress: [stress, below],
+                    wet,
+                });
                 (upper, stress) = (lower, below);
             }
         }
         stretches
     }
 
-    /// q cos θ cos β/cos(θ − β): the surcharge as the wedge has it.
-    fn weighed_surcharge(&self) -> f64 {
+    /// q cos θ cos β/cos(θ − β): the surcharge as the wedge has it, Pa.
+    pub fn weighed_surcharge(&self) -> f64 {
         let [β, θ] = [self.slope_deg, self.batter_deg].map(f64::to_radians);
         match self.state {
             EarthState::Active => self.surcharge * (θ.cos() * β.cos() / (θ - β).cos()),
@@ -288,7 +298,11 @@ impl Backfill {
                     tangential: e * angle.sin(),
                 };
                 soil_points.push(point(soil));
-                surcharge_points.push(point(along(of_both, share).max(0.0) - soil));
+                // Without cohesion it is the same all over the layer.
+                surcharge_points.push(point(match held {
+                    0.0 => k * surcharge,
+                    _ => along(of_both, share).max(0.0) - soil,
+                }));
             }
         }
         if self.surcharge == 0.0 {
@@ -317,7 +331,7 @@ impl Backfill {
         match self.state {
             EarthState::Active => {
                 let surcharge = self.weighed_surcharge();
-                for Stretch { layer, soil, ends, stress, wet } in &stretches {
+                for SoilStretch { layer, soil, ends, stress, wet } in &stretches {
                     let Soil { friction_angle_deg: φ, wall_friction_deg: δ, .. } = **soil;
                     let heavier = self.inertia_share(soil, water.filter(|_| *wet));
                     let ψ = (heavier * k_h / gravity).atan().to_degrees();
@@ -341,7 +355,7 @@ impl Backfill {
             }
             // Wood's, of a wall that does not yield.
             EarthState::AtRest => {
-                let weight = |stretch: &Stretch<'_>| {
+                let weight = |stretch: &SoilStretch<'_>| {
                     let Soil { unit_weight, unit_weight_saturated, .. } = *stretch.soil;
                     let of =
                         if stretch.wet { unit_weight_saturated.unwrap_or(unit_weight) } else { unit_weight };
@@ -409,11 +423,23 @@ impl Backfill {
     }
 }
 
-/// Points from the base up, of those from the top down; at one elevation each pressure once.
-fn from_base(mut points: Vec<EarthPoint>) -> Vec<EarthPoint> {
-    points.dedup();
-    points.reverse();
-    points
+/// Points from the base up, of those from the top down; at one elevation each pressure once, and none between two that are equal to it.
+fn from_base(points: Vec<EarthPoint>) -> Vec<EarthPoint> {
+    let mut kept: Vec<EarthPoint> = Vec::new();
+    for point in points.into_iter().rev() {
+        let same = |other: &EarthPoint| (other.normal, other.tangential) == (point.normal, point.tangential);
+        if kept.last() == Some(&point) {
+            continue;
+        }
+        if let [.., before, last] = &kept[..]
+            && same(before)
+            && same(last)
+        {
+            kept.pop();
+        }
+        kept.push(point);
+    }
+    kept
 }
 
 /// ∫ of a pressure over the height.
