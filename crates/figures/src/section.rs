@@ -125,8 +125,10 @@ pub struct Mound {
 pub struct Backfill {
     /// On which side it lies.
     pub side: Side,
-    /// Its surface, m above the base.
+    /// Its surface at the body, m above the base.
     pub top: f64,
+    /// Rise of the surface away from the body, as a share of the distance.
+    pub slope: f64,
 }
 
 /// The reaction of the base, and what of the base bears it; m from mid-width.

@@ -135,9 +135,11 @@ pub enum Problem {
         /// The number that was tried.
         value: f64,
     },
-    /// The force does not hit the body.
-    #[error("`elevation` is above the crest of the body, which is {height} m high")]
+    /// A force or soil that does not meet the body.
+    #[error("`{}` is above the crest of the body, which is {height} m high", key.name())]
     AboveCrest {
+        /// The key.
+        key: Key,
         /// Height of the body, m.
         height: f64,
     },

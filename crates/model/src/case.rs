@@ -328,7 +328,7 @@ impl<T: Scalar> Case<T> {
     }
 
     /// The accelerations of the base that are tried, whatever acts: as given, and to the other side and down for up unless that is fixed.
-    fn accelerations(&self) -> Vec<Earthquake> {
+    pub(crate) fn accelerations(&self) -> Vec<Earthquake> {
         let Some(given) = self.earthquake.as_ref().map(Earthquake::rounded) else { return Vec::new() };
         let signs = |both: bool| if both { &[1.0, -1.0][..] } else { &[1.0] };
         let ways = |side: &f64| signs(self.both_ways).iter().map(|way| given.turned(*side, *way)).collect();
@@ -575,7 +575,9 @@ impl Case {
         let loads = self.loads(Acting::All, self.earthquake);
         let unused = loads.iter().filter(|(of, load)| {
             let mut combinations = self.combinations.iter();
-            !load.permanent && !combinations.any(|combination| self.acts_in(combination, *of, load))
+            // What is made of soil is told of by itself.
+            let made = matches!(of, LoadOrigin::Soil(..));
+            !made && !load.permanent && !combinations.any(|combination| self.acts_in(combination, *of, load))
         });
         let mut places: Vec<_> = unused.map(|(of, _)| of.place()).collect();
         places.dedup();

@@ -13,7 +13,7 @@ use crate::key::{Id, Key, Table};
 use crate::units::Extent;
 pub(crate) use search::SHAKING;
 use search::{
-    BEARING, DENSITY, FRICTION, GRAVITY, GYRATION, HEIGHTS, OBJECT, OBLIQUE, SLENDER, STIFFNESS, STRENGTH,
+    BEARING, BUOYANT, DENSITY, FRICTION, GRAVITY, GYRATION, HEIGHTS, OBJECT, OBLIQUE, SLENDER, STIFFNESS, STRENGTH,
     SUBMERGED, UNIT_WEIGHT, WATER,
 };
 
@@ -256,6 +256,61 @@ pub enum Warning {
         /// Of the waves, at the seaward toe, Pa.
         of_waves: f64,
     },
+    /// More friction between soil and body than walls have.
+    WallFrictionHigh {
+        /// The key that gives it.
+        id: Id,
+        /// δ, degrees.
+        wall: f64,
+        /// φ, degrees.
+        friction: f64,
+    },
+    /// A soil that is heavier or lighter under water than soils are.
+    SaturatedWeightUnusual {
+        /// The key that gives it.
+        id: Id,
+        /// γ_sat, N/m³.
+        saturated: f64,
+        /// γ above the water, N/m³.
+        moist: f64,
+        /// What of γ_sat water bears, N/m³.
+        water: f64,
+    },
+    /// A surcharge too small to be what is meant.
+    SurchargeSmall {
+        /// The key that gives it.
+        id: Id,
+        /// Pa.
+        pressure: f64,
+    },
+    /// A permanent pressure on the face that soil stands against.
+    BackfillBesidePressure {
+        /// The soil.
+        name: String,
+        /// Place of the table of the pressure.
+        index: usize,
+    },
+    /// Soil on the side of the sea.
+    BackfillOnTheSeaSide {
+        /// The soil.
+        name: String,
+    },
+    /// An earthquake more than doubles the pressure of a soil.
+    StrongIncrement {
+        /// The soil.
+        name: String,
+        /// K at rest of the ground.
+        k: f64,
+        /// K_E in the earthquake.
+        k_e: f64,
+    },
+    /// A combination leaves out a load that the program makes.
+    LoadNotActing {
+        /// The load.
+        name: String,
+        /// The combination.
+        combination: String,
+    },
     /// The waves leave the range of the formulas.
     Wave(wave::WaveWarning),
 }
@@ -295,6 +350,13 @@ impl Warning {
             Warning::BuoyantBesideParts { .. } => "buoyant-beside-parts",
             Warning::EarthquakeWithoutAddedMass { .. } => "earthquake-without-added-mass",
             Warning::UpliftBesideWave { .. } => "uplift-beside-wave",
+            Warning::WallFrictionHigh { .. } => "wall-friction-high",
+            Warning::SaturatedWeightUnusual { .. } => "saturated-weight-unusual",
+            Warning::SurchargeSmall { .. } => "surcharge-small",
+            Warning::BackfillBesidePressure { .. } => "backfill-beside-pressure",
+            Warning::BackfillOnTheSeaSide { .. } => "backfill-on-the-sea-side",
+            Warning::StrongIncrement { .. } => "strong-increment",
+            Warning::LoadNotActing { .. } => "load-not-acting",
             Warning::Wave(warning) => warning.name(),
         }
     }
@@ -316,6 +378,7 @@ impl Warning {
         matches!(
             self,
             Warning::LoadInNoCombination { .. }
+                | Warning::LoadNotActing { .. }
                 | Warning::FavourableLoad { .. }
                 | Warning::UpliftAwayFromPush { .. }
         )
@@ -462,6 +525,44 @@ impl fmt::Display for Warning {
                 )
             }
             Warning::InCombination { name, warning } => write!(f, "in the combination \"{name}\" {warning}"),
+            Warning::WallFrictionHigh { id, wall, friction } => write!(
+                f,
+                "{id} = {}° is more than two thirds of the friction of the soil, {}°",
+                digits(*wall),
+                digits(*friction)
+            ),
+            Warning::SaturatedWeightUnusual { id, saturated, moist, water } => {
+                let [saturated, moist, lifted] =
+                    [*saturated, *moist, saturated - water].map(|weight| digits(weight / 1e3));
+                write!(
+                    f,
+                    "{id} = {saturated} kN/m³ is {lifted} kN/m³ less that of water, and the soil is {moist} kN/m³ above it; {BUOYANT} kN/m³ is usual, and \
+                     no less than above water"
+                )
+            }
+            Warning::SurchargeSmall { id, pressure } => {
+                write!(f, "{id} = {} Pa; a number without unit is in Pa, not in kPa", digits(*pressure))
+            }
+            Warning::BackfillBesidePressure { name, index } => write!(
+                f,
+                "[[pressure]] {} is permanent and acts on the face of the soil {name}: what is one pressure is counted twice",
+                index + 1
+            ),
+            Warning::BackfillOnTheSeaSide { name } => {
+                write!(f, "the soil {name} stands at the right, where the waves come from: see its face")
+            }
+            Warning::StrongIncrement { name, k, k_e } => write!(
+                f,
+                "the earthquake raises the coefficient of the soil {name} from {} to {}, more than twice: near the limit of the formula a \
+                 little more shaking does much",
+                digits(*k),
+                digits(*k_e)
+            ),
+            Warning::LoadNotActing { name, combination } => write!(
+                f,
+                "the combination \"{combination}\" does not name {name}, which is variable and so does not act in it; a factor of 0 says that it is \
+                 left out on purpose"
+            ),
             Warning::LoadInNoCombination { table, index } => {
                 let number = if table.repeats() { format!(" {}", index + 1) } else { String::new() };
                 write!(

@@ -12,7 +12,7 @@ use standfast_figures::{
 use standfast_model::load_words;
 
 use super::Assessment;
-use crate::case::{Acting, Case, Limit, Trial, Waves};
+use crate::case::{Acting, Case, Limit, SoilFill, Trial, Waves};
 use crate::layout::digits;
 use crate::units::Extent;
 
@@ -21,6 +21,7 @@ const SCALES: &str = "Lengths are to one scale, pressures to another, arrows of 
 const EQUAL: &str = "Water stands equally high on both sides: its pressures there cancel, and are no load.";
 const WAVE: &str = "The wave is drawn to η*, where its pressure would end; its shape is a sketch. Pressures are those above still water.";
 const SLOPES: &str = "How steep the mound is, the case does not say.";
+const SOIL_BESIDE: &str = "Grains beside the body: soil, up to the ground.";
 const FILLED: &str = "Grains beside the body: fill, drawn where a permanent pressure rises with depth.";
 const WET: &str = "A part that takes up water has one density above it and another below.";
 const SOIL: &str = "Grains under the base: ground that can fail, taken as one soil.";
@@ -63,10 +64,13 @@ pub(super) fn with_section<T>(
     let extent = case.extent;
     let BaseEdges { left, right } = case.body.base_edges();
     let (widths, heights) = dimensions(case);
-    let backfills = backfills(situation.loads());
+    let sketched = sketched_fills(situation.loads());
+    let has_sketch = !sketched.is_empty();
+    let backfills: Vec<Backfill> = case.soils.iter().map(backfill).chain(sketched).collect();
     let is_on_soil = matches!(worst.ground.as_ref().and_then(|ground| ground.limit), Some(Limit::Ground(_)));
     let mut notes = notes(case);
-    notes.extend((!backfills.is_empty()).then(|| FILLED.to_owned()));
+    notes.extend((!case.soils.is_empty()).then(|| SOIL_BESIDE.to_owned()));
+    notes.extend(has_sketch.then(|| FILLED.to_owned()));
     notes.extend(is_on_soil.then(|| SOIL.to_owned()));
     notes.extend(worst.ground.as_ref().map(|_| under::reaction_words(assessment, worst, reaction.as_ref())));
     let failure = reaction.as_ref().and_then(|reaction| reaction.failure.as_ref());
@@ -172,8 +176,14 @@ fn kilograms(density: f64) -> String {
     format!("{} kg/m³", digits(density))
 }
 
+/// Soil beside the body.
+fn backfill(fill: &SoilFill) -> Backfill {
+    let side = if fill.soil.face == Face::Left { Side::Left } else { Side::Right };
+    Backfill { side, top: fill.soil.top, slope: fill.soil.slope_deg.to_radians().tan() }
+}
+
 /// Fill beside the body: permanent pressures on a side, as they are given, that rise with depth, up to where they begin.
-fn backfills(loads: &[Load]) -> Vec<Backfill> {
+fn sketched_fills(loads: &[Load]) -> Vec<Backfill> {
     let mut fills: Vec<Backfill> = Vec::new();
     for load in loads.iter().filter(|load| load.permanent && load.source == LoadSource::Pressure) {
         let Action::Pressure { face, diagram } = &load.action else { continue };
@@ -187,7 +197,7 @@ fn backfills(loads: &[Load]) -> Vec<Backfill> {
         if low.pressure > 0.0 && diagram.points().windows(2).all(falls) {
             match fills.iter_mut().find(|fill| fill.side == side) {
                 Some(fill) => fill.top = fill.top.max(high.position),
-                None => fills.push(Backfill { side, top: high.position }),
+                None => fills.push(Backfill { side, top: high.position, slope: 0.0 }),
             }
         }
     }
@@ -237,6 +247,17 @@ fn levels(case: &Case) -> Vec<Level> {
         let wet = sides.into_iter().filter(|(_, elevation)| *elevation > 0.0);
         levels.extend(wet.map(|(side, elevation)| level(side, elevation, "water", true)));
     }
+    for fill in &case.soils {
+        let side = if fill.soil.face == Face::Left { Side::Left } else { Side::Right };
+        levels.push(level(side, fill.soil.top, "ground", false));
+        let mut upper = fill.soil.top;
+        for layer in fill.soil.layers.iter().take(fill.soil.layers.len() - 1) {
+            upper -= layer.thickness;
+            if upper > 0.0 {
+                levels.push(level(side, upper, "layer", false));
+            }
+        }
+    }
     if let Some(Waves { sea, section, goda, .. }) = &case.wave {
         let still = section.base_depth;
         levels.retain(|level| !level.is_water);
@@ -283,6 +304,10 @@ fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
     let centre = (body.centroid_offset(), body.centroid_height());
     let (at, is_inside) = match &load.action {
         Action::Pressure { .. } => return None,
+        Action::Drag { .. } => {
+            let force = load.forces(body, situation.gravity()).into_iter().next()?;
+            ((centre.0 + force.at[0], centre.1 + force.at[1]), false)
+        }
         Action::Force { at, .. } => ((at.x, at.y), load.source == LoadSource::Buoyancy),
         _ => (centre, true),
     };

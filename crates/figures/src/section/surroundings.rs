@@ -59,11 +59,12 @@ impl Painter<'_> {
     fn backfill(&mut self, (west, east): (f64, f64)) {
         for fill in &self.given.backfills {
             // The body, which is wider below, is drawn over it.
-            let (from, to) = match fill.side {
-                Side::Left => (west, self.face(fill.top, -1.0)),
+            let (near, far) = match fill.side {
+                Side::Left => (self.face(fill.top, -1.0), west),
                 Side::Right => (self.face(fill.top, 1.0), east),
             };
-            self.soil(&[(from, 0.0), (to, 0.0), (to, fill.top), (from, fill.top)], FILL);
+            let rises = fill.top + fill.slope * (far - near).abs();
+            self.soil(&[(far, 0.0), (near, 0.0), (near, fill.top), (far, rises)], FILL);
         }
     }
 

@@ -151,7 +151,7 @@ impl Reader<'_> {
         };
         let top = number(Key::BackfillTop).unwrap_or(body.height());
         if !body.reaches(top) {
-            let problem = Problem::AboveCrest { height: body.height() };
+            let problem = Problem::AboveCrest { key: Key::BackfillTop, height: body.height() };
             return Err(Fault::new(problem, id(Key::BackfillTop)));
         }
         let water = water.map(|(table, unit_weight)| GroundWater {

@@ -134,7 +134,7 @@ impl Reader<'_> {
             }
         };
         if !body.reaches(elevation.clone()) {
-            let problem = Problem::AboveCrest { height: body.height().value() };
+            let problem = Problem::AboveCrest { key: Key::Elevation, height: body.height().value() };
             return Err(Fault::new(problem, id(Key::Elevation)));
         }
         if let Direction::Sideways(side) = direction {

@@ -7,7 +7,7 @@ use standfast::wave::Heights;
 use standfast::{BaseEdges, Situation, Slip};
 
 use super::Warning;
-use crate::case::{Acting, Case, Direction, Trial, Waves, Weight, said_by};
+use crate::case::{Acting, Case, Direction, FacePressure, Made, Trial, Waves, Weight, said_by};
 use crate::criteria::Bound;
 use crate::error::Place;
 use crate::key::{Id, Key, Table};
@@ -75,6 +75,9 @@ pub(super) const OBLIQUE: f64 = 60.0;
 
 /// The largest unit weight of ground less that of the water in it, kN/m³.
 pub(super) const SUBMERGED: f64 = 13.0;
+
+/// Unit weight of a soil under water less that of the water, kN/m³.
+pub(super) const BUOYANT: Usual = Usual { from: 7.0, to: 13.0 };
 
 /// A pressure below this is none of a structure, Pa.
 const PRESSURE: f64 = 100.0;
@@ -145,6 +148,7 @@ impl Case {
         warnings.extend(self.waves());
         warnings.extend(self.forces());
         warnings.extend(self.pressures());
+        warnings.extend(self.beside());
         warnings.extend(self.uplifted());
         warnings.extend(self.favourable());
         warnings.extend(self.asked());
@@ -213,6 +217,69 @@ impl Case {
                 if foot < top {
                     warnings.push(Warning::PressureFallsWithDepth { index, foot, top });
                 }
+            }
+        }
+        warnings
+    }
+
+    /// About soil beside the body.
+    fn beside(&self) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        let accelerations = self.accelerations();
+        for (index, fill) in self.soils.iter().enumerate() {
+            let name = || fill.name.clone();
+            let own = |key| Id::of(Table::Backfill, index, key);
+            let tables = self.inputs.tables_in(Table::BackfillLayer, index);
+            for (layer, of) in fill.soil.layers.iter().enumerate() {
+                let place = tables.get(layer).map(|place| (Table::BackfillLayer, *place));
+                let (table, place) = place.unwrap_or((Table::Backfill, index));
+                let id = |key| Id::of(table, place, key);
+                let (wall, friction) = (of.soil.wall_friction_deg, of.soil.friction_angle_deg);
+                // Along the slope of the ground it is that of the soil itself, on the upright through the heel.
+                if wall > friction * (2.0 / 3.0) * (1.0 + ROUNDING) && wall != fill.soil.slope_deg {
+                    warnings.push(Warning::WallFrictionHigh { id: id(Key::WallFriction), wall, friction });
+                }
+                if let Some(saturated) = of.soil.unit_weight_saturated {
+                    let water = fill.water.map_or(9.81e3, |water| water.unit_weight);
+                    let moist = of.soil.unit_weight;
+                    if !BUOYANT.contains((saturated - water) / 1e3) || saturated < moist {
+                        let id = id(Key::SaturatedWeight);
+                        warnings.push(Warning::SaturatedWeightUnusual { id, saturated, moist, water });
+                    }
+                }
+            }
+            let pressure = fill.soil.surcharge;
+            if pressure > 0.0 && pressure < PRESSURE {
+                warnings.push(Warning::SurchargeSmall { id: own(Key::BackfillSurcharge), pressure });
+            }
+            let beside = |given: &FacePressure| given.permanent && given.face == fill.soil.face;
+            if let Some(index) = self.pressures.iter().position(beside) {
+                warnings.push(Warning::BackfillBesidePressure { name: name(), index });
+            }
+            if self.wave.is_some() && fill.soil.face == Face::Right {
+                warnings.push(Warning::BackfillOnTheSeaSide { name: name() });
+            }
+            let shaken = accelerations.iter().filter_map(|given| fill.increment(given, self.gravity));
+            let raised = shaken.flat_map(|increment| {
+                let of_layers = increment.coefficients.into_iter().zip(&fill.pressure.coefficients);
+                of_layers
+                    .flat_map(|(both, still)| both.into_iter().flatten().map(|[k_e, _]| (still.k, k_e)))
+                    .collect::<Vec<_>>()
+            });
+            if let Some((k, k_e)) = raised.max_by(|one, two| (one.1 / one.0).total_cmp(&(two.1 / two.0)))
+                && k_e > 2.0 * k
+            {
+                warnings.push(Warning::StrongIncrement { name: name(), k, k_e });
+            }
+            if fill.soil.surcharge > 0.0 {
+                let surcharge = fill.made(Made::Surcharge);
+                let left_out = (0..self.combinations.len()).filter(|place| {
+                    self.combinations[*place].factors.iter().all(|(named, _)| named != surcharge)
+                });
+                warnings.extend(left_out.map(|place| Warning::LoadNotActing {
+                    name: surcharge.to_owned(),
+                    combination: self.acting_name(Acting::Combination(place)).unwrap_or_default(),
+                }));
             }
         }
         warnings
