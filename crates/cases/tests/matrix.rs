@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use standfast_cases::couple::Variable;
 use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
-use standfast_cases::key::Kind;
+use standfast_cases::key::{Kind, Table};
 use standfast_cases::motion::{Follow, FollowedMotion, MotionRows, MotionView};
 use standfast_cases::random::{ChanceProblem, ChanceRequest, Effort, Happening, Method, Probability};
 use standfast_cases::sweep::{Factor, Sweep, heading};
@@ -23,7 +23,7 @@ fn file(text: &str) -> CaseFile {
 }
 
 /// Cases that have every number between them.
-const CASES: [&str; 14] = [
+const CASES: [&str; 16] = [
     "gravity = 9.8\n[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\nkinetic_friction = 0.35\nbase_left = 1.9\n\
      base_right = 1.8\ncentroid_offset = 0.1\ncentroid_height = 2.9\nmoment_of_inertia = 2e5\n[uplift]\nleft = 1e3\n\
      right = 2e3\n[[load]]\nforce = 60e3\nelevation = 4\n[[load]]\nname = \"crane\"\nforce = 9e3\ndirection = \"down\"\n\
@@ -40,6 +40,13 @@ const CASES: [&str; 14] = [
      crest_height = 3.4\nberm_width = 8\nangle_deg = 15\nwater_density = 1030\n",
     "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\n[water]\nleft = 2\nright = 5\ndensity = 1000\n[ground]\n\
      friction_angle_deg = 36\nunit_weight = 10e3\nsurcharge = 5e3\ncohesion = 2e3\n[[load]]\nforce = 20e3\nelevation = 4\n",
+    "[body]\nwidth = 7\nheight = 9\nmass = 130e3\nfriction = 0.6\n[water]\nleft = 5\nright = 6\ndensity = 1010\n\
+     [earthquake]\nhorizontal = \"0.1 g\"\nvertical = \"0.05 g\"\n[[backfill]]\nname = \"sand\"\nface = \"right\"\ntop = 8\n\
+     friction_angle_deg = 33\nwall_friction_deg = 20\nunit_weight = 18e3\nunit_weight_saturated = 20e3\nunit_weight_dry = 16e3\n\
+     cohesion = 2e3\nadhesion = 500\nslope_deg = 5\nbatter_deg = 4\nsurcharge = 9e3\nincrement_at = 0.5\n",
+    "[body]\nwidth = 7\nheight = 9\nmass = 130e3\nfriction = 0.6\n[[backfill]]\nface = \"left\"\nstate = \"rest\"\n\
+     [[backfill.layer]]\nthickness = 4\nfriction_angle_deg = 33\nunit_weight = 18e3\n[[backfill.layer]]\nthickness = 5\n\
+     friction_angle_deg = 30\nunit_weight = 17e3\nocr = 2\n",
     "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\n[ground]\nlaw = \"envelope\"\ncentric_resistance = 2e6\nt_h = 0.5\nt_m = 0.4\n\
      C = 0.2\n[[load]]\nforce = 60e3\nelevation = 4\n",
     "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.7\n[ground]\nstrength = 1e6\nstiffness = 5e7\n\
@@ -106,7 +113,9 @@ fn assessed(file: &CaseFile, id: Id, value: Option<f64>) -> Result<String, Strin
 fn leaves_rest(file: &CaseFile, id: Id) -> bool {
     let vertical = matches!(file.inputs().choice(Id::new(Key::Towards, id.index)), Some("up" | "down"));
     let along = if vertical { Key::Elevation } else { Key::LoadDistance };
-    id.key == along || file.is_in_time() && is_of_time_alone(id)
+    // The last layer reaches the base, however thick it is.
+    let last = file.inputs().indices(Table::BackfillLayer).last() == Some(&id.index);
+    id.key == along || id.key == Key::LayerThickness && last || file.is_in_time() && is_of_time_alone(id)
 }
 
 /// Numbers of the motion that its first instant does not depend on.
