@@ -164,8 +164,7 @@ fn a_wall_by_design_approaches() {
     let wall = "[body]\nwidth = 4\nheight = 6\ndensity = 2400\nfriction = 0.6\n\
         [[backfill]]\nname = \"sand\"\nface = \"right\"\nfriction_angle_deg = 33\nwall_friction_deg = 22\nunit_weight = 19e3\n\
         surcharge = 10e3\n[[combination]]\ncriteria = { SF_sliding = 1, tipping = 1 }\n";
-    let materials =
-        "materials = { \"body.friction\" = 1.25, \"backfill.sand.friction_angle_deg\" = 1.25 }\n";
+    let materials = "materials = { \"body.friction\" = 1.25, \"backfill.sand.friction_angle_deg\" = 1.25 }\n";
     for (combination, sliding, tipping) in [
         ("factors = { \"sand.surcharge\" = 1 }\n".to_owned(), 3.68189, 0.164303),
         (
@@ -209,7 +208,9 @@ fn a_wall_by_design_approaches() {
     // A weak soil is divided to less than one writes.
     let weak = wall.replace("= 33", "= 16").replace("= 22", "= 8");
     let assessment = assess(&format!("{weak}factors = {{}}\n{materials}"));
-    assert!(assessment.case_of(assessment.governing()).soils[0].soil.layers[0].soil.friction_angle_deg < 13.0);
+    assert!(
+        assessment.case_of(assessment.governing()).soils[0].soil.layers[0].soil.friction_angle_deg < 13.0
+    );
 }
 
 /// What cannot be is refused with its value and the cure; what is unusual is warned of by name.
@@ -219,17 +220,45 @@ fn slips_are_refused_or_warned_of() {
     for (from, to, words) in [
         ("face = \"right\"\n", "", "[[backfill]] lacks `face`"),
         ("friction_angle_deg = 33", "friction_angle_deg = 12", "expected an angle from 15 to 50 degrees"),
-        ("wall_friction_deg = 22", "wall_friction_deg = 34", "`wall_friction_deg` is 34°; expected no more than the angle of friction of the soil, 33°"),
-        ("unit_weight_saturated = \"20 kN/m3\"\n", "", "water stands in this soil, 9.5 m above the base, and `unit_weight_saturated` is not given; add for example\nunit_weight_saturated"),
+        (
+            "wall_friction_deg = 22",
+            "wall_friction_deg = 34",
+            "`wall_friction_deg` is 34°; expected no more than the angle of friction of the soil, 33°",
+        ),
+        (
+            "unit_weight_saturated = \"20 kN/m3\"\n",
+            "",
+            "water stands in this soil, 9.5 m above the base, and `unit_weight_saturated` is not given; add for example\nunit_weight_saturated",
+        ),
         ("\"20 kN/m3\"", "\"10 kN/m3\"", "expected more than that of water, 10.05525 kN/m³"),
-        ("surcharge = \"20 kPa\"", "slope_deg = 33", "`slope_deg` of sand is 33°; expected less than the angle of friction of its soil, 33°"),
+        (
+            "surcharge = \"20 kPa\"",
+            "slope_deg = 33",
+            "`slope_deg` of sand is 33°; expected less than the angle of friction of its soil, 33°",
+        ),
         ("surcharge = \"20 kPa\"", "top = 12", "`top` is above the crest of the body, which is 11 m high"),
         ("surcharge = \"20 kPa\"", "state = \"passive\"", "expected \"active\" or \"rest\""),
         ("surcharge = \"20 kPa\"", "batter_deg = 40", "expected an angle from -20 to 30 degrees"),
-        ("surcharge = \"20 kPa\"", "[[backfill.layer]]\nthickness = 3", "sand has layers, and `friction_angle_deg` of its own"),
-        ("surcharge = \"20 kPa\"", "[[load]]\nname = \"sand.surcharge\"\nforce = 9e3\nelevation = 2", "as the program calls what it makes"),
-        ("surcharge = \"20 kPa\"", "[earthquake]\nhorizontal = \"0.12 g\"\n[added_mass]\nsides = \"both\"", "no free water moves with the body there; sides = \"left\""),
-        ("surcharge = \"20 kPa\"", "[earthquake]\nhorizontal = \"0.5 g\"", "does not hold under this earthquake: φ − β − ψ is below zero, k_h is 0.5; expected 0.35"),
+        (
+            "surcharge = \"20 kPa\"",
+            "[[backfill.layer]]\nthickness = 3",
+            "sand has layers, and `friction_angle_deg` of its own",
+        ),
+        (
+            "surcharge = \"20 kPa\"",
+            "[[load]]\nname = \"sand.surcharge\"\nforce = 9e3\nelevation = 2",
+            "as the program calls what it makes",
+        ),
+        (
+            "surcharge = \"20 kPa\"",
+            "[earthquake]\nhorizontal = \"0.12 g\"\n[added_mass]\nsides = \"both\"",
+            "no free water moves with the body there; sides = \"left\"",
+        ),
+        (
+            "surcharge = \"20 kPa\"",
+            "[earthquake]\nhorizontal = \"0.5 g\"",
+            "does not hold under this earthquake: φ − β − ψ is below zero, k_h is 0.5; expected 0.35",
+        ),
     ] {
         let text = with(&SAND.replace(from, to));
         let said = refused(&text);
@@ -249,7 +278,11 @@ fn slips_are_refused_or_warned_of() {
         ("\"20 kN/m3\"", "\"24 kN/m3\"", "saturated-weight-unusual"),
         ("\"20 kN/m3\"", "\"17.5 kN/m3\"", "saturated-weight-unusual"),
         ("\"20 kPa\"", "20", "surcharge-small"),
-        ("surcharge = \"20 kPa\"", "[[pressure]]\nface = \"right\"\nelevation = [0, 5]\npressure = [5e3, 0]\npermanent = true", "backfill-beside-pressure"),
+        (
+            "surcharge = \"20 kPa\"",
+            "[[pressure]]\nface = \"right\"\nelevation = [0, 5]\npressure = [5e3, 0]\npermanent = true",
+            "backfill-beside-pressure",
+        ),
         ("surcharge = \"20 kPa\"", "[earthquake]\nhorizontal = \"0.3 g\"", "strong-increment"),
         ("surcharge", "[[combination]]\nname = \"c\"\nfactors = { weight = 1 }\n#", "NONE"),
     ] {

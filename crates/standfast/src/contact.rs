@@ -62,6 +62,7 @@ pub(crate) use explain::relations;
 
 pub mod departure;
 pub mod friction;
+pub mod opening;
 pub mod path;
 pub mod plane;
 

@@ -76,7 +76,7 @@ pub(super) fn just_beyond(
 
 /// The load factors above zero at which a condition changes its sign. One so large that the load leaves the range of
 /// [`InputError`] is none: it comes from a part of the load that is nothing beside the rest.
-fn crossings(block: &Block, permanent: &Wrench, variable: &Wrench) -> impl Iterator<Item = f64> {
+pub(super) fn crossings(block: &Block, permanent: &Wrench, variable: &Wrench) -> impl Iterator<Item = f64> {
     let at = |wrench| -> [f64; COUNT] { conditions(&numbers(block, wrench)) };
     let (start, slope) = (at(permanent), at(variable));
     let largest = variable.x.abs().max(variable.p.abs()).max(variable.m.abs());
