@@ -637,6 +637,22 @@ pub enum Problem {
         /// The greatest k_h.
         greatest: f64,
     },
+    /// A base whose opening is not followed.
+    #[error("`{}` of [water] follows a base that opens, which is not done for {what}", key.name())]
+    OpeningNotFor {
+        /// The key.
+        key: Key,
+        /// The kind of the base.
+        what: &'static str,
+    },
+    /// Drains that do not lie under the base.
+    #[error("`distance` of the drains is {} m from O; expected less than the width of the base, {} m", reached(*distance), reached(*base))]
+    DrainBesideBase {
+        /// From O, m.
+        distance: f64,
+        /// Width of the base, m.
+        base: f64,
+    },
     /// Free water that moves with the body on a side that is filled.
     #[error("`sides` counts the {side}, where soil stands: no free water moves with the body there")]
     FilledSide {

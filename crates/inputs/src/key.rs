@@ -27,6 +27,8 @@ pub enum Table {
     Wave,
     /// Still water.
     Water,
+    /// Drains under the base.
+    Drain,
     /// Pressures under the base.
     Uplift,
     /// A base that is shaken.
@@ -79,13 +81,14 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 30] = [
+    pub const ALL: [Table; 31] = [
         Table::Top,
         Table::Body,
         Table::Part,
         Table::Ground,
         Table::Wave,
         Table::Water,
+        Table::Drain,
         Table::Uplift,
         Table::Earthquake,
         Table::AddedMass,
@@ -117,6 +120,7 @@ impl Table {
         match self {
             Table::Top | Table::History | Table::Soil => None,
             Table::BackfillLayer => Some(Table::Backfill),
+            Table::Drain => Some(Table::Water),
             Table::Impact | Table::Initial | Table::Base => Some(Table::Motion),
             Table::BaseHorizontal | Table::BaseVertical => Some(Table::Base),
             Table::WaveHistory => Some(Table::Wave),
@@ -176,6 +180,7 @@ impl Table {
             Table::Ground => "ground",
             Table::Wave => "wave",
             Table::Water => "water",
+            Table::Drain => "drain",
             Table::Uplift => "uplift",
             Table::Earthquake => "earthquake",
             Table::AddedMass => "added_mass",
@@ -244,6 +249,7 @@ impl Table {
             Table::Ground => "[ground]",
             Table::Wave => "[wave]",
             Table::Water => "[water]",
+            Table::Drain => "`drain` of [water]",
             Table::Uplift => "[uplift]",
             Table::Earthquake => "[earthquake]",
             Table::AddedMass => "[added_mass]",
@@ -286,6 +292,7 @@ impl Table {
             }
             Table::Wave => "waves by Goda's formulas, with the sea at the right",
             Table::Water => "still water on both sides and under the base",
+            Table::Drain => "a line of drains under the base, between the heads of both sides",
             Table::Uplift => "pressures under the base that are not buoyancy",
             Table::Earthquake => "an acceleration of the base",
             Table::AddedMass => "water that moves with the body",
@@ -371,6 +378,7 @@ impl Table {
             }
             Table::Ground => "[ground]\nfriction_angle_deg = 35\nunit_weight = \"10 kN/m3\"",
             Table::Water => "[water]\nlevel = \"7.1 m\"",
+            Table::Drain => "drain = { distance = \"2.5 m\", efficiency = 0.5 }",
             Table::Pressure => {
                 "[[pressure]]\nname = \"backfill\"\nface = \"right\"\nelevation = [\"0 m\", \"9 m\"]\n\
                  pressure = [\"54 kPa\", \"0 kPa\"]\npermanent = true"
@@ -638,6 +646,8 @@ const DIRECTIONS: Kind =
 const SIDE: Kind = Kind::Choice { of: &["left", "right"], words: "\"left\" or \"right\"" };
 const EARTH_STATES: Kind = Kind::Choice { of: &["active", "rest"], words: "\"active\" or \"rest\"" };
 const PORE_WATER: Kind = Kind::Choice { of: &["free", "with-soil"], words: "\"free\" or \"with-soil\"" };
+const OPENINGS: Kind =
+    Kind::Choice { of: &["steady", "always", "closed"], words: "\"steady\", \"always\" or \"closed\"" };
 const LAWS: Kind =
     Kind::Choice { of: &["ec7", "hansen", "envelope"], words: "\"ec7\", \"hansen\" or \"envelope\"" };
 const SHAPES: Kind = Kind::Choice { of: &["block", "cylinder"], words: "\"block\" or \"cylinder\"" };
@@ -668,7 +678,7 @@ use Kind::{
 };
 use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, ZeroToOne};
 use Table::{
-    AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Earthquake, Ground,
+    AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Drain, Earthquake, Ground,
     History, Impact, Initial, Load, Motion, Part, Point, Pressure, Soil, Storm, Top, Uplift, Water, Wave,
 };
 
@@ -818,6 +828,12 @@ listed! {
     WaterDensity = key(Water, "density", Measured(Dimension::Density, Positive), "ρ_w", "density of the water", "\"1030 kg/m3\"")
         .silent("density of the water: that of the waves").moves(Moves::WaterDensity).gives(&[Quantity::WaterDensity]);
 
+    OpeningOf = key(Water, "opening", OPENINGS, "", "what water follows into a base that opens: \"steady\" loads, \"always\" all, \"closed\" none", "\"steady\"")
+        .silent("water under a base that opens: follows steady loads, where its levels differ");
+
+    DrainDistance = key(Drain, "distance", length(Positive), "x_d", "drains to the right of the corner O", "\"2.5 m\"");
+    DrainEfficiency = key(Drain, "efficiency", Plain(ZeroToOne), "E_d", "share that they take of the straight line's pressure above that of the lower head", "0.5");
+
     UpliftLeft =
         key(Uplift, "left", Measured(Dimension::Pressure, NotNegative), "p_l", "pressure under the left corner O", "\"20 kPa\"")
         .gives(&[Quantity::Pressure]);
@@ -858,6 +874,9 @@ listed! {
         .silent("factor on the pressures: 1").gives(&[Quantity::Pressure]);
     PressurePermanent = key(Pressure, "permanent", Truth, "", "whether it is there all the time", "true")
         .silent("pressure: variable");
+
+    PressureFast = key(Pressure, "fast", Truth, "", "whether it is too fast for water to follow it into a base that opens", "true")
+        .silent("pressure: steady");
 
     BackfillName = key(Backfill, "name", Text, "", "name of the soil", "\"sand\"")
         .silent("name of the soil: backfill");
@@ -902,6 +921,8 @@ listed! {
         .silent("distance: needed down and up; of a horizontal force mid-width");
     LoadPermanent = key(Load, "permanent", Truth, "", "whether it is there all the time", "true")
         .silent("load: variable");
+    LoadFast = key(Load, "fast", Truth, "", "whether it is too fast for water to follow it into a base that opens", "true")
+        .silent("load: steady, unless it goes with time");
     Together = key(Load, "together", Truth, "", "whether it acts with all other loads, rather than alone of those that do", "true")
         .silent("load: alone, an alternative to the others");
 

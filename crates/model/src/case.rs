@@ -42,7 +42,8 @@ use standfast::loads::{
 };
 use standfast::section::{Part, PartMass, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
-use standfast::{Ball, Body, InputError, Plan, Scalar, Situation, Wrench};
+use standfast::contact::opening::Drain;
+use standfast::{Ball, Body, InputError, OpeningRule, Plan, Scalar, Situation, Wrench};
 
 pub use backfill::{Made, SoilFill, soil_of};
 pub use bias::{Bias, Biases, biased};
@@ -93,6 +94,10 @@ pub struct Case<T = f64> {
     pub weight: Weight<T>,
     /// Still water.
     pub water: Option<StillWater<T>>,
+    /// Loads that still water follows into a base that opens; `None` where it follows none.
+    pub opening: Option<OpeningRule>,
+    /// Drains under the base, lengths in m.
+    pub drain: Option<Drain>,
     /// Pressures under the base.
     pub uplift: Option<Uplift<T>>,
     /// Acceleration of the base, as given.
@@ -195,11 +200,28 @@ impl Case {
         Ok(if situation.is_near_boundary() { self.as_written(situation, acting, trial) } else { situation })
     }
 
+    /// The body under the loads that act, in one of the ways in which they are tried.
+    ///
+    /// # Errors
+    /// If the numbers of a changed case are out of range.
+    ///
+    /// # Panics
+    /// If there is no such force or combination.
+    pub fn situation(&self, acting: Acting, trial: Trial) -> Result<Situation, InputError> {
+        let situation = self.loaded(acting, trial)?;
+        let case = self.under(acting);
+        Ok(match (case.opening, case.drain) {
+            (Some(rule), drain) => situation.with_opening(rule, drain),
+            (None, Some(drain)) => situation.with_drain(drain),
+            (None, None) => situation,
+        })
+    }
+
     /// The situation decided by the numbers as they are written.
     pub fn as_written(&self, situation: Situation, acting: Acting, trial: Trial) -> Situation {
         let written = Case::<Ball>::in_scalars(Arc::clone(&self.under(acting).inputs)).ok();
         let written = written.map(|case| Case { biases: self.biases, ..case });
-        let written = written.and_then(|case| case.situation(acting, trial).ok());
+        let written = written.and_then(|case| case.loaded(acting, trial).ok());
         match written {
             Some(written) => situation.as_written(&written),
             None => situation,
@@ -254,6 +276,8 @@ impl<T: Scalar> Case<T> {
             (true, Weight::Total, wave) => Some(given.water(&body, wave.as_ref())?),
             (false, _, _) => None,
         };
+        let opening = given.opening(&body.rounded(), ground.as_ref())?;
+        let drain = given.in_table(Table::Drain, |given| given.drain(&body.rounded()))?;
         let uplift = given.in_table(Table::Uplift, Reader::uplift)?;
         let earthquake = given.in_table(Table::Earthquake, Reader::earthquake)?;
         let added_mass = given
@@ -303,6 +327,8 @@ impl<T: Scalar> Case<T> {
             ground,
             weight,
             water,
+            opening,
+            drain,
             uplift,
             earthquake,
             both_sides: !inputs.truth(Key::HorizontalFixed).unwrap_or(false),
@@ -340,14 +366,8 @@ impl<T: Scalar> Case<T> {
         self.earthquake.as_ref().map(|given| given.turned(side, way))
     }
 
-    /// The body under the loads that act, in one of the ways in which they are tried.
-    ///
-    /// # Errors
-    /// If the numbers of a changed case are out of range.
-    ///
-    /// # Panics
-    /// If there is no such force or combination.
-    pub fn situation(&self, acting: Acting, trial: Trial) -> Result<Situation<T>, InputError> {
+    /// The body under the loads that act, the water under its base as if it did not open.
+    fn loaded(&self, acting: Acting, trial: Trial) -> Result<Situation<T>, InputError> {
         let case = self.under(acting);
         let shaken = trial.signs().and_then(|signs| case.shaken(signs));
         let mut situation = case.bare()?;
@@ -393,11 +413,12 @@ impl<T: Scalar> Case<T> {
         }
         let shaken = earthquake.as_ref().map(Earthquake::rounded);
         if let Some(earthquake) = earthquake {
-            add(LoadOrigin::Table(Table::Earthquake), earthquake.loads(&self.added_mass));
+            let of_base = earthquake.loads(&self.added_mass).into_iter().map(Load::fast);
+            add(LoadOrigin::Table(Table::Earthquake), of_base.collect());
         }
         if let Some(Waves { goda, section, history, .. }) = &self.wave {
             let waves = goda.loads(&self.body.rounded(), section.base_depth).into_iter().map(Load::computed);
-            add(LoadOrigin::Table(Table::Wave), waves.map(|load| over_time(load, history)).collect());
+            add(LoadOrigin::Table(Table::Wave), waves.map(|load| over_time(load, history).fast()).collect());
         }
         for (index, pressure) in self.pressures.iter().enumerate() {
             add(LoadOrigin::Pressure(index), vec![pressure.load()]);

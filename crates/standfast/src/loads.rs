@@ -102,6 +102,8 @@ pub struct Load<T = f64> {
     pub name: Option<String>,
     /// True if it is there all the time, rather than grows with the load factor.
     pub permanent: bool,
+    /// True if it is too fast for water to follow it into a base that opens.
+    pub is_fast: bool,
     /// The partial factor by which it is multiplied; 1 for the load itself.
     pub factor: T,
     /// Action, with its place.
@@ -120,6 +122,7 @@ impl<T: Scalar> Load<T> {
             kind,
             name: None,
             permanent: true,
+            is_fast: false,
             factor: T::of(1.0),
             action: action.into(),
             history: None,
@@ -158,6 +161,11 @@ impl<T: Scalar> Load<T> {
         Load { id, ..self }
     }
 
+    /// Load that is too fast for water to follow it.
+    pub fn fast(self) -> Load<T> {
+        Load { is_fast: true, ..self }
+    }
+
     /// Load with a history.
     pub fn over_time(self, history: History) -> Load<T> {
         Load { history: Some(history), ..self }
@@ -177,9 +185,9 @@ impl<T: Scalar> Load<T> {
 impl Load {
     /// Load of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
     pub fn computed<T: Scalar>(self) -> Load<T> {
-        let Load { id, source, kind, name, permanent, factor, action, history } = self;
+        let Load { id, source, kind, name, permanent, is_fast, factor, action, history } = self;
         let (factor, action) = (T::computed(factor), action.computed());
-        Load { id, source, kind, name, permanent, factor, action, history }
+        Load { id, source, kind, name, permanent, is_fast, factor, action, history }
     }
 
     /// Wrench at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.

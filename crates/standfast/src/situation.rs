@@ -48,8 +48,11 @@ use crate::stage::Stage;
 use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
+mod opening;
 mod written;
 
+use opening::Opening;
+pub use opening::{BaseOpening, OpeningRule};
 pub use written::Boundary;
 use written::{Written, WrittenChoice};
 
@@ -62,6 +65,8 @@ pub struct Situation<T = f64> {
     kinetic_friction: T,
     added_mass: AddedMass<T>,
     loads: Vec<Load<T>>,
+    /// Still water under the base, where it follows an opening.
+    opening: Option<Opening>,
     /// Its numbers as they are written, where they decide.
     written: Option<Box<Written>>,
 }
@@ -153,6 +158,7 @@ impl<T: Scalar> Situation<T> {
             kinetic_friction: friction,
             added_mass: AddedMass::of(T::of(0.0))?,
             loads: Vec::new(),
+            opening: None,
             written: None,
         })
     }
@@ -192,12 +198,6 @@ impl<T: Scalar> Situation<T> {
         self.written = None;
         self.loads.extend(loads);
         self
-    }
-
-    /// Situation without the loads of a number.
-    pub fn without(&self, id: LoadId) -> Situation<T> {
-        let loads = self.loads.iter().filter(|load| load.id != id).cloned().collect();
-        Situation { loads, written: None, ..self.clone() }
     }
 
     /// The body.
@@ -269,6 +269,12 @@ impl Situation {
             loads.map(|load| load.wrench(&self.body, self.gravity, pose)).sum::<Wrench>()
         });
         permanent + variable * factor
+    }
+
+    /// Situation without the loads of a number.
+    pub fn without(&self, id: LoadId) -> Situation {
+        let loads = self.loads.iter().filter(|load| load.id != id).cloned().collect();
+        Situation { loads, written: None, ..self.clone() }.reopened()
     }
 
     /// The classical actions under the full load.
@@ -344,8 +350,7 @@ impl Situation {
     /// If a number is out of range.
     pub fn at(&self, factor: f64) -> Result<Response, InputError> {
         let factor = InputError::finite(Quantity::LoadFactor, factor)?;
-        let Sums { permanent, variable, .. } = self.sums();
-        let wrench = permanent.plus(variable * factor);
+        let wrench = self.total_at(factor);
         let lone = self.in_air().filter(|_| factor == 1.0);
         self.response(factor, wrench, lone.or_else(|| self.effective(&wrench)))
     }
@@ -356,6 +361,9 @@ impl Situation {
         wrench: Wrench,
         effective: Option<Reduced>,
     ) -> Result<Response, InputError> {
+        if let Some(response) = self.response_as_it_opens(factor, wrench)? {
+            return Ok(response);
+        }
         let weight = self.body.mass() * self.gravity;
         let half_width = self.body.width() / 2.0;
         let scaled = |motion: Motion| motion.scaled(self.gravity, half_width, weight);
@@ -389,7 +397,8 @@ impl Situation {
     /// that f64 cannot tell from their boundary are said to be on it.
     pub fn explain(&self, response: &Response) -> Vec<Relation> {
         let Some(mode) = response.mode() else { return Vec::new() };
-        let (true, Some(motion)) = (self.is_as_written(), &response.motion) else {
+        let by_motion = self.is_as_written() || self.opening.is_some();
+        let (true, Some(motion)) = (by_motion, &response.motion) else {
             return self
                 .solve(&response.wrench)
                 .map_or_else(|_| Vec::new(), |solution| solution.explain(mode));
@@ -434,6 +443,9 @@ impl Situation {
     /// # Errors
     /// If a number is out of range.
     pub fn path(&self) -> Result<Vec<Stage>, InputError> {
+        if let Some(stages) = self.path_as_it_opens()? {
+            return Ok(stages);
+        }
         if let Some(written) = &self.written {
             return Ok(written.path());
         }
@@ -473,9 +485,11 @@ impl Situation {
     }
 
     fn departure(&self, path: &[Stage], permanent: &Wrench) -> Result<Departure, InputError> {
-        let begin = match &self.written {
-            Some(written) => written.choice(&Ball::of(0.0)).choice.mode,
-            None => self.solve(permanent)?.mode(),
+        let begin = match (self.followed(0.0)?, &self.written) {
+            (Some(found), _) => found.mode,
+            (None, Some(written)) => written.choice(&Ball::of(0.0)).choice.mode,
+            (None, None) if self.opening.is_some() => self.solve(&self.total_at(0.0))?.mode(),
+            (None, None) => self.solve(permanent)?.mode(),
         };
         Departure::along(begin.map(Verdict::Begins), path.iter().copied().map(Ok))
     }

@@ -237,6 +237,7 @@ impl Problem {
             Problem::TooSteepForEarthquake { .. } => {
                 "no formula holds beyond: a flatter ground or a smaller acceleration; or its pressure as a [[pressure]]".into()
             }
+            Problem::OpeningNotFor { .. } => "opening = \"closed\" keeps the straight line of pressure".into(),
             Problem::FilledSide { side } => {
                 let other = if *side == "right" { "left" } else { "right" };
                 format!("sides = \"{other}\"; the water in the soil follows from `pore_water`")
@@ -246,6 +247,7 @@ impl Problem {
             | Problem::SlopeBeyondFriction { .. }
             | Problem::WallFrictionBeyondFriction { .. }
             | Problem::LayersShort { .. }
+            | Problem::DrainBesideBase { .. }
             | Problem::KineticFriction { .. }
             | Problem::OneLevel { .. }
             | Problem::Lengths { .. }

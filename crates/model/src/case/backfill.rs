@@ -108,9 +108,11 @@ impl SoilFill {
         if let Some(increment) = earthquake.and_then(|earthquake| self.increment(earthquake, gravity)) {
             let made = Made::Earthquake;
             let of = LoadOrigin::Soil(index, Some(made));
-            add(of, variable(named(soil.loads(&increment.points), self.made(made))));
+            let shaken = variable(named(soil.loads(&increment.points), self.made(made)));
+            add(of, shaken.into_iter().map(Load::fast).collect());
             if let Some(pore) = increment.pore_water {
-                add(of, vec![soil.pore_load(body, pore).named(format!("{}, pore water", self.name))]);
+                let pore = soil.pore_load(body, pore).named(format!("{}, pore water", self.name));
+                add(of, vec![pore.fast()]);
             }
         }
         loads

@@ -22,6 +22,8 @@ pub struct FacePressure<T = f64> {
     pub scale: T,
     /// True if it is there all the time.
     pub permanent: bool,
+    /// True if it is too fast for water to follow it into a base that opens.
+    pub is_fast: bool,
 }
 
 /// A force at a point of the body.
@@ -41,6 +43,8 @@ pub struct PointForce<T = f64> {
     pub permanent: bool,
     /// True if it acts with all other loads, rather than alone of those that do.
     pub together: bool,
+    /// True if it is too fast for water to follow it into a base that opens.
+    pub is_fast: bool,
     /// Variation in time.
     pub history: Option<History>,
 }
@@ -60,7 +64,7 @@ impl<T: Scalar> FacePressure<T> {
     /// The load.
     pub fn load(&self) -> Load<T> {
         let load = Load::pressure(self.face, self.diagram.clone());
-        let load = Load { permanent: self.permanent, ..load };
+        let load = Load { permanent: self.permanent, is_fast: self.is_fast, ..load };
         match &self.name {
             Some(name) => load.named(name),
             None => load,
@@ -86,7 +90,8 @@ impl<T: Scalar> PointForce<T> {
             Direction::Down => (zero(), -magnitude),
             Direction::Up => (zero(), magnitude),
         };
-        let load = Load { permanent: self.permanent, name: self.name.clone(), ..Load::force(at, right, up) };
+        let (permanent, is_fast) = (self.permanent, self.is_fast);
+        let load = Load { permanent, is_fast, name: self.name.clone(), ..Load::force(at, right, up) };
         match self.direction {
             // Without a magnitude it is still a push.
             Direction::Sideways(_) => Load { kind: standfast::loads::LoadKind::Horizontal, ..load },
@@ -163,6 +168,7 @@ impl Reader<'_> {
             distance,
             permanent: truth(Key::LoadPermanent),
             together: truth(Key::Together),
+            is_fast: truth(Key::LoadFast) || history.is_some(),
             history,
         })
     }
@@ -218,7 +224,8 @@ impl Reader<'_> {
         }
         let name = self.inputs.text(id(Key::PressureName)).map(str::to_owned);
         let permanent = self.inputs.truth(id(Key::PressurePermanent)).unwrap_or(false);
-        Ok(FacePressure { name, face, diagram, scale, permanent })
+        let is_fast = self.inputs.truth(id(Key::PressureFast)).unwrap_or(false);
+        Ok(FacePressure { name, face, diagram, scale, permanent, is_fast })
     }
 
     /// Refusal by the library, shown at the key of one of several tables.

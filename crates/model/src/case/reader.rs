@@ -3,12 +3,13 @@
 
 use standfast::loads::{AddedMass, Earthquake, StillWater, Uplift};
 use standfast::wave::{self, Choices, Heights, Sea, goda};
-use standfast::{Body, InputError, Scalar, Section};
+use standfast::contact::opening::Drain;
+use standfast::{Body, InputError, OpeningRule, Plan, Scalar, Section};
 use standfast_motion::MotionError;
 
 use super::history::HistoryOf;
 use super::motion::CaseMotion;
-use super::{Waves, Weight};
+use super::{Foundation, Waves, Weight};
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Range, Table};
@@ -204,6 +205,51 @@ impl Reader<'_> {
                 Err(disagree((right_key, levels[1]), (Key::BaseDepth, depth)))
             }
             _ => Ok(water),
+        }
+    }
+
+    /// What water follows into a base that opens: steady loads where its levels differ, unless the file says otherwise, or the base is one
+    /// whose opening is not followed.
+    pub(super) fn opening(
+        &self,
+        body: &Body,
+        ground: Option<&Foundation>,
+    ) -> Result<Option<OpeningRule>, Fault> {
+        let what = match ground {
+            _ if body.plan() == Plan::Circle => Some("a cylinder"),
+            Some(ground) if ground.strength().is_some() => Some("a base that crushes"),
+            Some(ground) if ground.stiffness.is_some() => Some("an elastic base"),
+            _ => None,
+        };
+        let asked = match self.inputs.choice(Key::OpeningOf) {
+            Some("closed") => return Ok(None),
+            Some("always") => Some(OpeningRule::Always),
+            Some(_) => Some(OpeningRule::Steady),
+            None => None,
+        };
+        match (what, asked) {
+            (Some(what), Some(_)) => {
+                let key = Key::OpeningOf;
+                Err(Fault::new(Problem::OpeningNotFor { key, what }, key))
+            }
+            (Some(what), None) if self.inputs.has(Table::Drain) => {
+                Err(Fault::new(Problem::OpeningNotFor { key: Key::DrainDistance, what }, Table::Drain))
+            }
+            (Some(_), None) => Ok(None),
+            (None, asked) => Ok(Some(asked.unwrap_or(OpeningRule::Steady))),
+        }
+    }
+
+    /// Drains under the base.
+    pub(super) fn drain(&self, body: &Body) -> Result<Drain, Fault> {
+        let drain =
+            Drain { distance: self.required(Key::DrainDistance)?, efficiency: self.required(Key::DrainEfficiency)? };
+        match drain.distance < body.base_width() {
+            true => Ok(drain),
+            false => {
+                let (distance, base) = (drain.distance, body.base_width());
+                Err(Fault::new(Problem::DrainBesideBase { distance, base }, Key::DrainDistance))
+            }
         }
     }
 

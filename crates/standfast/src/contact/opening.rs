@@ -99,6 +99,8 @@ pub struct OpeningSolution {
     pub motion: Option<Motion>,
     /// The wrench under which the mode reported begins, its own water with it.
     pub wrench: Wrench,
+    /// True if an opening is followed; else the straight line under a closed base decides.
+    pub follows: bool,
 }
 
 impl BaseWater {
@@ -157,7 +159,8 @@ impl BaseWater {
         let wrench = steady + self.wrench(block, state) + loads.fast * factor;
         let found = solve(block, &wrench)?;
         let motion = found.mode().and_then(|mode| found.motion(mode));
-        Ok(OpeningSolution { modes: found.modes, mode: found.mode(), state, motion, wrench })
+        let follows = state != OpeningState::Closed;
+        Ok(OpeningSolution { modes: found.modes, mode: found.mode(), state, motion, wrench, follows })
     }
 
     /// The stages of variable loads that rise from nothing without end.
@@ -439,6 +442,7 @@ impl Given {
                 state,
                 motion,
                 wrench: closed,
+                follows: false,
             });
         }
         let orient = |mode: Mode| if self.mirrored { mode.mirrored() } else { mode };
@@ -474,7 +478,7 @@ impl Given {
             Some((mode, motion, wrench)) => (Some(mode), Some(motion), wrench),
             None => (None, None, *loads + self.water(state)),
         };
-        Ok(OpeningSolution { modes, mode, state, motion, wrench })
+        Ok(OpeningSolution { modes, mode, state, motion, wrench, follows: true })
     }
 
     /// The load factors at which anything may change along loads that rise.

@@ -100,7 +100,7 @@ impl<T: Scalar> PressureDiagram<T> {
     }
 
     /// A pressure through points that are known to be in order.
-    pub(super) fn through(points: impl IntoIterator<Item = (T, T)>) -> PressureDiagram<T> {
+    pub(crate) fn through(points: impl IntoIterator<Item = (T, T)>) -> PressureDiagram<T> {
         let points = points.into_iter().map(|(position, pressure)| PressureAt { position, pressure });
         PressureDiagram { points: points.collect() }
     }
