@@ -9,6 +9,7 @@ pub mod ground;
 mod json;
 mod loads;
 pub mod made;
+pub mod opening;
 pub mod pinned;
 pub mod screen;
 mod sea;

@@ -447,7 +447,7 @@ const GROUPS: &str = "[body]\nfriction = 0.6\n\
     [[part]]\ngroup = \"concrete\"\nleft = 0\nwidth = 15\nbottom = 0\nheight = 2\ndensity = 2400\n\
     [[part]]\ngroup = \"fill\"\nleft = 1\nwidth = 12\nbottom = 2\nheight = 8\ndensity = 1900\n\
     [[part]]\nleft = 0\nwidth = 1\nbottom = 2\nheight = 8\ndensity = 2400\n\
-    [water]\nleft = 1\nright = 2\ndensity = 1000\n\
+    [water]\nleft = 1\nright = 2\ndensity = 1000\nopening = \"closed\"\n\
     [[load]]\nname = \"push\"\nforce = 900e3\nelevation = 8\n[[combination]]\n";
 
 fn grouped(combination: &str) -> Assessment {

@@ -23,7 +23,7 @@ fn file(text: &str) -> CaseFile {
 }
 
 /// Cases that have every number between them.
-const CASES: [&str; 16] = [
+const CASES: [&str; 17] = [
     "gravity = 9.8\n[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\nkinetic_friction = 0.35\nbase_left = 1.9\n\
      base_right = 1.8\ncentroid_offset = 0.1\ncentroid_height = 2.9\nmoment_of_inertia = 2e5\n[uplift]\nleft = 1e3\n\
      right = 2e3\n[[load]]\nforce = 60e3\nelevation = 4\n[[load]]\nname = \"crane\"\nforce = 9e3\ndirection = \"down\"\n\
@@ -40,6 +40,8 @@ const CASES: [&str; 16] = [
      crest_height = 3.4\nberm_width = 8\nangle_deg = 15\nwater_density = 1030\n",
     "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\n[water]\nleft = 2\nright = 5\ndensity = 1000\n[ground]\n\
      friction_angle_deg = 36\nunit_weight = 10e3\nsurcharge = 5e3\ncohesion = 2e3\n[[load]]\nforce = 20e3\nelevation = 4\n",
+    "[body]\nwidth = 5\nheight = 9\ndensity = 2400\nfriction = 0.7\n[water]\nleft = 1\nright = 8\ndensity = 1000\n\
+     drain = { distance = 2.5, efficiency = 0.5 }\n[[load]]\nname = \"ice\"\nforce = 20e3\nelevation = 8\n",
     "[body]\nwidth = 7\nheight = 9\nmass = 130e3\nfriction = 0.6\n[water]\nleft = 5\nright = 6\ndensity = 1010\n\
      [earthquake]\nhorizontal = \"0.1 g\"\nvertical = \"0.05 g\"\n[[backfill]]\nname = \"sand\"\nface = \"right\"\ntop = 8\n\
      friction_angle_deg = 33\nwall_friction_deg = 20\nunit_weight = 18e3\nunit_weight_saturated = 20e3\nunit_weight_dry = 16e3\n\

@@ -678,8 +678,9 @@ use Kind::{
 };
 use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, ZeroToOne};
 use Table::{
-    AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Drain, Earthquake, Ground,
-    History, Impact, Initial, Load, Motion, Part, Point, Pressure, Soil, Storm, Top, Uplift, Water, Wave,
+    AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Drain, Earthquake,
+    Ground, History, Impact, Initial, Load, Motion, Part, Point, Pressure, Soil, Storm, Top, Uplift, Water,
+    Wave,
 };
 
 listed! {

@@ -37,12 +37,12 @@ mod section;
 
 use std::sync::Arc;
 
+use standfast::contact::opening::Drain;
 use standfast::loads::{
     Action, AddedMass, BodyPoint, Earthquake, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
 };
 use standfast::section::{Part, PartMass, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
-use standfast::contact::opening::Drain;
 use standfast::{Ball, Body, InputError, OpeningRule, Plan, Scalar, Situation, Wrench};
 
 pub use backfill::{Made, SoilFill, soil_of};
@@ -231,6 +231,11 @@ impl Case {
     /// The case with other waves.
     pub fn with_waves(&self, waves: Waves) -> Case {
         Case { wave: Some(waves), ..self.clone() }
+    }
+
+    /// True if still water stands under its base at different heads and follows an opening.
+    pub fn follows_opening(&self) -> bool {
+        self.opening.is_some() && self.water.is_some_and(|water| water.left() != water.right())
     }
 
     /// Part that water takes in the weight, in words.

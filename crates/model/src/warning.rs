@@ -304,6 +304,37 @@ pub enum Warning {
         /// K_E in the earthquake.
         k_e: f64,
     },
+    /// The base opens, and water fills what opens.
+    BaseOpens {
+        /// The loads under which it does, where there are several.
+        situation: Option<String>,
+        /// The length that stays pressed, m.
+        contact: f64,
+        /// The width of the base, m.
+        base: f64,
+        /// The pressure that stands in what has opened, Pa.
+        pressure: f64,
+    },
+    /// A closed base that any opening would lift.
+    OpeningWouldRunThrough {
+        /// The loads, where there are several.
+        situation: Option<String>,
+    },
+    /// Fast loads meet a diagram that is held.
+    OpeningHeld {
+        /// The loads, where there are several.
+        situation: Option<String>,
+    },
+    /// A base has opened beyond its drains.
+    DrainLost {
+        /// The loads, where there are several.
+        situation: Option<String>,
+    },
+    /// Pressures under the base that are given beside water that follows an opening.
+    GivenUpliftDoesNotFollow {
+        /// The table that gives them.
+        table: Table,
+    },
     /// A combination leaves out a load that the program makes.
     LoadNotActing {
         /// The load.
@@ -357,6 +388,11 @@ impl Warning {
             Warning::BackfillOnTheSeaSide { .. } => "backfill-on-the-sea-side",
             Warning::StrongIncrement { .. } => "strong-increment",
             Warning::LoadNotActing { .. } => "load-not-acting",
+            Warning::BaseOpens { .. } => "base-opens",
+            Warning::OpeningWouldRunThrough { .. } => "opening-would-run-through",
+            Warning::OpeningHeld { .. } => "opening-held",
+            Warning::DrainLost { .. } => "drain-lost",
+            Warning::GivenUpliftDoesNotFollow { .. } => "given-uplift-does-not-follow",
             Warning::Wave(warning) => warning.name(),
         }
     }
@@ -379,6 +415,11 @@ impl Warning {
             self,
             Warning::LoadInNoCombination { .. }
                 | Warning::LoadNotActing { .. }
+                | Warning::BaseOpens { .. }
+                | Warning::OpeningWouldRunThrough { .. }
+                | Warning::OpeningHeld { .. }
+                | Warning::DrainLost { .. }
+                | Warning::GivenUpliftDoesNotFollow { .. }
                 | Warning::FavourableLoad { .. }
                 | Warning::UpliftAwayFromPush { .. }
         )
@@ -398,6 +439,9 @@ impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // A value is told apart from the limit that it is beyond.
         let beyond = |value: f64, limit: f64| apart(&[value, limit]).swap_remove(0);
+        let under = |situation: &Option<String>| {
+            situation.as_ref().map_or(String::new(), |name| format!("under «{name}» "))
+        };
         let kilopascals = |pressure: f64| format!("{} kPa", digits(pressure / 1e3));
         match self {
             Warning::BaseBeyondBody { side, edge, beyond } => {
@@ -557,6 +601,41 @@ impl fmt::Display for Warning {
                  little more shaking does much",
                 digits(*k),
                 digits(*k_e)
+            ),
+            Warning::BaseOpens { situation, contact, base, pressure } => match contact {
+                0.0 => write!(
+                    f,
+                    "{}the base opens from end to end: {} stand under all of it",
+                    under(situation),
+                    kilopascals(*pressure)
+                ),
+                contact => write!(
+                    f,
+                    "{}the base opens over {} m of {} m, and {} stand there, the higher head; opening = \"closed\" keeps the straight line",
+                    under(situation),
+                    digits(base - contact),
+                    digits(*base),
+                    kilopascals(*pressure)
+                ),
+            },
+            Warning::OpeningWouldRunThrough { situation } => write!(
+                f,
+                "{}the base is closed, but water that once gets under it lifts the body",
+                under(situation)
+            ),
+            Warning::OpeningHeld { situation } => write!(
+                f,
+                "{}the base has opened under the steady loads, and the fast ones meet the water that stands there then; opening = \"always\" lets \
+                 it follow all",
+                under(situation)
+            ),
+            Warning::DrainLost { situation } => {
+                write!(f, "{}the base has opened beyond its drains, which no longer work", under(situation))
+            }
+            Warning::GivenUpliftDoesNotFollow { table } => write!(
+                f,
+                "{} gives a pressure under a base that opens: it stays as it is given, and does not follow",
+                table.header()
             ),
             Warning::LoadNotActing { name, combination } => write!(
                 f,

@@ -10,6 +10,7 @@ mod ground;
 mod loads;
 mod mode;
 mod motion;
+mod opening;
 mod path;
 mod soil;
 mod waves;

@@ -60,6 +60,8 @@ units! {
     SPRING_OF_OBJECT = SheetUnit::other("N/m");
     TURNING = SheetUnit::other("N");
     TURNING_OF_OBJECT = SheetUnit::other("N m");
+    FORCE_SQUARED = SheetUnit { si: 1e6, ..SheetUnit::other("kN²/m²") };
+    FORCE_SQUARED_OF_OBJECT = SheetUnit { si: 1e6, ..SheetUnit::other("kN²") };
     PER_SECOND = SheetUnit::other("1/s");
     SQUARE = SheetUnit::other("1/s²");
     FOURTH = SheetUnit::other("1/s⁴");

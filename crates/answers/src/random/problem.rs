@@ -442,8 +442,9 @@ struct Lines {
 
 impl Lines {
     fn of(inputs: &[RandomInput], case: Option<&Case>) -> Lines {
-        let gives_way = case.is_some_and(Case::gives_way);
-        Lines { friction: !inputs.iter().any(RandomInput::is_kinetic_friction), loads: !gives_way }
+        // Where water follows an opening, no wrench is linear in a load.
+        let bends = case.is_some_and(|case| case.gives_way() || case.follows_opening());
+        Lines { friction: !inputs.iter().any(RandomInput::is_kinetic_friction), loads: !bends }
     }
 
     /// The first along which the modes are known, of those for which this holds.
@@ -452,7 +453,7 @@ impl Lines {
             (0..inputs.len()).find(|place| among(*place) && of(&inputs[*place]))
         };
         let friction = find(&RandomInput::is_friction).filter(|_| self.friction).map(Line::Friction);
-        // On a base that gives way a load is scanned, which is quicker than another number.
+        // On a base that gives way, or opens, a load is scanned, which is quicker than another number.
         let load = || find(&RandomInput::is_linear).map(if self.loads { Line::Load } else { Line::Scan });
         let scan = || find(&|_| true).map(Line::Scan);
         friction.or_else(load).or_else(scan)

@@ -98,11 +98,19 @@ impl Resolve<'_> {
         if let Some(bias) = Bias::ALL.into_iter().find(|bias| bias.name() == named.name) {
             let waves = case.wave.is_some();
             let there = if bias == Bias::Force { !case.forces.is_empty() } else { waves };
-            if there {
+            // Water that follows an opening follows each force as it is.
+            let follows = bias == Bias::Force && case.follows_opening();
+            if there && !follows {
                 return Ok(Quantity::Bias(bias));
             }
-            let known =
-                if bias == Bias::Force { "the case has no [[load]]" } else { "the case has no waves" };
+            let known = match bias {
+                _ if follows => {
+                    "water under the base follows an opening, which a factor behind it would miss: make each load.…force random, or set \
+                     opening = \"closed\" in [water]"
+                }
+                Bias::Force => "the case has no [[load]]",
+                _ => "the case has no waves",
+            };
             let (name, known) = (named.name.clone(), known.to_owned());
             return Err((RandomProblem::NoNumber { name, suggestion: None, known }, named.span.clone()));
         }

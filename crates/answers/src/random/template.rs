@@ -9,7 +9,7 @@ use crate::case::{Case, Weight};
 use crate::digits::digits;
 use crate::error::CaseError;
 use crate::inputs::Inputs;
-use crate::key::{Key, Table};
+use crate::key::{Id, Key, Table};
 use standfast_model::CaseFile;
 
 /// Note that every line has.
@@ -65,7 +65,9 @@ pub fn template(file: &CaseFile) -> Result<String, CaseError> {
                  # records = [\"near.csv\", \"far.csv\"]\n";
     }
     for line in proposed(&case, file.inputs()) {
-        let _ = write!(text, "\n# {}\n{} = {}\n", line.says, line.name, line.written());
+        // A name in brackets stands in quotes.
+        let quote = if line.name.contains('[') { "\"" } else { "" };
+        let _ = write!(text, "\n# {}\n{quote}{}{quote} = {}\n", line.says, line.name, line.written());
     }
     if case.wave.is_some() {
         text += "\n# Forces and uplift of one wave err to the same side; by how much is not known here.\n\
@@ -166,13 +168,18 @@ pub(super) fn proposed(case: &Case, inputs: &Inputs) -> Vec<ProposedLaw> {
                 .to_owned(),
         ));
     }
-    if case.forces.iter().any(|force| !force.permanent) {
-        lines.push(line(
-            "bias.force",
-            "lognormal",
-            (Some(1.0), 0.2),
-            format!("Load effects: JCSS Probabilistic Model Code, part 3.9, is of this order; {NOT_READ}"),
-        ));
+    let says =
+        || format!("Load effects: JCSS Probabilistic Model Code, part 3.9, is of this order; {NOT_READ}");
+    let variable: Vec<usize> =
+        (0..case.forces.len()).filter(|index| !case.forces[*index].permanent).collect();
+    match case.follows_opening() {
+        // Water under the base follows each as it is.
+        true => lines.extend(variable.into_iter().map(|index| {
+            let force = Id::new(Key::Force, index);
+            line(&force.to_string(), "lognormal", (None, 0.2), says())
+        })),
+        false if variable.is_empty() => {}
+        false => lines.push(line("bias.force", "lognormal", (Some(1.0), 0.2), says())),
     }
     lines
 }

@@ -1,11 +1,11 @@
 //! The report's diagram: the view that an answer has of it where body and loads allow, and the inequalities that decide.
 
-use super::{Assessed, checks};
+use super::{Assessed, checks, opening};
 use crate::describe;
 use crate::layout::{columns, digits, paragraph, row};
 
 /// Reason why a load may have no point in the report's diagram.
-pub const NO_POINT: &str = "No k–μ diagram for this load: the diagram needs a uniform body with one friction and no added mass, pressed on \
+const NO_POINT: &str = "No k–μ diagram for this load: the diagram needs a uniform body with one friction and no added mass, pressed on \
     its base and pushed sideways. Solved as a general contact problem.";
 
 /// Note on the coordinates of a load on ground that can fail.
@@ -16,12 +16,25 @@ const RIGID_PLANE: &str = "The report's diagram is for rigid ground. Its inequal
 const NO_POINT_ON_GROUND: &str =
     "No k–μ diagram for this load. Solved as a general contact problem on this base.";
 
+/// Reason why a load has no point in the report's diagram on a base that opens.
+const OPENED: &str = "No k–μ diagram for this load: the body moves, and the water that stands under it then is another than at rest. \
+    Solved as a general contact problem, each mode with the water of its own contact.";
+
+/// Reason why a load has no point in the report's diagram.
+pub fn no_point(assessed: &Assessed) -> &'static str {
+    if opening::told(assessed).is_some() && assessed.situation.body().is_uniform() {
+        OPENED
+    } else {
+        NO_POINT
+    }
+}
+
 pub(super) fn text(assessed: &Assessed) -> String {
     let effective = &assessed.outcome.full.effective;
     if assessed.is_on_ground() && effective.is_none() {
         return paragraph(NO_POINT_ON_GROUND, 2);
     }
-    let Some(reduced) = &assessed.outcome.full.effective else { return paragraph(NO_POINT, 2) };
+    let Some(reduced) = &assessed.outcome.full.effective else { return paragraph(no_point(assessed), 2) };
     let point = &reduced.point;
     let (k, k_prime) = match assessed.situation.in_air() {
         Some(_) if assessed.is_factored() => {

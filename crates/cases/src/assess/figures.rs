@@ -71,7 +71,9 @@ pub(super) fn of(
             figures.extend(plane.draw(&suffix)?);
         }
         // In air the load factor is k, and the k–μ diagram shows the path.
-        if assessed.rises() && assessed.situation.in_air().is_none() {
+        // Where water follows an opening, it is another for every load factor.
+        let opens = assessed.situation.opens_up_to(up_to);
+        if assessed.rises() && assessed.situation.in_air().is_none() && !opens {
             figures.push(path(assessment, assessed, &suffix, up_to)?);
         }
         figures.extend(rotation(assessment, assessed, &suffix)?);

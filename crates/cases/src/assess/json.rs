@@ -12,6 +12,7 @@ use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
 use super::made::{MadeLoad, made_loads};
+use super::opening::BaseOpeningEntry;
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck, combination};
 use crate::case::{Acting, Case, ChangeBy, PointForce, Waves};
 use crate::json::{CheckEntry, SCHEMA, number_or_word, written};
@@ -116,6 +117,9 @@ struct Situation<'a> {
     motion: Option<Motion>,
     wrench: Wrench,
     components: Vec<Component>,
+    /// Water under a base that opens.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    base_opening: Option<BaseOpeningEntry>,
     /// Loads that the program makes and that act.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     made_loads: Vec<MadeLoad>,
@@ -466,6 +470,7 @@ impl<'a> Situation<'a> {
                     wrench: component.wrench,
                 })
                 .collect(),
+            base_opening: BaseOpeningEntry::of(assessed),
             made_loads: made_loads(case.under(assessed.acting), assessed),
             path: assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
             // The report's ground is rigid.

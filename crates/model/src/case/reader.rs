@@ -1,9 +1,9 @@
 //! From typed inputs to a body, its surroundings and its waves: what is missing, out of range, or does not go together is a fault
 //! at its key.
 
+use standfast::contact::opening::Drain;
 use standfast::loads::{AddedMass, Earthquake, StillWater, Uplift};
 use standfast::wave::{self, Choices, Heights, Sea, goda};
-use standfast::contact::opening::Drain;
 use standfast::{Body, InputError, OpeningRule, Plan, Scalar, Section};
 use standfast_motion::MotionError;
 
@@ -242,8 +242,10 @@ impl Reader<'_> {
 
     /// Drains under the base.
     pub(super) fn drain(&self, body: &Body) -> Result<Drain, Fault> {
-        let drain =
-            Drain { distance: self.required(Key::DrainDistance)?, efficiency: self.required(Key::DrainEfficiency)? };
+        let drain = Drain {
+            distance: self.required(Key::DrainDistance)?,
+            efficiency: self.required(Key::DrainEfficiency)?,
+        };
         match drain.distance < body.base_width() {
             true => Ok(drain),
             false => {

@@ -2,9 +2,10 @@
 
 use std::fmt;
 
+use standfast::contact::opening::OpeningState;
 use standfast::loads::Face;
 use standfast::wave::Heights;
-use standfast::{BaseEdges, Situation, Slip};
+use standfast::{BaseEdges, BaseOpening, Situation, Slip};
 
 use super::Warning;
 use crate::case::{Acting, Case, Direction, FacePressure, Made, Trial, Waves, Weight, said_by};
@@ -149,6 +150,7 @@ impl Case {
         warnings.extend(self.forces());
         warnings.extend(self.pressures());
         warnings.extend(self.beside());
+        warnings.extend(self.opened());
         warnings.extend(self.uplifted());
         warnings.extend(self.favourable());
         warnings.extend(self.asked());
@@ -280,6 +282,54 @@ impl Case {
                     name: surcharge.to_owned(),
                     combination: self.acting_name(Acting::Combination(place)).unwrap_or_default(),
                 }));
+            }
+        }
+        warnings
+    }
+
+    /// About water under a base that opens, in the situation of each set of loads that opens it most.
+    fn opened(&self) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        if self.opening.is_none() || self.water.is_none() {
+            return warnings;
+        }
+        let base = self.body.base_width();
+        let all = self.acting();
+        for acting in all.iter().copied() {
+            let tried = self.trials(acting).into_iter().filter_map(|trial| {
+                self.situation(acting, trial).ok().and_then(|situation| situation.base_opening())
+            });
+            let least =
+                |one: &BaseOpening, two: &BaseOpening| one.contact(base).total_cmp(&two.contact(base));
+            let Some(opening) = tried.min_by(least) else { continue };
+            let situation = self.acting_name(acting).filter(|_| all.len() > 1);
+            let opens = opening.state != OpeningState::Closed;
+            if opens {
+                warnings.push(Warning::BaseOpens {
+                    situation: situation.clone(),
+                    contact: opening.contact(base),
+                    base,
+                    pressure: opening.open_pressure(),
+                });
+                if opening.is_held {
+                    warnings.push(Warning::OpeningHeld { situation: situation.clone() });
+                }
+                if opening.drain_works() == Some(false) {
+                    warnings.push(Warning::DrainLost { situation: situation.clone() });
+                }
+                let given = [
+                    (Table::Uplift, self.uplift.is_some()),
+                    (Table::Pressure, self.pressures.iter().any(|given| given.face == Face::Base)),
+                ];
+                for (table, _) in given.into_iter().filter(|(_, is_given)| *is_given) {
+                    let warning = Warning::GivenUpliftDoesNotFollow { table };
+                    if !warnings.contains(&warning) {
+                        warnings.push(warning);
+                    }
+                }
+            }
+            if opening.would_run_through {
+                warnings.push(Warning::OpeningWouldRunThrough { situation });
             }
         }
         warnings
@@ -861,12 +911,12 @@ mod tests {
             include_str!("../../../../examples/caisson-in-air.toml"),
             include_str!("../../../../examples/goda-2000.toml"),
             include_str!("../../../../examples/goda-lower-berm.toml"),
-            include_str!("../../../../examples/head-difference.toml"),
             include_str!("../../../../examples/monument.toml"),
             include_str!("../../../../examples/seismic-block.toml"),
         ] {
             assert_eq!(names(text), [""; 0], "{text}");
         }
+        assert_eq!(names(include_str!("../../../../examples/head-difference.toml")), ["base-opens"]);
     }
 
     /// Each says its value with unit, what is usual, and its key; a value beside its limit is told apart from it.

@@ -8,7 +8,7 @@ use standfast_cases::case::{FacePressure, PointForce, Weight};
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case, Key};
 
-use super::soil;
+use super::{opening, soil};
 use crate::measured::{
     ACCELERATION, AREA, DENSITY, KILONEWTON, KILOPASCAL, MASS, METRE, MOMENT, Measured, NONE, number,
 };
@@ -61,6 +61,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, co
             None => steps.told(&about, name, value, unit, "no load has such a part", ""),
         }
     }
+    opening::steps(steps, assessed, components);
     for note in left_out(case) {
         steps.note(note);
     }
@@ -154,6 +155,11 @@ fn one(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, i: usize, compo
         false => String::new(),
     };
     steps.know(&name_of_factor, component.load.factor, NONE);
+    if opening::is_followed(assessed, component) {
+        let words = "of the water that stands under a base that opens; see below";
+        steps.told(&about, &v, wrench.p, KILONEWTON, words, "");
+        return steps.told("", &m, wrench.m, MOMENT, "the same", "");
+    }
     let sums = ["Q", "S"].map(|letter| format!("{letter}_{}", i + 1));
     if let Action::Pressure { face, diagram } = &component.load.action
         && component.load.source == LoadSource::Pressure

@@ -6,6 +6,7 @@ use standfast_cases::assess::{Component, verdict};
 use standfast_cases::{Assessed, AssessmentView};
 
 use super::loads::{parts, sum};
+use super::opening;
 use crate::measured::{FACTOR, KILONEWTON, MOMENT, number};
 use crate::steps::SheetSteps;
 use crate::together::{Brief, Row};
@@ -85,6 +86,9 @@ fn departure(steps: &mut SheetSteps, assessed: &Assessed, components: &[Componen
         let of = components.iter().filter(|component| component.load.permanent == permanent);
         of.fold(Wrench::ZERO, |sum, component| sum + component.wrench)
     });
+    if opening::departure(steps, assessed, components, factor, [ABOUT, NAME, KEY]) {
+        return;
+    }
     let share = |wrench: fn(&Wrench) -> f64| wrench(&permanent) + factor * wrench(&variable);
     let conditions = conditions(assessed, &permanent, &variable, share(|wrench| wrench.x));
     // Of the conditions the one that gives the library's load factor; where none does the mode is decided in another way.

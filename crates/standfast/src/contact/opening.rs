@@ -252,12 +252,12 @@ impl BaseWater {
         let values: Vec<_> = grid.iter().map(|factor| at(*factor)).collect();
         let mut found = Vec::new();
         for (place, pair) in values.windows(2).enumerate() {
-            for which in 0..pair[0].len() {
-                if pair[0][which] * pair[1][which] >= 0.0 {
+            for (which, (before, after)) in pair[0].iter().zip(pair[1]).enumerate() {
+                if before * after >= 0.0 {
                     continue;
                 }
                 let (mut low, mut high) = (grid[place], grid[place + 1]);
-                let rises = pair[1][which] > 0.0;
+                let rises = after > 0.0;
                 for _ in 0..80 {
                     let middle = low + (high - low) / 2.0;
                     if (at(middle)[which] > 0.0) == rises { high = middle } else { low = middle }
@@ -465,15 +465,14 @@ impl Given {
         if state != OpeningState::Through {
             look(state, &|mode| mode == Mode::Rest)?;
         }
-        for slip in [Slip::Left, Slip::Right] {
-            match self.slide(&net, slip) {
-                OpeningState::Through => {}
-                state => look(state, &|mode| mode == Mode::slide(slip))?,
-            }
+        // It slides the way it is pushed.
+        let slip = if net.x < 0.0 { Slip::Left } else { Slip::Right };
+        match self.slide(&net, slip) {
+            OpeningState::Through => {}
+            state => look(state, &|mode| mode == Mode::slide(slip))?,
         }
-        look(OpeningState::Through, &|mode| mode.corner() == Some(Corner::O))?;
+        look(OpeningState::Through, &|mode| mode.corner() == Some(Corner::O) || mode == Mode::Flight)?;
         look(OpeningState::Closed, &|mode| mode.corner() == Some(Corner::OPrime))?;
-        look(OpeningState::Through, &|mode| mode == Mode::Flight)?;
         let (mode, motion, wrench) = match reported {
             Some((mode, motion, wrench)) => (Some(mode), Some(motion), wrench),
             None => (None, None, *loads + self.water(state)),

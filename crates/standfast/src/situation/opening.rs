@@ -65,7 +65,8 @@ impl BaseOpening {
 
     /// Whether the drain works; `None` without one.
     pub fn drain_works(&self) -> Option<bool> {
-        self.drain.map(|_| !matches!(self.state, OpeningState::Open { drained: false, .. } | OpeningState::Through))
+        self.drain
+            .map(|_| !matches!(self.state, OpeningState::Open { drained: false, .. } | OpeningState::Through))
     }
 
     /// The higher of both pressures, Pa: that of what has opened.
@@ -179,6 +180,11 @@ impl Situation {
         self.along(water).state(&self.block_in_metres(), &(loads.permanent + loads.steady * factor))
     }
 
+    /// State of the base at rest under a multiple of the variable loads; closed where no water follows an opening.
+    pub fn opening_at(&self, factor: f64) -> OpeningState {
+        self.state_at(factor)
+    }
+
     /// The water and the loads in the units of the [reduced block](Situation::reduced_block).
     fn reduced_opening(&self) -> Option<(BaseWater, OpeningLoads)> {
         let Opening { rule, water } = self.opening.as_ref()?;
@@ -207,7 +213,9 @@ impl Situation {
             Some(Opening { rule, water }) if state != self.state_at(1.0) => {
                 let loads = self.loads_in_si(*rule);
                 let block = self.block_in_metres();
-                loads.permanent + (loads.steady + loads.fast) * factor + self.along(water).wrench(&block, state)
+                loads.permanent
+                    + (loads.steady + loads.fast) * factor
+                    + self.along(water).wrench(&block, state)
             }
             _ => {
                 let sums = self.sums();
@@ -242,7 +250,8 @@ impl Situation {
         let block = self.reduced_block().0;
         let stages = water.stages(&block, &loads)?;
         for stage in &stages {
-            let inside = if stage.to.is_finite() { (stage.from + stage.to) / 2.0 } else { 2.0 * stage.from + 1.0 };
+            let inside =
+                if stage.to.is_finite() { (stage.from + stage.to) / 2.0 } else { 2.0 * stage.from + 1.0 };
             // In the last stage the base may open far beyond.
             if water.solve_at(&block, &loads, inside)?.follows || self.opens_within(stage) {
                 return Ok(Some(stages));
