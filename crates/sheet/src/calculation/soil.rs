@@ -208,7 +208,7 @@ fn points(steps: &mut SheetSteps, symbols: &SoilSymbols<'_>, stretches: &[NamedS
         let NamedStretch { stretch, elevations, stresses } = &stretches[at];
         let layer = stretch.layer;
         let (z, p, t) = (symbols.at("z_e", place), symbols.at("p_e", place), symbols.at("t_e", place));
-        steps.know(&z, point.elevation, METRE);
+        elevation(steps, stretch, point, &z);
         let end = stretch.ends.iter().position(|end| *end == point.elevation);
         let held = soil.layers[layer].soil.cohesion * pressure.coefficients[layer].k_c;
         let at = end.map_or_else(|| z.clone(), |end| elevations[end].clone());
@@ -246,6 +246,15 @@ fn points(steps: &mut SheetSteps, symbols: &SoilSymbols<'_>, stretches: &[NamedS
     }
 }
 
+/// The elevation of a point, which is told where it lies within a stretch.
+fn elevation(steps: &mut SheetSteps, stretch: &SoilStretch<'_>, point: &EarthPoint, name: &str) {
+    if stretch.ends.contains(&point.elevation) {
+        return steps.know(name, point.elevation, METRE);
+    }
+    let words = "up to there cohesion holds the soil";
+    steps.told("Where its pressure begins", name, point.elevation, METRE, words, "");
+}
+
 /// What a surcharge adds at each point.
 fn surcharge(steps: &mut SheetSteps, symbols: &SoilSymbols<'_>, stretches: &[NamedStretch<'_>]) {
     let SoilFill { soil, pressure, .. } = symbols.fill;
@@ -264,9 +273,10 @@ fn surcharge(steps: &mut SheetSteps, symbols: &SoilSymbols<'_>, stretches: &[Nam
     let with_cohesion = soil.layers.iter().any(|layer| layer.soil.cohesion > 0.0);
     let places = stretch_of(&pressure.surcharge, stretches);
     for (place, (point, at)) in pressure.surcharge.iter().zip(places).enumerate() {
-        let layer = stretches[at].stretch.layer;
+        let stretch = &stretches[at].stretch;
+        let layer = stretch.layer;
         let (z, p, t) = (symbols.at("z_q", place), symbols.at("p_q", place), symbols.at("t_q", place));
-        steps.know(&z, point.elevation, METRE);
+        elevation(steps, stretch, point, &z);
         let about = if place == 0 { "What the surcharge adds, from the base up" } else { "" };
         let angle = symbols.angle(layer);
         let whole = pressure.coefficients[layer].k * soil.weighed_surcharge() * {

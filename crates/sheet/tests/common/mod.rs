@@ -100,6 +100,8 @@ fn more() -> Vec<(String, String)> {
     let wave = "[wave]\ndeep_water_height = 6.3\nperiod = 11.4\nsea_bottom_slope = 0.01\nwater_depth = 10.1\nbase_depth = 7.1\n\
                 crest_height = 3.4\nangle_deg = 25\nwater_density = 1030\n";
     let caisson = "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\n[water]\nlevel = 7.1\n";
+    let dam = "[body]\nwidth = 5\nheight = 9\ndensity = 2400\nfriction = 0.7\n[water]\nleft = 1\nright = 8\ndensity = 1000\n";
+    let ice = "[[load]]\nname = \"ice\"\nforce = 20e3\nelevation = 8\ntogether = true\n";
     let list = [
         ("earthquake in water", format!("{body}[water]\nlevel = 5\ndensity = 1000\n[earthquake]\nhorizontal = \"-0.3 g\"\nvertical = \"0.1 g\"\n[added_mass]\nsides = 2\n")),
         ("one side", format!("{body}[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = \"0.2 g\"\n[added_mass]\nsides = \"right\"\n")),
@@ -128,6 +130,31 @@ fn more() -> Vec<(String, String)> {
             materials = {{ \"ground.friction_angle_deg\" = 1.1, \"ground.cohesion\" = 1.25 }}\nresist = {{ sliding = 1.1, bearing = 1.2 }}\n\
             factors = {{ push = 1.1 }}\ncriteria = {{ SF_sliding = 1, ground_factor = 1 }}\n\
             [[combination]]\nname = \"as it is\"\nfactors = {{ push = 1 }}\n[criteria]\nground_factor = 1.4\nload_factor = 1.1\n")),
+        ("a base that opens and tips", format!("{dam}{ice}")),
+        ("a base that opens and slides", format!("{dam}{ice}[[load]]\nname = \"crane\"\nforce = 20e3\ndirection = \"down\"\ndistance = 1.5\ntogether = true\n\
+            [criteria]\nSF_uplift = 1.1\ntipping = 1\nload_factor = 1.1\n").replace("friction = 0.7", "friction = 0.48")),
+        ("drained, from the left", format!("{dam}{ice}direction = \"right\"\n").replace("left = 1\nright = 8", "left = 8\nright = 1\ndrain = { distance = 2.5, efficiency = 0.5 }")),
+        ("drained and pushed", format!("{dam}{ice}").replace("right = 8", "right = 8\ndrain = { distance = 2.5, efficiency = 0.5 }").replace("friction = 0.7", "friction = 0.5")),
+        ("a drain that is lost", format!("{dam}{ice}").replace("right = 8", "right = 8\ndrain = { distance = 4.4, efficiency = 0.5 }")),
+        ("opened from end to end", format!("{dam}{ice}").replace("20e3", "150e3")),
+        ("an object that opens", format!("{dam}{ice}").replace("density = 2400", "density = 2400\nlength = 3")),
+        ("an earthquake on a base that opened", format!("{dam}[earthquake]\nhorizontal = \"0.02 g\"\n")),
+        ("soil, shaken", format!("{body}[water]\nleft = 3\nright = 4\ndensity = 1010\n[[backfill]]\nname = \"sand `A`\"\nface = \"right\"\n\
+            top = 6.5\nfriction_angle_deg = 33\nwall_friction_deg = 20\nunit_weight = 18e3\nunit_weight_saturated = 20e3\ncohesion = 3e3\n\
+            adhesion = 1e3\nslope_deg = 5\nbatter_deg = 4\nsurcharge = 9e3\n[earthquake]\nhorizontal = \"0.1 g\"\nvertical = \"0.05 g\"\n")),
+        ("soils in layers", format!("{body}[[backfill]]\nname = \"sand\"\nface = \"left\"\nsurcharge = 9e3\nbatter_deg = 3\n[[backfill.layer]]\nthickness = 3\nfriction_angle_deg = 33\n\
+            wall_friction_deg = 11\nunit_weight = 18e3\n[[backfill.layer]]\nthickness = 4\nfriction_angle_deg = 30\nunit_weight = 17e3\ncohesion = 9e3\n\
+            [[backfill]]\nname = \"rock\"\nface = \"right\"\nstate = \"rest\"\ntop = 5\nfriction_angle_deg = 40\nunit_weight = 19e3\nocr = 2\nslope_deg = 3\n\
+            [[combination]]\nname = \"one\"\nfactors = {{ sand = [1.35, 1], \"sand.surcharge\" = 1.5, rock = 1 }}\n\
+            materials = {{ \"backfill.sand.friction_angle_deg\" = 1.25, \"backfill.rock.friction_angle_deg\" = 1.25 }}\ncriteria = {{ SF_sliding = 1, tipping = 1 }}\n\
+            [[combination]]\nname = \"two\"\nfactors = {{ \"sand.surcharge\" = 1 }}\n[earthquake]\nhorizontal = \"0.1 g\"\n\
+            [[combination]]\nname = \"three\"\nfactors = {{ earthquake = 1, \"sand.surcharge\" = 0 }}\n")),
+        ("an object beside soil", format!("{body}[[backfill]]\nface = \"right\"\nfriction_angle_deg = 33\nwall_friction_deg = 20\nunit_weight = 18e3\nsurcharge = 5e3\n\
+            [earthquake]\nhorizontal = \"0.1 g\"\n").replace("friction = 0.6", "friction = 0.6\nlength = 3")),
+        ("groups of parts", "[body]\nfriction = 0.6\n[[part]]\ngroup = \"concrete\"\nleft = 0\nwidth = 15\nbottom = 0\nheight = 2\ndensity = 2400\n\
+            [[part]]\ngroup = \"fill\"\nleft = 1\nwidth = 12\nbottom = 2\nheight = 8\ndensity = 1900\n[water]\nleft = 1\nright = 2\ndensity = 1000\n\
+            [[load]]\nname = \"push\"\nforce = 900e3\nelevation = 8\n[[combination]]\nfactors = { \"weight.fill\" = 0.9, \"weight.concrete\" = [1.1, 0.95], push = 1.2 }\n\
+            criteria = { SF_uplift = 1.1, tipping = 0.9 }\n".to_owned()),
         ("crushing with less", format!("{body}[ground]\nstrength = 500e3\n[[load]]\nname = \"push\"\nforce = 100e3\nelevation = 5\n[[combination]]\n\
             factors = {{ push = 1.2 }}\nresist = {{ bearing = 1.4 }}\n[[combination]]\nset = {{ \"body.width\" = 6.5 }}\nfactors = {{ push = 1 }}\n\
             [[combination]]\nfactors = {{ push = 1 }}\n[criteria]\nground_factor = 1.3\n")),
@@ -259,7 +286,7 @@ fn unit(text: &str) -> f64 {
         "" | "m" | "s" | "m²" | "m/s²" | "rad/s²" | "kg/m³" | "kg/m" | "N/m" | "Pa" | "kg m²/m" => 1.0,
         "kg" | "N" | "kg m²" | "N m" | "N/m²" | "N/m³" | "rad" | "1/s" | "1/s²" | "1/s⁴" => 1.0,
         "kN/m³" => 1e3,
-        "MN/m³" => 1e6,
+        "MN/m³" | "kN²/m²" | "kN²" => 1e6,
         "mrad" => 1e-3,
         "t/m" | "kN/m" | "kPa" | "kN m/m" | "t m²/m" => 1e3,
         "t" | "kN" | "kN m" | "t m²" => 1e3,
