@@ -154,7 +154,7 @@ fn more() -> Vec<(String, String)> {
         ("groups of parts", "[body]\nfriction = 0.6\n[[part]]\ngroup = \"concrete\"\nleft = 0\nwidth = 15\nbottom = 0\nheight = 2\ndensity = 2400\n\
             [[part]]\ngroup = \"fill\"\nleft = 1\nwidth = 12\nbottom = 2\nheight = 8\ndensity = 1900\n[water]\nleft = 1\nright = 2\ndensity = 1000\n\
             [[load]]\nname = \"push\"\nforce = 900e3\nelevation = 8\n[[combination]]\nfactors = { \"weight.fill\" = 0.9, \"weight.concrete\" = [1.1, 0.95], push = 1.2 }\n\
-            criteria = { SF_uplift = 1.1, tipping = 0.9 }\n".to_owned()),
+            criteria = { SF_uplift = 1, tipping = 1 }\n".to_owned()),
         ("crushing with less", format!("{body}[ground]\nstrength = 500e3\n[[load]]\nname = \"push\"\nforce = 100e3\nelevation = 5\n[[combination]]\n\
             factors = {{ push = 1.2 }}\nresist = {{ bearing = 1.4 }}\n[[combination]]\nset = {{ \"body.width\" = 6.5 }}\nfactors = {{ push = 1 }}\n\
             [[combination]]\nfactors = {{ push = 1 }}\n[criteria]\nground_factor = 1.3\n")),
