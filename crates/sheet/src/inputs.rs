@@ -9,7 +9,7 @@ use standfast_cases::{Case, CaseFile, Entry, Id, Key};
 
 use crate::mathml::symbol;
 use crate::measured::{ACCELERATION, DEGREE, KILOPASCAL, METRE, Measured, NONE, number};
-use crate::symbols::numbered;
+use crate::symbols::of_input;
 
 pub fn tables(case: &Case, file: &CaseFile) -> Markup {
     // Title and note stand at the top of the sheet, and what is in its title block.
@@ -45,7 +45,7 @@ pub fn tables(case: &Case, file: &CaseFile) -> Markup {
                     @for (key, value) in defaults {
                         tr {
                             td { (taken(key)) }
-                            td { (sign(key, 0, 1)) }
+                            td { (sign(file, key.into())) }
                             td { (value) }
                             td.n {}
                             td { "default of the program" }
@@ -68,21 +68,25 @@ fn taken(key: Key) -> &'static str {
 fn heading(id: Id) -> String {
     match id.table {
         Table::Top => "General".to_owned(),
+        Table::BackfillLayer => {
+            let [of, place] = id.table.places(id.index);
+            format!("{} {} of [[backfill]] {}", id.table.header(), place + 1, of + 1)
+        }
         table if table.repeats() => format!("{} {}", table.header(), id.index + 1),
         table => table.header().to_owned(),
     }
 }
 
-/// The symbol of a key in one of `count` tables; the three numbers of a list have three.
-fn sign(key: Key, index: usize, count: usize) -> Markup {
-    let names = match key.info().kind {
-        Kind::OneOf(..) => keys(key).iter().map(|key| key.info().symbol).collect(),
-        _ => vec![key.info().symbol],
+/// The symbol of a key in its table; the three numbers of a list have three.
+fn sign(file: &CaseFile, id: Id) -> Markup {
+    let names = match id.key.info().kind {
+        Kind::OneOf(..) => keys(id.key).iter().map(|key| key.info().symbol).collect(),
+        _ => vec![id.key.info().symbol],
     };
     html! {
         @for (i, name) in names.into_iter().filter(|name| !name.is_empty()).enumerate() {
             @if i > 0 { ", " }
-            (PreEscaped(symbol(&numbered(name, index, count))))
+            (PreEscaped(symbol(&of_input(name, file.inputs(), id))))
         }
     }
 }
@@ -107,13 +111,12 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
         Kind::List(_) | Kind::ModeList | Kind::Plains => written.replace('"', ""),
         _ => written.trim_matches('"').to_owned(),
     };
-    let tables = file.inputs().count(key.info().table);
-    let symbol = numbered(key.info().symbol, index, tables);
+    let symbol = of_input(key.info().symbol, file.inputs(), entry.id);
     let (unit, size) = file.inputs().dimension(key).map_or(("", 1.0), Dimension::on_paper);
     html! {
         tr data-symbol=[(count == 1).then_some(symbol)] {
             td { (words.join(", ")) " " code { (key.entry()) } }
-            td { (sign(key, index, tables)) }
+            td { (sign(file, entry.id)) }
             td.written colspan=[(count == 0).then_some(2)] { (written) }
             @if count > 0 {
                 td.n {

@@ -16,7 +16,7 @@ use crate::measured::{
     NONE, SECOND, STIFFNESS, SheetUnit, UNIT_WEIGHT, number,
 };
 use crate::steps::SheetSteps;
-use crate::symbols::numbered;
+use crate::symbols::of_input;
 use crate::together::Brief;
 
 /// The factor of each load in each of the combinations, which are shown in this order.
@@ -118,8 +118,8 @@ pub(super) fn changes(steps: &mut SheetSteps, assessment: &Assessment, assessed:
             (true, Some(file)) => format!("with that, in place of {file}"),
             _ => chain.unwrap_or_else(|| "with that".to_owned()),
         };
-        let count = of_all.inputs().count(id.table);
-        let (name, unit) = (numbered(id.key.info().symbol, id.index, count), unit_of(case.inputs(), id));
+        let name = of_input(id.key.info().symbol, of_all.inputs(), id);
+        let unit = unit_of(case.inputs(), id);
         let about = capital(&id.words());
         steps.told(&about, &name, value, unit, &words, "");
     }

@@ -10,7 +10,7 @@ use standfast_cases::{Assessed, Case};
 
 use crate::measured::{DEGREE, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE, UNIT_WEIGHT};
 use crate::steps::SheetSteps;
-use crate::symbols::numbered;
+use crate::symbols::{numbered, of_soil};
 
 /// The soils of a case at rest of the ground.
 pub(super) fn steps(steps: &mut SheetSteps, case: &Case) {
@@ -38,10 +38,7 @@ impl SoilSymbols<'_> {
 
     /// A symbol of one of several places of it.
     fn at(&self, symbol: &str, place: usize) -> String {
-        match self.count {
-            1 => format!("{symbol}{}", place + 1),
-            _ => format!("{symbol}{}{}", self.index + 1, char::from(b'a' + (place % 26) as u8)),
-        }
+        of_soil(symbol, self.index, self.count, place)
     }
 
     /// A symbol of a layer.

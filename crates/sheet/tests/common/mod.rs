@@ -313,6 +313,12 @@ pub fn si(element: ElementRef<'_>, attribute: &str) -> Option<f64> {
     let degree = element
         .next_sibling()
         .is_some_and(|next| matches!(next.value(), Node::Text(text) if text.starts_with('°')));
+    let row = element.ancestors().filter_map(ElementRef::wrap).find(|above| above.value().name() == "tr");
+    let of = Selector::parse("td.of").unwrap();
+    let degree = degree
+        || row
+            .and_then(|row| row.select(&of).next())
+            .is_some_and(|of| of.text().collect::<String>().trim() == "°");
     let column = if common_column(element) { 1e3 } else { 1.0 };
     let scale =
         if degree { PI / 180.0 } else { text.map_or(1.0, |text| unit(&text.text().collect::<String>())) };
