@@ -32,7 +32,7 @@ fn told(name: &str) -> Option<Told> {
         ("SF_overturning_heel", ("SF_heel", "(W' t - M_U)/M_p", FACTORS)),
         ("SF_overturning_toe", ("SF_toe", "(W' (B_c - t) - U B_c + M_U)/(-M_p)", FACTORS)),
         ("SF_overturning_gross", ("SF_g", "(W' t + M_s)/(M_s + M_U + M_p)", FACTORS)),
-        ("SF_uplift", ("", "G/G_up", FACTORS)),
+        ("SF_uplift", ("", "V_down/V_up", FACTORS)),
         ("tipping", ("", "T_tip/T_hold", FACTORS)),
         ("margin_sliding", ("", "μ (W' - U) - P", LOADS)),
         ("margin_overturning", ("", "min(margin_heel, margin_toe)", LOADS)),

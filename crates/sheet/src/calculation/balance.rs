@@ -36,13 +36,13 @@ fn uplift(steps: &mut SheetSteps, balance: &Balance, components: &[Component]) {
     };
     let (name, about) = ("SF_uplift", "Safety against uplift");
     match of(1.0) {
-        Some(formula) => steps.add("All that acts down", "", ["G", &formula], down, KILONEWTON, ""),
-        None => steps.told("All that acts down", "G", down, KILONEWTON, "nothing", ""),
+        Some(formula) => steps.add("All that acts down", "", ["V_down", &formula], down, KILONEWTON, ""),
+        None => steps.told("All that acts down", "V_down", down, KILONEWTON, "nothing", ""),
     }
     match of(-1.0) {
         Some(formula) => {
-            steps.add("All that acts up", "", ["G_up", &format!("−({formula})")], up, KILONEWTON, "");
-            steps.add(about, "", [name, "G/G_up"], balance.uplift(), FACTOR, name);
+            steps.add("All that acts up", "", ["V_up", &format!("−({formula})")], up, KILONEWTON, "");
+            steps.add(about, "", [name, "V_down/V_up"], balance.uplift(), FACTOR, name);
         }
         None => steps.told(about, name, balance.uplift(), FACTOR, "nothing acts up", name),
     }
