@@ -294,3 +294,99 @@ fn slips_are_refused_or_warned_of() {
     let on_purpose = left_out.replace("weight = 1", "\"sand.surcharge\" = 0");
     assert!(names(&on_purpose).is_empty());
 }
+
+/// A named set is the combination that is written out by hand; what is written goes before it; criteria that cannot be answered are told.
+#[test]
+fn a_code_fills_in_what_is_not_written() {
+    let wall = "[body]\nwidth = 4\nheight = 6\ndensity = 2400\nfriction = 0.6\n\
+        [[backfill]]\nname = \"sand\"\nface = \"right\"\nfriction_angle_deg = 33\nwall_friction_deg = 22\nunit_weight = 19e3\n\
+        surcharge = 10e3\n[[combination]]\n";
+    let same = |code: &str, written: &str| {
+        let [one, two] = [code, written].map(|lines| assess(&format!("{wall}{lines}\n")));
+        let [one, two] = [&one, &two].map(|assessment| {
+            let checks = assessment
+                .checks()
+                .into_iter()
+                .map(|check| (check.check.criterion.name(), check.check.value, check.assessed.trial));
+            (checks.collect::<Vec<_>>(), assessment.governing().outcome.clone())
+        });
+        assert_eq!(one, two, "{code}");
+    };
+    let pairs = "weight = [1.35, 1], sand = [1.35, 1], \"sand.surcharge\" = [1.5, 0]";
+    let m2 = "materials = { \"body.friction\" = 1.25, \"backfill.sand.friction_angle_deg\" = 1.25 }";
+    let sliding = "criteria = { SF_sliding = 1 }";
+    same("code = \"EN1997-DA1-1\"", &format!("factors = {{ {pairs} }}\n{sliding}"));
+    same(
+        "code = \"EN1997-DA1-2\"",
+        &format!("factors = {{ weight = 1, sand = 1, \"sand.surcharge\" = [1.3, 0] }}\n{m2}\n{sliding}"),
+    );
+    same(
+        "code = \"EN1997-DA2\"",
+        &format!("factors = {{ {pairs} }}\nresist = {{ sliding = 1.1 }}\n{sliding}"),
+    );
+    same(
+        "code = \"EN1997-DA3\"",
+        &format!(
+            "factors = {{ weight = [1.35, 1], sand = 1, \"sand.surcharge\" = [1.3, 0] }}\n{m2}\n{sliding}"
+        ),
+    );
+    let equ = "weight = [1.1, 0.9], sand = [1.1, 0.9], \"sand.surcharge\" = [1.5, 0]";
+    same("code = \"EN1997-EQU\"", &format!("factors = {{ {equ} }}\n{m2}\ncriteria = {{ tipping = 1 }}"));
+    let upl = "weight = [1, 0.9], sand = [1, 0.9], \"sand.surcharge\" = [1.5, 0]";
+    same("code = \"EN1997-UPL\"", &format!("factors = {{ {upl} }}\n{m2}\ncriteria = {{ SF_uplift = 1 }}"));
+    same(
+        "code = \"UFC-3-220-20\"\noptions = { ground = \"rock\" }",
+        "factors = { weight = 1, sand = 1, \"sand.surcharge\" = 1 }\n\
+         criteria = { eccentricity = 1, SF_sliding = 1.5, SF_overturning_gross = 1.5 }",
+    );
+    // What is written goes before.
+    same(
+        "code = \"EN1997-DA1-2\"\nfactors = { \"sand.surcharge\" = 0 }\nmaterials = { \"body.friction\" = 1 }\ncriteria = { SF_sliding = 1.1 }",
+        "factors = { weight = 1, sand = 1, \"sand.surcharge\" = 0 }\n\
+         materials = { \"body.friction\" = 1, \"backfill.sand.friction_angle_deg\" = 1.25 }\ncriteria = { SF_sliding = 1.1 }",
+    );
+    let case = file(&format!("{wall}name = \"c\"\ncode = \"EN1997-DA2\"\n")).case().unwrap();
+    let told: Vec<String> = case.warnings().iter().map(ToString::to_string).collect();
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(told[0].contains("EN1997-DA2 asks for ground_factor"), "{told:?}");
+    for (lines, words) in [
+        ("code = \"EN1997DA2\"", "did you mean \"EN1997-DA2\"?"),
+        ("code = \"EN1997-DA2\"\noptions = { sigma = 0.2 }", "has no option sigma; leave it out"),
+        (
+            "code = \"UFC-3-220-20\"\noptions = { ground = \"clay\" }",
+            "is \"clay\"; expected \"soil\" or \"rock\"",
+        ),
+        ("code = \"PIANC28-sliding\"", "asks for `p_f` in the options; expected 0.01, 0.05"),
+        ("code = \"EN1997-DA2\"\n[[load]]\nforce = 9e3\nelevation = 2", "this one has no name"),
+    ] {
+        let said = refused(&format!("{wall}{lines}\n"));
+        assert!(said.contains(words), "{said}");
+    }
+}
+
+/// Factors on effects leave the resistance that of the loads as they are.
+#[test]
+fn factors_on_effects_leave_the_resistance() {
+    let wall = "[body]\nwidth = 4\nheight = 6\ndensity = 2400\nfriction = 0.6\n[ground]\nfriction_angle_deg = 35\nunit_weight = 18e3\n\
+        [[backfill]]\nname = \"sand\"\nface = \"right\"\nfriction_angle_deg = 33\nwall_friction_deg = 22\nunit_weight = 19e3\n\
+        surcharge = 10e3\n[[combination]]\nfactors = { weight = 1.35, sand = 1.35, \"sand.surcharge\" = 1.5 }\n";
+    let plain = assess(&wall.replace("1.35", "1").replace("1.5", "1"));
+    let effects = assess(&format!("{wall}effects = true\n"));
+    let (plain, effects) = (plain.governing(), effects.governing());
+    let wrench = |name: &str, part: fn(&standfast::Wrench) -> f64| {
+        let loads = plain.situation.loads().iter();
+        let of = loads.filter(|load| load.name.as_deref() == Some(name));
+        of.map(|load| part(&plain.situation.wrench_of(load))).sum::<f64>()
+    };
+    let push = 1.35 * wrench("sand", |w| w.x) + 1.5 * wrench("sand.surcharge", |w| w.x);
+    let weight = 9.81 * 4.0 * 6.0 * 2400.0;
+    let down =
+        1.35 * (weight + wrench("sand, drag", |w| w.p)) + 1.5 * wrench("sand.surcharge, drag", |w| w.p);
+    let held = 0.6 * plain.outcome.full.wrench.p;
+    near(number(effects, ResultName::SfSliding), held / push.abs(), 1e-12);
+    near(number(effects, ResultName::MarginSliding), held - push.abs(), 1e-12);
+    let resistance = number(plain, ResultName::GroundResistance);
+    near(number(effects, ResultName::GroundResistance), resistance, 1e-15);
+    near(number(effects, ResultName::GroundFactor), resistance / down, 1e-12);
+    near(number(effects, ResultName::Eccentricity), number(plain, ResultName::Eccentricity), 1e-15);
+}

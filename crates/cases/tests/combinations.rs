@@ -499,3 +499,46 @@ fn tipping_and_uplift_are_sums_over_the_loads() {
     let given = assess(&goda("factors = { wave = 1 }\ncriteria = { tipping = 1 }"));
     assert_eq!(ResultName::Tipping.of(given.governing()), ResultValue::Nothing);
 }
+
+/// PIANC's set is the one that is written out; every cell of its table.
+#[test]
+fn pianc_fills_in_its_factors() {
+    let typed = |water: &str, tests: bool, sigma: f64, p_f: f64| {
+        goda(&format!(
+            "name = \"c\"\ncode = \"PIANC28-sliding\"\noptions = {{ p_f = {p_f}, water = \"{water}\", model_tests = {tests}, sigma = {sigma} }}"
+        ))
+    };
+    let assessment = assess(&typed("deep", false, 0.05, 0.2));
+    let one = assessment.governing();
+    near(one.outcome.actions.force, 0.9 * 1258.31e3, 5e-6);
+    near(one.outcome.actions.uplift, 0.77 * 591.654e3, 5e-6);
+    near(number(one, ResultName::SfSliding), 0.822561, 5e-6);
+    const TABLE: &str = "
+        deep, no tests      1.4 1.7 | 1.3 1.4 | 1.3 1.2 | 1.2 1.2 | 1.1 1.0      1.5 1.7 | 1.4 1.4 | 1.4 1.3 | 1.3 1.2 | 1.1 1.1
+        deep, tests         1.3 1.5 | 1.2 1.4 | 1.2 1.2 | 1.1 1.2 | 1.0 1.2      1.4 1.5 | 1.3 1.4 | 1.3 1.2 | 1.2 1.2 | 1.1 1.0
+        shallow, no tests   1.3 1.9 | 1.2 1.6 | 1.2 1.4 | 1.1 1.3 | 1.0 1.2      1.4 1.9 | 1.3 1.6 | 1.3 1.4 | 1.2 1.3 | 1.0 1.2
+        shallow, tests      1.2 1.6 | 1.1 1.5 | 1.1 1.3 | 1.1 1.2 | 1.0 1.1      1.3 1.6 | 1.2 1.5 | 1.2 1.3 | 1.1 1.2 | 1.0 1.1";
+    let mut cells = 0;
+    for line in TABLE.lines().filter(|line| !line.trim().is_empty()) {
+        let water = if line.contains("deep") { "deep" } else { "shallow" };
+        let numbers: Vec<f64> = line.split([' ', '|', ',']).filter_map(|word| word.parse().ok()).collect();
+        assert_eq!(numbers.len(), 20);
+        for (place, pair) in numbers.chunks(2).enumerate() {
+            let sigma = [0.05, 0.2][place / 5];
+            let p_f = [0.01, 0.05, 0.1, 0.2, 0.4][place % 5];
+            let found = assess(&typed(water, !line.contains("no tests"), sigma, p_f));
+            let written = assess(&goda(&format!(
+                "scale = {{ \"wave.H13\" = {0}, \"wave.Hmax\" = {0} }}\nmaterials = {{ \"body.friction\" = {1} }}\n\
+                 factors = {{ \"wave.thrust\" = 0.9, \"wave.uplift\" = 0.77 }}\ncriteria = {{ SF_sliding = 1 }}",
+                pair[0], pair[1]
+            )));
+            assert_eq!(
+                ResultName::SfSliding.of(found.governing()),
+                ResultName::SfSliding.of(written.governing()),
+                "{line} {place}"
+            );
+            cells += 1;
+        }
+    }
+    assert_eq!(cells, 40);
+}

@@ -637,6 +637,27 @@ pub enum Problem {
         /// The greatest k_h.
         greatest: f64,
     },
+    /// What a code asks for.
+    #[error("{}; expected {expected}", asked(name, found.as_deref()))]
+    CodeOption {
+        /// Name of the option.
+        name: &'static str,
+        /// Its value as it is written.
+        found: Option<String>,
+        /// What it may be.
+        expected: &'static str,
+    },
+    /// What a code does not ask for.
+    #[error("the set of this code has no option {name}")]
+    NoCodeOption {
+        /// The name.
+        name: String,
+        /// Those that it has.
+        names: Vec<String>,
+    },
+    /// A variable load that a code cannot name.
+    #[error("a code names every load, and this one has no name")]
+    NamelessLoad,
     /// A base whose opening is not followed.
     #[error("`{}` of [water] follows a base that opens, which is not done for {what}", key.name())]
     OpeningNotFor {
@@ -728,6 +749,14 @@ fn without_body(table: Table) -> &'static str {
         Table::Block => "a [block] has no first instant to assess: its motion is followed in time",
         Table::Point => "a [point] has no body and no loads: it is answered with its random numbers",
         _ => "the case has a [storm] and no [body]: it is answered with its random numbers",
+    }
+}
+
+/// An option that is wrong, or not given.
+fn asked(name: &str, found: Option<&str>) -> String {
+    match found {
+        Some(found) => format!("`{name}` of the options is {found}"),
+        None => format!("the set of this code asks for `{name}` in the options"),
     }
 }
 

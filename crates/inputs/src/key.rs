@@ -648,6 +648,21 @@ const EARTH_STATES: Kind = Kind::Choice { of: &["active", "rest"], words: "\"act
 const PORE_WATER: Kind = Kind::Choice { of: &["free", "with-soil"], words: "\"free\" or \"with-soil\"" };
 const OPENINGS: Kind =
     Kind::Choice { of: &["steady", "always", "closed"], words: "\"steady\", \"always\" or \"closed\"" };
+const CODES: Kind = Kind::Choice {
+    of: &[
+        "EN1997-DA1-1",
+        "EN1997-DA1-2",
+        "EN1997-DA2",
+        "EN1997-DA3",
+        "EN1997-EQU",
+        "EN1997-UPL",
+        "EN1997-HYD",
+        "PIANC28-sliding",
+        "UFC-3-220-20",
+    ],
+    words: "the name of a set: \"EN1997-DA1-1\", \"EN1997-DA1-2\", \"EN1997-DA2\", \"EN1997-DA3\", \"EN1997-EQU\", \"EN1997-UPL\", \
+            \"EN1997-HYD\", \"PIANC28-sliding\" or \"UFC-3-220-20\"",
+};
 const LAWS: Kind =
     Kind::Choice { of: &["ec7", "hansen", "envelope"], words: "\"ec7\", \"hansen\" or \"envelope\"" };
 const SHAPES: Kind = Kind::Choice { of: &["block", "cylinder"], words: "\"block\" or \"cylinder\"" };
@@ -941,6 +956,13 @@ listed! {
         "{ weight = 0.9, wave = 1.3, crane = [1.5, 0] }");
     CombinationResist = key(Combination, "resist", Ratios, "",
         "what resistances are divided by: sliding and bearing", "{ sliding = 1.1, bearing = 1.4 }");
+    CombinationEffects = key(Combination, "effects", Truth, "",
+        "whether factors act on the effects of loads, whose resistance and eccentricity are those of the loads as they are", "true")
+        .silent("factors: on the loads");
+    CombinationCode = key(Combination, "code", CODES, "",
+        "set of partial factors, strengths and criteria that fills in what the combination does not write; recommended values", "\"EN1997-DA1-2\"");
+    CombinationOptions = key(Combination, "options", Settings, "",
+        "what the set of a code asks for", "{ ground = \"rock\" }");
     CombinationCriteria = key(Combination, "criteria", Bounds, "",
         "what is asked of the results in this combination, in place of [criteria]", "{ SF_sliding = 1.0, eccentricity = \"2.5 m\" }");
 

@@ -27,6 +27,7 @@
 
 mod backfill;
 mod bias;
+mod code;
 mod combination;
 mod ground;
 mod history;
@@ -210,11 +211,30 @@ impl Case {
     pub fn situation(&self, acting: Acting, trial: Trial) -> Result<Situation, InputError> {
         let situation = self.loaded(acting, trial)?;
         let case = self.under(acting);
-        Ok(match (case.opening, case.drain) {
+        let situation = match (case.opening, case.drain) {
             (Some(rule), drain) => situation.with_opening(rule, drain),
             (None, Some(drain)) => situation.with_drain(drain),
             (None, None) => situation,
+        };
+        Ok(match self.effects(&situation, acting, trial) {
+            Some(effects) => situation.with_effects(effects),
+            None => situation,
         })
+    }
+
+    /// The sum of the loads of a situation times the factors of its combination, where these act on effects.
+    fn effects(&self, situation: &Situation, acting: Acting, trial: Trial) -> Option<Wrench> {
+        let Acting::Combination(index) = acting else { return None };
+        let combination = self.combinations.get(index).filter(|combination| combination.effects)?;
+        let case = self.under(acting);
+        let shaken = trial.signs().and_then(|signs| case.shaken(signs)).or(case.earthquake);
+        let factors = case
+            .loads(acting, shaken)
+            .into_iter()
+            .map(|(of, load)| case.factor(combination, of, &load, trial));
+        let factors = factors.filter(|factor| *factor != 0.0);
+        let sums = situation.loads().iter().zip(factors);
+        Some(sums.map(|(load, factor)| situation.wrench_of(load) * factor).sum())
     }
 
     /// The situation decided by the numbers as they are written.
@@ -314,8 +334,8 @@ impl<T: Scalar> Case<T> {
             .map(|index| given.backfill(index, &body.rounded(), in_soil))
             .collect::<Result<_, _>>()?;
         given.no_made_name(&soils, &forces, &pressures)?;
-        let combinations =
-            every(Table::Combination).map(|index| given.combination(index, &forces, &pressures, &soils));
+        let combinations = every(Table::Combination)
+            .map(|index| given.combination(index, &body.rounded(), &forces, &pressures, &soils));
         let combinations = combinations.collect::<Result<_, _>>()?;
         let case = Case {
             title: inputs.text(Key::Title).map(str::to_owned),
@@ -376,6 +396,10 @@ impl<T: Scalar> Case<T> {
         let case = self.under(acting);
         let shaken = trial.signs().and_then(|signs| case.shaken(signs));
         let mut situation = case.bare()?;
+        let by_effects = match acting {
+            Acting::Combination(index) => self.combinations[index].effects,
+            _ => false,
+        };
         for (of, load) in case.loads(acting, shaken.or_else(|| case.earthquake.clone())) {
             let factor = match acting {
                 Acting::Combination(index) => case.factor_as_written(index, of, &load, trial),
@@ -383,6 +407,8 @@ impl<T: Scalar> Case<T> {
             };
             if factor != T::of(0.0) {
                 let load = self.biases.on(load, &case.body, case.gravity.clone());
+                // Where factors act on effects the load is as it is.
+                let factor = if by_effects { T::of(1.0) } else { factor };
                 situation = situation.with(load.times(factor).with_id(of.into()));
             }
         }

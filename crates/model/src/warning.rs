@@ -304,6 +304,15 @@ pub enum Warning {
         /// K_E in the earthquake.
         k_e: f64,
     },
+    /// A criterion of a code that the case cannot answer.
+    CodeCriterionMissing {
+        /// The combination.
+        combination: String,
+        /// The code.
+        code: &'static str,
+        /// The criterion.
+        criterion: &'static str,
+    },
     /// The base opens, and water fills what opens.
     BaseOpens {
         /// The loads under which it does, where there are several.
@@ -388,6 +397,7 @@ impl Warning {
             Warning::BackfillOnTheSeaSide { .. } => "backfill-on-the-sea-side",
             Warning::StrongIncrement { .. } => "strong-increment",
             Warning::LoadNotActing { .. } => "load-not-acting",
+            Warning::CodeCriterionMissing { .. } => "code-criterion-missing",
             Warning::BaseOpens { .. } => "base-opens",
             Warning::OpeningWouldRunThrough { .. } => "opening-would-run-through",
             Warning::OpeningHeld { .. } => "opening-held",
@@ -415,6 +425,7 @@ impl Warning {
             self,
             Warning::LoadInNoCombination { .. }
                 | Warning::LoadNotActing { .. }
+                | Warning::CodeCriterionMissing { .. }
                 | Warning::BaseOpens { .. }
                 | Warning::OpeningWouldRunThrough { .. }
                 | Warning::OpeningHeld { .. }
@@ -601,6 +612,14 @@ impl fmt::Display for Warning {
                  little more shaking does much",
                 digits(*k),
                 digits(*k_e)
+            ),
+            Warning::CodeCriterionMissing { combination, code, criterion } => write!(
+                f,
+                "the combination \"{combination}\": {code} asks for {criterion}, which this case cannot answer{}",
+                match *criterion {
+                    "ground_factor" => ": it has no [ground] that bears so much",
+                    _ => ": the weight is given less buoyancy",
+                }
             ),
             Warning::BaseOpens { situation, contact, base, pressure } => match contact {
                 0.0 => write!(

@@ -43,7 +43,7 @@ use crate::motion::Motion;
 use crate::quantity::{Expected, Quantity};
 use crate::region::Region;
 use crate::relation::Relation;
-use crate::stability::{ClassicalActions, GrossOverturning, Margins, Stability};
+use crate::stability::{self, ClassicalActions, GrossOverturning, Margins, Stability};
 use crate::stage::Stage;
 use crate::verdict::Verdict;
 use crate::wrench::Wrench;
@@ -67,6 +67,8 @@ pub struct Situation<T = f64> {
     loads: Vec<Load<T>>,
     /// Still water under the base, where it follows an opening.
     opening: Option<Opening>,
+    /// The sum of its loads times partial factors that act on their effects alone, against which resistances count.
+    effects: Option<Wrench>,
     /// Its numbers as they are written, where they decide.
     written: Option<Box<Written>>,
 }
@@ -159,6 +161,7 @@ impl<T: Scalar> Situation<T> {
             added_mass: AddedMass::of(T::of(0.0))?,
             loads: Vec::new(),
             opening: None,
+            effects: None,
             written: None,
         })
     }
@@ -275,6 +278,16 @@ impl Situation {
     pub fn without(&self, id: LoadId) -> Situation {
         let loads = self.loads.iter().filter(|load| load.id != id).cloned().collect();
         Situation { loads, written: None, ..self.clone() }.reopened()
+    }
+
+    /// Situation whose resistances, which are those of its loads, count against other sums of these: X and P each times partial factors.
+    pub fn with_effects(self, effects: Wrench) -> Situation {
+        Situation { effects: Some(effects), written: None, ..self }
+    }
+
+    /// The sums against which resistances count, where they are others than those of the loads.
+    pub fn effects(&self) -> Option<Wrench> {
+        self.effects
     }
 
     /// The classical actions under the full load.
@@ -478,6 +491,11 @@ impl Situation {
         let mut margins = actions.margins(self.static_friction, &self.body);
         let mut stability = actions.stability(self.static_friction, &self.body);
         let mut gross = GrossOverturning::of(&self.body, &actions, &sums.buoyancy);
+        if let Some(effects) = &self.effects {
+            let resistance = self.static_friction * (actions.buoyant_weight - actions.uplift);
+            stability.sliding = stability::ratio(resistance, effects.x.abs());
+            margins.sliding = resistance - effects.x.abs();
+        }
         if let Some(written) = &self.written {
             written.settle(&self.body, actions.heel, (&mut margins, &mut stability, &mut gross));
         }

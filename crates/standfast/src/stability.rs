@@ -197,7 +197,7 @@ impl GrossOverturning {
 }
 
 /// A safety factor: zero where the body is moved without any action, else infinite where nothing acts.
-fn ratio(resistance: f64, action: f64) -> f64 {
+pub(crate) fn ratio(resistance: f64, action: f64) -> f64 {
     match () {
         () if resistance < 0.0 => 0.0,
         () if action > 0.0 => resistance / action,

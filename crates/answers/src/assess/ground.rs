@@ -83,6 +83,11 @@ impl BaseResponse {
             Some(Limit::Ground(ground)) => answer.failing(situation, ground, length)?,
             None => situation.outcome()?,
         };
+        // Partial factors on effects count against the resistance to the loads as they are.
+        if let (Some(effects), Some(resistance)) = (situation.effects(), answer.resistance) {
+            answer.factor = Some(resistance / effects.p);
+            answer.margin = Some(resistance - effects.p);
+        }
         if let (Some(stiffness), Some(reaction)) = (foundation.stiffness, reaction) {
             let elastic = Elastic::of(case, foundation, stiffness, situation, &reaction)?;
             answer.elastic = Some(elastic);

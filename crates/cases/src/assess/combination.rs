@@ -44,6 +44,12 @@ pub fn changes(case: &Case, index: usize) -> Vec<(&'static str, String)> {
         Some((last, all)) if *last == key => all.push(words),
         _ => told.push((key, vec![words])),
     };
+    if let Some(code) = combination.code {
+        tell("code", format!("{code}, recommended values"));
+    }
+    if combination.effects {
+        tell("effects", "factors act on the effects of the loads, not on these".to_owned());
+    }
     for change in &combination.changes {
         let name = &change.name;
         let words = match &change.by {

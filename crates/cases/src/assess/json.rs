@@ -209,6 +209,12 @@ struct Force<'a> {
 struct Combination<'a> {
     name: Option<&'a str>,
     factors: Named<'a>,
+    /// The set that filled in what it does not write.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    code: Option<&'static str>,
+    /// True if factors act on effects.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    effects: bool,
     #[serde(skip_serializing_if = "Named::is_empty")]
     set: Named<'a>,
     #[serde(skip_serializing_if = "Named::is_empty")]
@@ -530,6 +536,8 @@ impl<'a> Combination<'a> {
         Combination {
             name: combination.name.as_deref(),
             factors: Named::of(factors.collect()),
+            code: combination.code,
+            effects: combination.effects,
             set: Named::of(set),
             scale: Named::of(scale),
             materials: Named::of(materials),

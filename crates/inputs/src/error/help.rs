@@ -237,6 +237,13 @@ impl Problem {
             Problem::TooSteepForEarthquake { .. } => {
                 "no formula holds beyond: a flatter ground or a smaller acceleration; or its pressure as a [[pressure]]".into()
             }
+            Problem::CodeOption { name: "ground", .. } => "options = { ground = \"rock\" }".into(),
+            Problem::CodeOption { .. } => {
+                "options = { p_f = 0.05, water = \"deep\", model_tests = false, sigma = 0.05 }".into()
+            }
+            Problem::NoCodeOption { names, .. } if names.is_empty() => "leave it out".into(),
+            Problem::NoCodeOption { names, .. } => format!("it has {}", names.join(", ")),
+            Problem::NamelessLoad => "name = \"crane\"".into(),
             Problem::OpeningNotFor { .. } => "opening = \"closed\" keeps the straight line of pressure".into(),
             Problem::FilledSide { side } => {
                 let other = if *side == "right" { "left" } else { "right" };

@@ -8,10 +8,11 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use standfast::Scalar;
 use standfast::loads::{Action, Face, Load, LoadSource};
+use standfast::{Body, Scalar};
 
 use super::backfill::of_all_layers;
+use super::code::{CodeLoad, NamedLoad, filled};
 use super::loads::{FacePressure, PointForce};
 use super::reader::Reader;
 use super::{Acting, Case, LoadOrigin, Made, SoilFill};
@@ -37,6 +38,12 @@ pub struct Combination {
     pub bearing: f64,
     /// Criteria in place of those of the case.
     pub criteria: Option<Vec<Criterion>>,
+    /// Set of a code that filled in what it does not write.
+    pub code: Option<&'static str>,
+    /// Criteria of the code that the case cannot answer.
+    pub unanswered: Vec<Criterion>,
+    /// True if the factors act on the effects of the loads.
+    pub effects: bool,
 }
 
 /// A value of the case that is another in a combination.
@@ -161,6 +168,20 @@ impl Case {
             }
         }
         names
+    }
+
+    /// The factor of a combination on a load of its situation; 1 of a situation that is none.
+    pub fn factor_on(&self, acting: Acting, trial: Trial, load: &Load) -> f64 {
+        let Acting::Combination(index) = acting else { return 1.0 };
+        let case = self.under(acting);
+        let combination = &case.combinations[index];
+        let shaken = trial.signs().and_then(|signs| case.shaken(signs)).or(case.earthquake);
+        let all = case.loads(acting, shaken);
+        let is_it = |of: LoadOrigin, other: &Load| {
+            (of.into(), other.source, &other.name) == (load.id, load.source, &load.name)
+        };
+        let found = all.iter().find(|(of, other)| is_it(*of, other));
+        found.map_or(1.0, |(of, load)| case.factor(combination, *of, load, trial))
     }
 
     /// The inputs that it was made of.
@@ -364,6 +385,11 @@ const STRENGTHS: [Key; 10] = [
     Key::SoilAdhesion,
 ];
 
+/// The divisor of the resistance to sliding as a change of the inputs.
+fn of_sliding(by: f64) -> InputChange {
+    InputChange { id: Key::Friction.into(), name: "sliding".to_owned(), by: ChangeBy::Resistance(by) }
+}
+
 /// A strength after a partial factor.
 fn divided(key: Key, value: f64, by: f64) -> f64 {
     match key.is_friction_angle() {
@@ -377,13 +403,26 @@ impl Reader<'_> {
     pub(super) fn combination(
         &self,
         index: usize,
+        body: &Body,
         forces: &[PointForce<impl Scalar>],
         pressures: &[FacePressure<impl Scalar>],
         soils: &[SoilFill],
     ) -> Result<Combination, Fault> {
         let id = |key| Id::new(key, index);
+        let filled = match self.inputs.get(id(Key::CombinationCode)).is_some() {
+            true => filled(
+                self.inputs,
+                index,
+                self.named_loads(index, forces, pressures, soils)?,
+                body.base_width(),
+            )?,
+            false => None,
+        };
         let factors = self.inputs.factors(id(Key::LoadFactors));
-        let factors = factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?;
+        let factors = match &filled {
+            Some(_) => factors.unwrap_or_default(),
+            None => factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?,
+        };
         let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table));
         let of_groups = self.weights_of_groups();
         let mut names: Vec<&str> = of_groups.iter().map(String::as_str).collect();
@@ -419,14 +458,46 @@ impl Reader<'_> {
         }
         let (resistances, bearing) = self.resistances(index)?;
         let mut changes = self.changes(index)?;
-        changes.extend(resistances);
-        let combination = Combination {
+        let mut factors = factors.to_vec();
+        let effects = self.inputs.truth(id(Key::CombinationEffects)).unwrap_or(false);
+        let mut combination = Combination {
             name,
-            factors: factors.to_vec(),
-            changes,
-            bearing,
+            factors: Vec::new(),
+            changes: Vec::new(),
+            bearing: bearing.unwrap_or(1.0),
             criteria: self.own_criteria(index)?,
+            code: None,
+            unanswered: Vec::new(),
+            effects,
         };
+        let mut sliding = resistances;
+        if let Some(filled) = filled {
+            // What is written goes before what the code fills in.
+            let is_new = |(name, _): &(String, LoadFactor)| factors.iter().all(|(known, _)| known != name);
+            let new: Vec<_> = filled.factors.into_iter().filter(is_new).collect();
+            factors.extend(new);
+            let is_new = |change: &InputChange| {
+                changes.iter().all(|known| known.id != change.id || known.by.key() != change.by.key())
+            };
+            let new: Vec<_> = filled.changes.into_iter().filter(is_new).collect();
+            changes.extend(new);
+            sliding = sliding.or(filled.sliding.map(of_sliding));
+            let has_bearing = self.has_bearing();
+            combination.bearing = bearing.or(filled.bearing.filter(|_| has_bearing)).unwrap_or(1.0);
+            combination.code = Some(filled.code);
+            if combination.criteria.is_none() && !filled.criteria.is_empty() {
+                let buoyant = self.inputs.get(Key::BuoyantWeight).is_some();
+                let (answered, unanswered) =
+                    filled.criteria.into_iter().partition(|criterion: &Criterion| match criterion.key {
+                        Key::LeastGround => has_bearing,
+                        Key::LeastUplift | Key::GreatestTipping => !buoyant,
+                        _ => true,
+                    });
+                (combination.criteria, combination.unanswered) = (Some(answered), unanswered);
+            }
+        }
+        changes.extend(sliding);
+        let combination = Combination { factors, changes, ..combination };
         match combination.pairs() {
             count if count > PAIRS => Err(Fault::new(Problem::TooManyPairs { count }, id(Key::LoadFactors))),
             _ => Ok(combination),
@@ -511,7 +582,7 @@ impl Reader<'_> {
     }
 
     /// What a combination divides resistances by: the friction, as a change of the inputs, and the divisor of what the ground bears.
-    fn resistances(&self, index: usize) -> Result<(Option<InputChange>, f64), Fault> {
+    fn resistances(&self, index: usize) -> Result<(Option<InputChange>, Option<f64>), Fault> {
         const NAMES: [&str; 2] = ["sliding", "bearing"];
         let id = Id::new(Key::CombinationResist, index);
         let ratios = self.inputs.ratios(id).unwrap_or_default();
@@ -521,18 +592,68 @@ impl Reader<'_> {
                 let names = NAMES.map(str::to_owned).to_vec();
                 return Err(Fault::new(Problem::UnknownResistance { name: name.clone(), names }, at));
             }
-            let limits = [Key::Strength, Key::GroundAngle, Key::CentricResistance];
-            if name == "bearing" && !limits.iter().any(|key| self.inputs.get(*key).is_some()) {
+            if name == "bearing" && !self.has_bearing() {
                 return Err(Fault::new(Problem::NoBearing, at));
             }
         }
         let of = |name| ratios.iter().find(|(known, _)| known == name).map(|(_, ratio)| *ratio);
-        let sliding = of("sliding").map(|by| InputChange {
-            id: Key::Friction.into(),
-            name: "sliding".to_owned(),
-            by: ChangeBy::Resistance(by),
-        });
-        Ok((sliding, of("bearing").unwrap_or(1.0)))
+        Ok((of("sliding").map(of_sliding), of("bearing")))
+    }
+
+    /// True if what the base bears has a limit.
+    fn has_bearing(&self) -> bool {
+        [Key::Strength, Key::GroundAngle, Key::CentricResistance]
+            .iter()
+            .any(|key| self.inputs.get(*key).is_some())
+    }
+
+    /// The loads of the case as a code names them: each once, and all.
+    fn named_loads(
+        &self,
+        index: usize,
+        forces: &[PointForce<impl Scalar>],
+        pressures: &[FacePressure<impl Scalar>],
+        soils: &[SoilFill],
+    ) -> Result<Vec<NamedLoad>, Fault> {
+        let load = |name: &str, kind| NamedLoad { name: name.to_owned(), kind };
+        let has = |table| self.inputs.has(table);
+        let mut loads = vec![load("weight", CodeLoad::Permanent)];
+        if has(Table::Water) || self.inputs.get(Key::BuoyantWeight).is_some() {
+            loads.push(load("water", CodeLoad::Water));
+        }
+        if has(Table::Uplift) {
+            let grows = self.inputs.truth(Key::UpliftGrows).unwrap_or(false);
+            loads.push(load("uplift", if grows { CodeLoad::Variable } else { CodeLoad::Water }));
+        }
+        if has(Table::Wave) {
+            loads.push(load("wave", CodeLoad::Variable));
+        }
+        if has(Table::Earthquake) {
+            loads.push(load("earthquake", CodeLoad::ThroughGround));
+        }
+        for soil in soils {
+            loads.push(load(&soil.name, CodeLoad::Ground));
+            if soil.soil.surcharge > 0.0 {
+                loads.push(load(soil.made(Made::Surcharge), CodeLoad::ThroughGround));
+            }
+        }
+        let named = forces.iter().map(|force| (&force.name, force.permanent)).enumerate();
+        let named = named.map(|(place, of)| (Table::Load, place, of));
+        let pressed = pressures.iter().map(|pressure| (&pressure.name, pressure.permanent)).enumerate();
+        let pressed = pressed.map(|(place, of)| (Table::Pressure, place, of));
+        for (table, place, (name, permanent)) in named.chain(pressed) {
+            let kind = if permanent { CodeLoad::Permanent } else { CodeLoad::Variable };
+            match name {
+                Some(name) => loads.push(load(name, kind)),
+                None => {
+                    let at = Place::Table(table, place);
+                    return Err(
+                        Fault::new(Problem::NamelessLoad, at).and(Id::new(Key::CombinationCode, index))
+                    );
+                }
+            }
+        }
+        Ok(loads)
     }
 
     /// The criteria of a combination.

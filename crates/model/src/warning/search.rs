@@ -150,6 +150,7 @@ impl Case {
         warnings.extend(self.forces());
         warnings.extend(self.pressures());
         warnings.extend(self.beside());
+        warnings.extend(self.unanswered());
         warnings.extend(self.opened());
         warnings.extend(self.uplifted());
         warnings.extend(self.favourable());
@@ -285,6 +286,20 @@ impl Case {
             }
         }
         warnings
+    }
+
+    /// About what codes ask for and the case cannot answer.
+    fn unanswered(&self) -> Vec<Warning> {
+        let all = self.combinations.iter().enumerate();
+        let unanswered = all.flat_map(|(index, combination)| {
+            let name = self.acting_name(Acting::Combination(index)).unwrap_or_default();
+            combination.unanswered.iter().map(move |criterion| Warning::CodeCriterionMissing {
+                combination: name.clone(),
+                code: combination.code.unwrap_or_default(),
+                criterion: criterion.name(),
+            })
+        });
+        unanswered.collect()
     }
 
     /// About water under a base that opens, in the situation of each set of loads that opens it most.

@@ -101,7 +101,10 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
     let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
     let ClassicalActions { force, force_moment, .. } = assessed.outcome.actions;
     let about = "Safety against sliding";
-    if force > 0.0 {
+    if let Some(effects) = assessed.situation.effects() {
+        effects_of(steps, case, assessed, components, "P_d", 0, effects.x.abs());
+        steps.add(about, "", ["SF_sliding", "μ (W' − U)/P_d"], sliding, FACTOR, "SF_sliding");
+    } else if force > 0.0 {
         steps.add(about, "", ["SF_sliding", "μ (W' − U)/P"], sliding, FACTOR, "SF_sliding");
     } else {
         steps.told(about, "SF_sliding", sliding, FACTOR, "no horizontal force acts", "SF_sliding");
@@ -143,12 +146,45 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
     ));
 }
 
+/// Shows the sum of a part of the loads, each times the factor of the combination, where factors act on effects.
+pub(super) fn effects_of(
+    steps: &mut SheetSteps,
+    case: &Case,
+    assessed: &Assessed,
+    components: &[Component],
+    name: &str,
+    which: usize,
+    value: f64,
+) {
+    let mut terms = Vec::new();
+    for (i, component) in components.iter().enumerate() {
+        let part = [component.wrench.x, component.wrench.p][which];
+        let factor = case.factor_on(assessed.acting, assessed.trial, &component.load);
+        if part == 0.0 || factor == 0.0 {
+            continue;
+        }
+        let symbol = format!("γ_E{}", i + 1);
+        steps.told(&format!("Factor on the effect of load {}", i + 1), &symbol, factor, NONE, "factors", "");
+        terms.push(format!("{symbol} {}", parts(i)[which]));
+    }
+    let (about, formula) = match which {
+        0 => ("Horizontal force, each effect times its factor", format!("|{}|", terms.join(" + "))),
+        _ => ("Vertical force, each effect times its factor", terms.join(" + ")),
+    };
+    if terms.is_empty() {
+        return steps.told(about, name, value, KILONEWTON, "none", "");
+    }
+    steps.add(about, "", [name, &formula], value, KILONEWTON, "");
+}
+
 /// Shows the margins of the inequalities of rest.
 fn margins(steps: &mut SheetSteps, assessed: &Assessed) {
     let margins = assessed.outcome.margins;
     let Margins { sliding, overturning_about_heel: heel, overturning_about_toe: toe } = margins;
     let about = "What friction leaves of the horizontal force; rest needs 0 or more, as of the next two";
-    steps.add(about, "", ["Z_sliding", "μ (W' − U) − P"], sliding, KILONEWTON, "margin_sliding");
+    let against = if assessed.situation.effects().is_some() { "P_d" } else { "P" };
+    let formula = format!("μ (W' − U) − {against}");
+    steps.add(about, "", ["Z_sliding", &formula], sliding, KILONEWTON, "margin_sliding");
     let about = "Moment that presses the body on its base, about the heel";
     steps.add(about, "", ["Z_heel", "W' t − M_U − M_p"], heel, MOMENT, "margin_overturning_heel");
     let formula = ["Z_toe", "W' (B_c − t) − U B_c + M_U + M_p"];

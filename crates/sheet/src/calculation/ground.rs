@@ -15,6 +15,7 @@ use standfast_cases::units::{Dimension, Extent};
 use standfast_cases::{Assessed, Case, Inputs, Key};
 
 use self::soil::NamedReaction;
+use super::classical::effects_of;
 use crate::measured::{KILONEWTON, KILOPASCAL, METRE, NONE};
 use crate::steps::SheetSteps;
 
@@ -69,6 +70,9 @@ pub(super) fn steps(
             );
         }
         None => {}
+    }
+    if let Some(effects) = assessed.situation.effects() {
+        effects_of(steps, case, assessed, components, "V_d", 1, effects.p);
     }
     sheet.factors(steps);
     if let Some(elastic) = &ground.elastic {

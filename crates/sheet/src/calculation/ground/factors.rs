@@ -25,12 +25,21 @@ fn term(minus: bool, factor: &'static str, name: &'static str, value: f64) -> Te
 impl Sheet<'_> {
     /// R/V, where it falls to 1 along the load, and along the ray of the resultant.
     pub(super) fn factors(&self, steps: &mut SheetSteps) {
+        let against = if self.assessed.situation.effects().is_some() { "V_d" } else { "V" };
         if let Some(factor) = self.ground.factor {
-            steps.add("Factor of the ground", "", ["F_R", "R/V"], factor, NONE, "ground_factor");
+            let formula = format!("R/{against}");
+            steps.add("Factor of the ground", "", ["F_R", &formula], factor, NONE, "ground_factor");
         }
         if let Some(margin) = self.ground.margin {
             let about = "What the ground leaves; rest needs 0 or more, beside what friction leaves";
-            steps.add(about, "", ["Z_ground", "R − V"], margin, KILONEWTON, "ground_margin");
+            steps.add(
+                about,
+                "",
+                ["Z_ground", &format!("R − {against}")],
+                margin,
+                KILONEWTON,
+                "ground_margin",
+            );
         }
         match (self.foundation.strength(), self.ground.load_factors) {
             (Some(strength), Some(factors)) => self.crushed_at(steps, strength, factors.given),
