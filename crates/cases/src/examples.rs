@@ -7,7 +7,7 @@ macro_rules! examples {
 }
 
 /// The examples: where each lies in their folder, and what it holds.
-pub const EXAMPLES: [(&str, &[u8]); 37] = examples! {
+pub const EXAMPLES: [(&str, &[u8]); 39] = examples! {
     "block-two-loads.toml"
     "block.toml"
     "breaking-wave.toml"
@@ -15,6 +15,7 @@ pub const EXAMPLES: [(&str, &[u8]); 37] = examples! {
     "caisson-of-parts.toml"
     "caisson-on-stone.toml"
     "crown-wall.toml"
+    "dam-with-drain.toml"
     "eccentric-caisson.toml"
     "goda-2000-random.toml"
     "goda-2000-storm.toml"
@@ -35,6 +36,7 @@ pub const EXAMPLES: [(&str, &[u8]); 37] = examples! {
     "points.csv"
     "probability/column-records.toml"
     "probability/plane-random.toml"
+    "quay-by-code.toml"
     "quay.toml"
     "records/README.md"
     "records/np01002p_4225a_a.smc"
