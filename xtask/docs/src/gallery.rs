@@ -291,7 +291,10 @@ mod tests {
     #[test]
     fn figures_have_one_of_two_widths() {
         for (path, figure) in figures().filter(|(path, _)| !is_the_reports(path)) {
-            assert!([480.0, 720.0].contains(&figure.size().0), "{path}: {:?}", figure.size());
+            // A section with loads of many kinds on a side is a little wider, so that none lies on another.
+            let is_section = path.ends_with("-section.svg") && (720.0..=840.0).contains(&figure.size().0);
+            let is_usual = [480.0, 720.0].contains(&figure.size().0);
+            assert!(is_usual || is_section, "{path}: {:?}", figure.size());
         }
     }
 

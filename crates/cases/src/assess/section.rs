@@ -12,7 +12,7 @@ use standfast_figures::{
 use standfast_model::load_words;
 
 use super::Assessment;
-use crate::case::{Acting, Case, Limit, SoilFill, Trial, Waves};
+use crate::case::{Acting, Case, Limit, SoilFill, Trial, Waves, soil_of};
 use crate::layout::digits;
 use crate::units::Extent;
 
@@ -78,8 +78,8 @@ pub(super) fn with_section<T>(
     let (mut pressures, mut arrows, mut of) =
         (Vec::new(), Vec::new(), Arrows { loads: Vec::new(), has_sums: false });
     for load in situation.loads() {
-        let sum = (drawn == Pressures::Summed).then(|| resultant(extent, &situation, load)).flatten();
-        of.has_sums |= sum.is_some();
+        let sum = (drawn == Pressures::Summed || is_beside_soil(load)).then(|| resultant(extent, &situation, load)).flatten();
+        of.has_sums |= sum.is_some() && drawn == Pressures::Summed;
         if let Some(arrow) = sum.or_else(|| arrow(extent, &situation, load)) {
             arrows.push(arrow);
             of.loads.push(load.id);
@@ -278,6 +278,24 @@ fn mound(wave: &Waves) -> Option<Mound> {
     (bed <= 0.0).then_some(Mound { bed, berm, berm_width: wave.section.berm_width })
 }
 
+/// The name of a load in a figure, where that of what is made of soil reads as words.
+fn drawn_words(load: &Load) -> String {
+    let words = load_words(load);
+    let of_soil = matches!(load.source, LoadSource::EarthPressure | LoadSource::EarthDrag);
+    match soil_of(&words).rsplit_once('.') {
+        Some((soil, made)) if of_soil => {
+            let made = if made == "surcharge" { format!("surcharge on {soil}") } else { format!("{soil} in the earthquake") };
+            if load.source == LoadSource::EarthDrag { format!("{made}, drag") } else { made }
+        }
+        _ => words,
+    }
+}
+
+/// True of what a soil makes beside its own pressure, which is drawn as its resultant.
+fn is_beside_soil(load: &Load) -> bool {
+    load.source == LoadSource::EarthPressure && !load.permanent
+}
+
 /// Name, size and direction of a load, in words.
 fn words(extent: Extent, situation: &Situation, load: &Load, sideways: bool) -> String {
     let wrench = situation.wrench_of(load);
@@ -285,7 +303,7 @@ fn words(extent: Extent, situation: &Situation, load: &Load, sideways: bool) -> 
         true => (wrench.x, if wrench.x < 0.0 { "to the left" } else { "to the right" }),
         false => (wrench.p, if wrench.p < 0.0 { "upwards" } else { "downwards" }),
     };
-    format!("{}, {} {way}", load_words(load), extent.kilonewtons(size.abs()))
+    format!("{}, {} {way}", drawn_words(load), extent.kilonewtons(size.abs()))
 }
 
 fn pressed(extent: Extent, situation: &Situation, load: &Load) -> Option<Pressed> {
