@@ -113,8 +113,8 @@ fn drains_tailwater_and_load_factors() {
     }
     // A drained base that is closed, and one that follows no opening.
     let drain = "drain = { distance = 5, efficiency = 0.5 }";
-    let [one, two] =
-        [drain.to_owned(), format!("{drain}\nopening = \"closed\"")].map(|water| assess(&wall(9.0, 0.7, &water, &ice(20e3))));
+    let [one, two] = [drain.to_owned(), format!("{drain}\nopening = \"closed\"")]
+        .map(|water| assess(&wall(9.0, 0.7, &water, &ice(20e3))));
     assert_eq!(ResultName::SfSliding.of(one.governing()), ResultName::SfSliding.of(two.governing()));
     let undrained = assess(&wall(9.0, 0.7, "", &ice(20e3)));
     assert!(
@@ -125,7 +125,8 @@ fn drains_tailwater_and_load_factors() {
 /// Fast loads meet the diagram that the steady ones leave: as if that were typed.
 #[test]
 fn fast_loads_meet_a_held_diagram() {
-    let loads = ice(20e3) + "[[load]]\nname = \"blow\"\nforce = 40e3\nelevation = 6\ntogether = true\nfast = true\n";
+    let loads =
+        ice(20e3) + "[[load]]\nname = \"blow\"\nforce = 40e3\nelevation = 6\ntogether = true\nfast = true\n";
     let held = assess(&wall(5.0, 0.7, "", &loads));
     let steady = assess(&wall(5.0, 0.7, "", &ice(20e3)));
     let (one, other) = (held.governing(), steady.governing());
@@ -154,17 +155,12 @@ fn fast_loads_meet_a_held_diagram() {
 /// In combinations heads take the factor of the water, and each has an opening of its own; ground bears what presses.
 #[test]
 fn combinations_and_ground() {
-    let factored = assess(&wall(
-        5.0,
-        0.7,
-        "",
-        &(ice(20e3) + "[[combination]]\nfactors = { water = 1.1, ice = 1 }\n"),
-    ));
+    let factored =
+        assess(&wall(5.0, 0.7, "", &(ice(20e3) + "[[combination]]\nfactors = { water = 1.1, ice = 1 }\n")));
     let typed = wall(5.0, 0.7, "", &ice(20e3)).replace("density = 1000", "density = 1100");
     let typed = assess(&typed);
-    let contact = |assessment: &Assessment| {
-        assessment.governing().situation.base_opening().unwrap().contact(5.0)
-    };
+    let contact =
+        |assessment: &Assessment| assessment.governing().situation.base_opening().unwrap().contact(5.0);
     near(contact(&factored), contact(&typed), 1e-12);
     near(
         number(factored.governing(), ResultName::SfSliding),

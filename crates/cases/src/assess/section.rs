@@ -78,7 +78,9 @@ pub(super) fn with_section<T>(
     let (mut pressures, mut arrows, mut of) =
         (Vec::new(), Vec::new(), Arrows { loads: Vec::new(), has_sums: false });
     for load in situation.loads() {
-        let sum = (drawn == Pressures::Summed || is_beside_soil(load)).then(|| resultant(extent, &situation, load)).flatten();
+        let sum = (drawn == Pressures::Summed || is_beside_soil(load))
+            .then(|| resultant(extent, &situation, load))
+            .flatten();
         of.has_sums |= sum.is_some() && drawn == Pressures::Summed;
         if let Some(arrow) = sum.or_else(|| arrow(extent, &situation, load)) {
             arrows.push(arrow);
@@ -284,7 +286,11 @@ fn drawn_words(load: &Load) -> String {
     let of_soil = matches!(load.source, LoadSource::EarthPressure | LoadSource::EarthDrag);
     match soil_of(&words).rsplit_once('.') {
         Some((soil, made)) if of_soil => {
-            let made = if made == "surcharge" { format!("surcharge on {soil}") } else { format!("{soil} in the earthquake") };
+            let made = if made == "surcharge" {
+                format!("surcharge on {soil}")
+            } else {
+                format!("{soil} in the earthquake")
+            };
             if load.source == LoadSource::EarthDrag { format!("{made}, drag") } else { made }
         }
         _ => words,

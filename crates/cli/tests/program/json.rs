@@ -184,7 +184,9 @@ fn friction_to_slip_that_is_friction_to_stick_changes_nothing() {
     let files = std::fs::read_dir(examples).expect("examples").map(|entry| entry.expect("an entry").path());
     for entry in files.filter(|path| path.is_file()) {
         let text = std::fs::read_to_string(&entry).expect("a case");
-        if !text.contains("\nfriction = ") || text.contains("kinetic_friction") {
+        // A partial factor of friction divides both, and the answer tells both.
+        let by_code = text.contains("EN1997");
+        if !text.contains("\nfriction = ") || text.contains("kinetic_friction") || by_code {
             continue;
         }
         let friction = text.lines().find(|line| line.starts_with("friction")).expect("friction");
