@@ -26,8 +26,8 @@ use std::fmt;
 use crate::assess::predicate;
 use crate::assess::{Assessed, Assessment};
 use crate::case::Case;
-use crate::couple::Variable;
-use crate::digits::digits;
+use crate::couple::{Variable, moved};
+use crate::digits::{digits, significant};
 use crate::error::CaseError;
 use crate::inputs::Inputs;
 use crate::motion::MotionValue;
@@ -345,8 +345,24 @@ impl Design {
     /// Notes on the numbers that go with the quantity, and on what is answered of a case in time.
     pub fn notes(&self) -> Vec<String> {
         let mut notes = self.quantity.variable.notes(self.subject.file.inputs(), &self.present.case);
+        notes.extend(self.lists_with_it());
         notes.extend(self.subject.note().as_deref().map(in_time_note));
         notes
+    }
+
+    /// What becomes of lists that go with the value found, as sentences.
+    fn lists_with_it(&self) -> Vec<String> {
+        // As many digits as a product of two short numbers has.
+        const WRITTEN: usize = 12;
+        let (file, variable) = (&self.subject.file, &self.quantity.variable);
+        let Ok(found) = self.subject.with(&[(variable, self.found().rounded)]) else { return Vec::new() };
+        let lists = moved(file.inputs(), &self.subject.case, &[variable]).into_iter();
+        let lists = lists.filter_map(|id| {
+            let places =
+                found.inputs().list(id)?.iter().map(|place| format!("{} m", significant(*place, WRITTEN)));
+            Some(format!("With it {id} becomes {}.", places.collect::<Vec<_>>().join(", ")))
+        });
+        lists.collect()
     }
 }
 

@@ -32,7 +32,7 @@ use crate::couple::{STAYS, Variable, change, moved};
 use crate::criteria::Check;
 use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::{Inputs, Value};
-use crate::key::{Key, Table};
+use crate::key::{Id, Key, Table};
 use crate::results::{ResultKind, ResultName, ResultValue, SeaResult};
 use standfast_model::{CaseFile, Criterion, Warning};
 
@@ -43,7 +43,7 @@ pub struct Sweep {
     case: Case,
     factors: Vec<Factor>,
     /// Numbers that go with those that vary, as they are in the case.
-    moved: Vec<(Key, Value)>,
+    moved: Vec<(Id, Value)>,
 }
 
 /// The inputs of one answer after the other: one for each thread.
@@ -132,7 +132,7 @@ impl Sweep {
         let gravity = factors.iter().any(|factor| factor.is(Key::Gravity));
         let factors =
             if gravity { factors.into_iter().map(Factor::under_any_gravity).collect() } else { factors };
-        let moved = moved.filter_map(|key| Some((key, inputs.get(key)?.clone()))).collect();
+        let moved = moved.filter_map(|id| Some((id, inputs.get(id)?.clone()))).collect();
         Ok(Sweep { inputs, case, factors, moved })
     }
 
@@ -187,8 +187,8 @@ impl Sweep {
     pub fn answer(&self, Scratch(inputs): &mut Scratch, values: &[f64]) -> Result<Answer, Fault> {
         let shared = inputs;
         let inputs = Arc::make_mut(shared);
-        for (key, value) in &self.moved {
-            inputs.put((*key).into(), value.clone());
+        for (id, value) in &self.moved {
+            inputs.put(*id, value.clone());
         }
         let varied = || self.factors.iter().zip(values.iter().copied());
         let numbers = varied().filter_map(|(factor, value)| Some((factor.variable()?, value)));
@@ -240,7 +240,7 @@ fn in_time(inputs: &Inputs) -> Option<Table> {
 /// Notes on the numbers that go with variables of a case, in sentences.
 pub(crate) fn notes(variables: &[&Variable], inputs: &Inputs, case: &Case) -> Vec<String> {
     let mut notes = Vec::new();
-    let names: Vec<_> = moved(inputs, case, variables).into_iter().map(|key| key.to_string()).collect();
+    let names: Vec<_> = moved(inputs, case, variables).into_iter().map(|id| id.to_string()).collect();
     if !names.is_empty() {
         notes.push(format!("{} with what varies: {}.", goes(names.len()), names.join(", ")));
     }

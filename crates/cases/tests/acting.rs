@@ -570,3 +570,32 @@ fn a_share_is_told_with_what_it_amounts_to() {
         assert!(!near(&two).contains(" g)") && !near(&two).contains("kN/m)"), "{}", near(&two));
     }
 }
+
+/// A hook above the crest: M_O = F e, so that SF_overturning is W b/(F e) whatever carries the force; said once, with how far off it is.
+#[test]
+fn a_lever_stands_on_the_body() {
+    let text = |more: &str| {
+        format!(
+            "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.6\n[[load]]\nforce = 60e3\nelevation = 7.2\n{more}"
+        )
+    };
+    let refused = CaseFile::parse("case.toml", &text("")).unwrap().case().unwrap_err();
+    assert!(standfast_cases::report(&refused).contains("lever = \"bollard hook\""));
+    let of = |text: &str| {
+        let answer = Assessment::owning(CaseFile::parse("case.toml", text).unwrap().case().unwrap()).unwrap();
+        let warnings: Vec<String> = answer.case.warnings().iter().map(ToString::to_string).collect();
+        (answer.governing().outcome.stability.overturning(), warnings)
+    };
+    let (factor, warnings) = of(&text("lever = \"hook\"\n"));
+    assert!((factor - 50e3 * 9.81 * 2.0 / (60e3 * 7.2)).abs() < 1e-12, "{factor}");
+    let said = "load[1].lever = \"hook\": the force acts 1.2 m above the crest, on what stands on the body; that has to carry it down to the body";
+    assert_eq!(warnings, [said]);
+    // Beside the body it replaces the warning that the force misses it.
+    let beside =
+        text("lever = \"hook\"\n").replace("elevation = 7.2", "direction = \"down\"\ndistance = 4.5");
+    let (_, warnings) = of(&beside);
+    assert!(warnings.len() == 1 && warnings[0].contains("0.5 m beside the body"), "{warnings:?}");
+    // On the body it is a name and nothing else.
+    let on = text("lever = \"hook\"\n").replace("7.2", "6");
+    assert_eq!(of(&on), of(&on.replace("lever = \"hook\"\n", "")));
+}

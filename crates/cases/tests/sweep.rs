@@ -37,6 +37,7 @@ fn written(file: &CaseFile, inputs: &Inputs) -> String {
             }
             (_, Some(Value::Number(number))) => format!("{number:?}"),
             (_, Some(Value::InGravity(share))) => format!("\"{share:?} g\""),
+            (_, Some(Value::Numbers(numbers))) => format!("{numbers:?}"),
             (_, other) => panic!("{:?} became {other:?}", entry.id),
         };
         text.replace_range(entry.span.clone(), &value);

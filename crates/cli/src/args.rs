@@ -1,6 +1,6 @@
 //! The command line.
 
-use std::num::NonZeroUsize;
+use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::LazyLock;
@@ -19,7 +19,7 @@ use standfast_cases::motion::{SpectrumKind, SpectrumSteps};
 use standfast_cases::random::{MethodAsked, ValueRange};
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
-use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
+use standfast_tables::{Mapping, OnError, TableFormat, TableHead, TableProblem};
 
 use crate::design::BoundaryFile;
 use crate::draw::{KMu, PictureFile, PictureFormat};
@@ -580,6 +580,19 @@ pub struct BatchArgs {
     /// The sheet of a workbook that is read [default: the first]
     #[arg(long, value_name = "NAME")]
     pub sheet_name: Option<String>,
+    /// The row with the names of the columns, of CSV or a sheet; what stands above is left out [default: the first that is not empty]
+    #[arg(long, value_name = "N")]
+    pub header_row: Option<NonZeroU32>,
+    /// The row below the names has the units of the columns
+    #[arg(long)]
+    pub units_row: bool,
+}
+
+impl BatchArgs {
+    /// The rows at the head of the table.
+    pub fn head(&self) -> TableHead {
+        TableHead { row: self.header_row, has_units: self.units_row }
+    }
 }
 
 /// A number that [`Point::new`] takes in one of its places, the others being one.

@@ -166,6 +166,7 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
         from: batch::format(&args.input, args.input_format, "--input-format")?,
         to: batch::format(&args.output, args.output_format, "--output-format")?,
         sheet: args.sheet_name.clone(),
+        head: args.head(),
         problem: args.problem,
         case,
         map: args.map.clone(),

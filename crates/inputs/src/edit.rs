@@ -84,6 +84,43 @@ impl CaseText {
         Some(parts.concat())
     }
 
+    /// The text with other numbers in the list under a key, each in the unit that stands at its place, and the list as it is then written;
+    /// `None` if no list of so many stands there. A comment behind it says what the list was.
+    pub fn with_list(&self, id: Id, si: &[f64]) -> Option<(String, String)> {
+        let entry = self.entries().iter().find(|entry| entry.id == id)?;
+        let text = self.text();
+        if entry.elements.len() != si.len() || self.inputs().list(id)?.len() != si.len() {
+            return None;
+        }
+        let mut list = String::new();
+        let mut end = entry.span.start;
+        for (span, si) in entry.elements.iter().zip(si) {
+            let written = text.get(span.clone())?;
+            let quote = written.chars().next().filter(|first| matches!(first, '"' | '\''));
+            let element = match quote {
+                None => toml_number(in_digits(*si)),
+                Some(quote) => {
+                    let (_, unit) = split_text(written.strip_prefix(quote)?.strip_suffix(quote)?)?;
+                    let number = in_digits(self.from_si(id, *si, unit.trim())?);
+                    format!("{quote}{} {}{quote}", toml_number(number), unit.trim())
+                }
+            };
+            list += text.get(end..span.start)?;
+            list += &element;
+            end = span.end;
+        }
+        list += text.get(end..entry.span.end)?;
+        let end = entry.span.end;
+        let comment = self.comment_behind(end).and_then(|comment| {
+            let other = of_another(&text[comment.clone()], &text[entry.span.clone()], &list)?;
+            Some((comment, other))
+        });
+        let (comment, other) = comment.unwrap_or((end..end, String::new()));
+        let parts =
+            [&text[..entry.span.start], &list, &text[end..comment.start], &other, &text[comment.end..]];
+        Some((parts.concat(), list.replace(['"', '\''], "")))
+    }
+
     /// A number in a unit of the key's, in SI units; `None` if the unit is not one of its.
     pub fn in_si(&self, id: Id, number: f64, unit: &str) -> Option<f64> {
         match self.inputs().dimension(id) {
@@ -141,6 +178,11 @@ fn of_another(comment: &str, before: &str, now: &str) -> Option<String> {
         Some((first, source)) => is_same(first, &now).then(|| source.to_owned()),
         None => (!is_same(&before, &now)).then(|| format!("{WAS}{before}: {comment}")),
     }
+}
+
+/// A number to twelve digits, without the rounding of what it was computed from.
+fn in_digits(number: f64) -> f64 {
+    format!("{number:.11e}").parse().unwrap_or(number)
 }
 
 /// A number as TOML has it, that is read as the same.

@@ -935,6 +935,8 @@ listed! {
         .silent("height: needed to the left and right; of a vertical force the crest").gives(&[Quantity::ForceElevation, Quantity::KPrime]);
     LoadDistance = key(Load, "distance", length(Finite), "x_F", "its distance to the right of the corner O", "\"3 m\"")
         .silent("distance: needed down and up; of a horizontal force mid-width");
+    LoadLever = key(Load, "lever", Text, "", "what it stands on, where that is above the crest or beside the body", "\"bollard hook\"")
+        .silent("a force meets the body itself");
     LoadPermanent = key(Load, "permanent", Truth, "", "whether it is there all the time", "true")
         .silent("load: variable");
     LoadFast = key(Load, "fast", Truth, "", "whether it is too fast for water to follow it into a base that opens", "true")

@@ -53,8 +53,9 @@ pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub(crate) use history::HistoryOf;
 pub use history::{course, history_shapes};
 pub use loads::{Direction, FacePressure, PointForce};
+pub(crate) use loads::{SLACK, ends};
 pub use motion::CaseMotion;
-pub(crate) use reader::{Reader, motion_fault};
+pub(crate) use reader::{Reader, body_of, motion_fault};
 pub use reader::{blamed, check_ranges};
 pub use section::OF_PARTS;
 

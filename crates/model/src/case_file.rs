@@ -85,6 +85,13 @@ impl CaseFile {
         CaseFile::parse(self.name(), &self.with_number(id, number, &unit)?).ok()
     }
 
+    /// The case file with other numbers in a list of it, and the list as it is then written; `None` of one that is not written so, or that
+    /// is refused.
+    pub fn relisted(&self, id: Id, si: &[f64]) -> Option<(CaseFile, String)> {
+        let (text, list) = self.with_list(id, si)?;
+        Some((CaseFile::parse(self.name(), &text).ok()?, list))
+    }
+
     /// The case file with an entry that follows from others, as it would be written.
     pub(crate) fn with_entry(self, id: Id, written: String) -> CaseFile {
         CaseFile(self.0.with_entry(id, written))

@@ -7,13 +7,15 @@
 //!    number that moves others itself keeps its value.
 //! 3. What goes with the body's size is added or multiplied, unless it is named: the mass with the width, at constant density, the weight
 //!    less buoyancy with the height.
+//! 4. A pressure on base or top that ends at an edge stretches with it, as the body's dimensions along the base do.
 
 use std::fmt;
 
 use standfast::Plan;
+use standfast::loads::Face;
 use standfast::section::WaterTable;
 
-use crate::case::{Case, Weight};
+use crate::case::{Case, FacePressure, SLACK, Weight, body_of, ends};
 use crate::error::Problem;
 use crate::inputs::{Inputs, Value, dimension};
 use crate::key::{Id, Key, Kind, Moves, Range, Table};
@@ -51,8 +53,8 @@ pub struct Unknown {
 }
 
 /// Note on the numbers that stay when the body or the water is changed.
-pub const STAYS: &str = "What [[load]] and [[pressure]] give keeps its elevations above the base, its distances from O and its \
-    values; a pressure does not grow with its face.";
+pub const STAYS: &str = "Loads and pressures keep their elevations above the base, their distances from O and their values. A \
+    pressure on base or top that ends at an edge stretches with it.";
 
 /// Short names, and the numbers they may stand for, the first that a case has.
 const SHORT_NAMES: [(&str, &[Key]); 6] = [
@@ -75,7 +77,8 @@ impl Variable {
         let name = spelled.as_deref().unwrap_or(name);
         let short = SHORT_NAMES.iter().find(|(short, _)| *short == name);
         let by_short = short.and_then(|(_, keys)| keys.iter().find(|key| inputs.number(**key).is_some()));
-        let by_key = || Variable::all(inputs).find(|id| id.to_string() == name);
+        let by_key =
+            || Variable::all(inputs).chain(Variable::implied(inputs)).find(|id| id.to_string() == name);
         if let Some(id) = by_short.map(|key| Id::from(*key)).or_else(by_key) {
             let variable = Variable { name: name.to_owned(), ..Variable::of(id, inputs) };
             return Ok(match name {
@@ -103,6 +106,14 @@ impl Variable {
             id.key.info().range().is_some() && !apart
         };
         inputs.numbers().map(|(id, _)| id).filter(varied)
+    }
+
+    /// The numbers of a case that are 1 where its file does not say them, and that can be varied all the same: the factor on the widths of
+    /// parts, and those on pressures.
+    pub fn implied(inputs: &Inputs) -> impl Iterator<Item = Id> {
+        let scales = (0..inputs.count(Table::Pressure)).map(|index| Id::new(Key::PressureFactor, index));
+        let widths = inputs.has(Table::Part).then_some(Id::from(Key::WidthScale));
+        widths.into_iter().chain(scales).filter(|id| inputs.get(*id).is_none())
     }
 
     /// The number under a key of inputs.
@@ -151,7 +162,20 @@ impl Variable {
 
     /// Its value in a case, SI.
     pub fn value(&self, inputs: &Inputs, case: &Case) -> f64 {
-        if self.by_density { case.body.mass() } else { inputs.number(self.id).unwrap_or(0.0) }
+        match inputs.number(self.id) {
+            _ if self.by_density => case.body.mass(),
+            Some(number) => number,
+            None if matches!(self.id.key, Key::WidthScale | Key::PressureFactor) => 1.0,
+            None => 0.0,
+        }
+    }
+
+    /// True if the base or the top may end elsewhere when it varies.
+    fn moves_edges(&self) -> bool {
+        let of_body = matches!(self.id.key, Key::BaseLeft | Key::BaseRight);
+        let of_part =
+            matches!(self.id.key, Key::PartLeft | Key::PartWidth | Key::PartTopLeft | Key::PartTopWidth);
+        self.moves == Moves::Width || of_body || of_part
     }
 
     /// The value that a text says behind its key in the case file that `inputs` are of, SI. It need not be in the range of the key.
@@ -238,7 +262,7 @@ impl Variable {
                 | Moves::BaseDepth
                 | Moves::WaterDensity
         );
-        let shaped = shaped || matches!(self.id.key, Key::BaseLeft | Key::BaseRight);
+        let shaped = shaped || self.moves_edges();
         let placed = case.forces.iter().any(|force| force.distance.is_some());
         if shaped && (placed || !case.pressures.is_empty()) {
             notes.push(STAYS);
@@ -330,6 +354,42 @@ pub fn change<'a>(
             varied.set(variable.id, density * (volume(inputs) / volume(varied)));
         }
     }
+    if changes.into_iter().any(|(variable, _)| variable.moves_edges()) {
+        stretch(varied, case);
+    }
+}
+
+/// Stretches the pressures on base and top that end at an edge with the face of the body as it has become. A body that cannot be is left
+/// to whoever reads it.
+fn stretch(varied: &mut Inputs, case: &Case) {
+    let stretching: Vec<Id> = stretching(case).collect();
+    let Some(body) = (!stretching.is_empty()).then(|| body_of(varied)).flatten() else { return };
+    for id in stretching {
+        let face = case.pressures[id.index].face;
+        let (Some(from), Some(to)) = (ends(&case.body.rounded(), face), ends(&body, face)) else { continue };
+        let Some(positions) = varied.list(id).filter(|_| from != to) else { continue };
+        let ratio = (to[1] - to[0]) / (from[1] - from[0]);
+        let place = |position: f64| match () {
+            () if (position - from[0]).abs() <= SLACK => to[0],
+            () if (position - from[1]).abs() <= SLACK => to[1],
+            () => to[0] + (position - from[0]) * ratio,
+        };
+        let places = positions.iter().map(|position| place(*position)).collect();
+        varied.put(id, Value::Numbers(places));
+    }
+}
+
+/// Where the pressures on base and top stand that end at an edge which moves when the body is resized. O itself is where distances begin.
+fn stretching(case: &Case) -> impl Iterator<Item = Id> {
+    let ends_there = |pressure: &FacePressure| {
+        let Some([from, to]) = ends(&case.body.rounded(), pressure.face) else { return false };
+        let positions = pressure.diagram.points().iter().map(|point| point.position);
+        let near = |end: f64, position: f64| (position - end).abs() <= SLACK;
+        let first = pressure.face == Face::Top;
+        positions.into_iter().any(|position| near(to, position) || first && near(from, position))
+    };
+    let places = case.pressures.iter().enumerate().filter(move |(_, pressure)| ends_there(pressure));
+    places.map(|(index, _)| Id::new(Key::PressureDistance, index))
 }
 
 /// Moves weight and inertia with a named mass or density, beside what its body's size has moved already.
@@ -363,7 +423,7 @@ fn weigh<'a>(
 
 /// The keys of a case whose numbers go with these when they are varied, each once; one of them that is varied itself among
 /// them only if it is moved all the same.
-pub fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Key> {
+pub fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Id> {
     let mut moved = CoupledChanges::default();
     for variable in variables {
         let present = variable.value(inputs, case);
@@ -376,7 +436,11 @@ pub fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Key> 
     let mut keys: Vec<Key> = levels.chain(sized).filter(|key| inputs.number(*key).is_some()).collect();
     keys.sort();
     keys.dedup();
-    keys
+    let mut ids: Vec<Id> = keys.into_iter().map(Id::from).collect();
+    if variables.iter().any(|variable| variable.moves_edges()) {
+        ids.extend(stretching(case));
+    }
+    ids
 }
 
 /// Numbers that go with varied ones, and their changes.

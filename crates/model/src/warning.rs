@@ -180,6 +180,17 @@ pub enum Warning {
         /// Distance from the body, m.
         beside: f64,
     },
+    /// A force acts on what stands on the body, above or beside it.
+    LoadOffTheBody {
+        /// The key that says on what.
+        id: Id,
+        /// What it stands on.
+        lever: String,
+        /// Distance above the crest, m; not above zero below it.
+        above: f64,
+        /// Distance beside the body, m; not above zero where it meets it.
+        beside: f64,
+    },
     /// An allowable bearing pressure that nothing stands on.
     SmallBearing {
         /// Pa.
@@ -380,6 +391,7 @@ impl Warning {
             Warning::LoadInNoCombination { .. } => "load-in-no-combination",
             Warning::FavourableLoad { .. } => "favourable-load",
             Warning::LoadBesideBody { .. } => "load-beside-body",
+            Warning::LoadOffTheBody { .. } => "load-off-the-body",
             Warning::SmallBearing { .. } => "small-bearing",
             Warning::UnusualGround { .. } => "unusual-ground",
             Warning::StrongEarthquake { .. } => "strong-earthquake",
@@ -685,6 +697,16 @@ impl fmt::Display for Warning {
                 digits(*distance),
                 digits(*beside)
             ),
+            Warning::LoadOffTheBody { id, lever, above, beside } => {
+                let places = [(above, "above the crest"), (beside, "beside the body")];
+                let places = places.into_iter().filter(|(by, _)| **by > 0.0);
+                let places: Vec<_> = places.map(|(by, words)| format!("{} m {words}", digits(*by))).collect();
+                write!(
+                    f,
+                    "{id} = \"{lever}\": the force acts {}, on what stands on the body; that has to carry it down to the body",
+                    places.join(" and ")
+                )
+            }
             Warning::SmallBearing { pressure } => write!(
                 f,
                 "criteria.bearing_max = {} kPa; {BEARING} kPa at least is usual, and a number without unit is in Pa",

@@ -274,6 +274,13 @@ fn every_number_put_in_stands_elsewhere_on_the_sheet() {
                 .into_iter()
                 .map(|data| si(data, "value").unwrap().abs())
                 .collect();
+        // What a code asks for stands in no line of the case file.
+        let asked = select(&html, "[data-table=criteria] [data-label=Required]").into_iter();
+        let asked = asked.filter_map(|cell| {
+            let text: String = cell.text().collect();
+            text.trim_start_matches(['≥', '≤', ' ']).split(' ').next()?.parse::<f64>().ok()
+        });
+        let known: Vec<f64> = known.into_iter().chain(asked).collect();
         for leaf in select(&html, ".numbers [data-value]") {
             let value = si(leaf, "data-value").unwrap();
             let found = known.iter().any(|known| (known - value).abs() <= 1e-12 * value);

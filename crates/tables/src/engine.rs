@@ -36,6 +36,12 @@ fn answer_into(
     if let Some(sheet) = options.sheet.as_ref().filter(|_| options.from != TableFormat::Xlsx) {
         return Err(TableError::NoSheets { name: options.name.clone(), sheet: sheet.clone() });
     }
+    let head = [("--header-row", options.head.row.is_some()), ("--units-row", options.head.has_units)];
+    let read_by_rows = matches!(options.from, TableFormat::Csv | TableFormat::Xlsx);
+    if let Some((option, _)) = head.into_iter().find(|(_, is_said)| *is_said && !read_by_rows) {
+        let (name, format) = (options.name.clone(), options.from.name());
+        return Err(TableError::NoHead { option, name, format });
+    }
     #[cfg(feature = "columnar")]
     if [options.from, options.to] != [TableFormat::Csv; 2] {
         return crate::columnar::answer(input, output, options, progress);

@@ -21,6 +21,30 @@ pub enum TableError {
         /// The columns needed.
         needed: String,
     },
+    /// A header is said to stand where the table has ended.
+    #[error("{name} has no row {row} with the names of its columns")]
+    NoHeaderRow {
+        /// The table.
+        name: String,
+        /// The row.
+        row: u32,
+    },
+    /// Units are said to stand where the table has ended.
+    #[error("{name} has no row of units below the names of its columns")]
+    NoUnitsRow {
+        /// The table.
+        name: String,
+    },
+    /// A row of the header is said of a table whose columns have names of their own.
+    #[error("{option}: {name} is {format}, whose columns have their names")]
+    NoHead {
+        /// The option.
+        option: &'static str,
+        /// The table.
+        name: String,
+        /// Its format.
+        format: &'static str,
+    },
     /// A header whose columns are parted by something else than commas.
     #[error("{name} parts its columns by {separator}: its first line is {header}")]
     Separator {
@@ -295,6 +319,12 @@ impl Explained for TableError {
             TableError::Empty { needed, .. } => {
                 format!("a table begins with the names of its columns, among them {needed}")
             }
+            TableError::NoHeaderRow { .. } => {
+                "--header-row counts the rows of the text or the sheet from one, empty ones among them".into()
+            }
+            TableError::NoUnitsRow { .. } | TableError::NoHead { .. } => {
+                "--header-row and --units-row are of CSV and Excel; leave them out where the table begins with its header".into()
+            }
             TableError::Separator { .. } => {
                 "CSV is read with commas between columns and points in numbers; convert it, or give it as \
                  .xlsx or .parquet"
@@ -317,8 +347,8 @@ impl Explained for TableError {
             }
             TableError::NoSheet { sheets, .. } => format!("its sheets are {sheets}"),
             TableError::Nameless { .. } => {
-                "a table begins with the names of its columns; what stands beside it has to go to another \
-                 sheet"
+                "a table begins with the names of its columns, or has them where --header-row says; what stands beside it has to go to \
+                 another sheet"
                     .into()
             }
             TableError::SheetFull { .. } => "write Parquet or CSV".into(),

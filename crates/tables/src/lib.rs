@@ -72,6 +72,7 @@ pub use standfast_cases::Interface;
 pub use written::{WrittenColumn, written};
 
 use std::io::{Read, Write};
+use std::num::NonZeroU32;
 use std::sync::Arc;
 
 /// Listener that is told how far a run is; `()` is not interested.
@@ -105,6 +106,15 @@ pub enum OnError {
     Null,
 }
 
+/// Rows at the head of a text or a sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct TableHead {
+    /// The row with the names of the columns, counted from one: what stands above is left out. The first that is not empty if it is not said.
+    pub row: Option<NonZeroU32>,
+    /// True if the row below it has the units of the columns.
+    pub has_units: bool,
+}
+
 /// Options of processing a table.
 #[derive(Debug, Clone)]
 pub struct TableOptions {
@@ -116,6 +126,8 @@ pub struct TableOptions {
     pub to: TableFormat,
     /// The sheet of a workbook that is read; the first if it is not said.
     pub sheet: Option<String>,
+    /// The rows at its head.
+    pub head: TableHead,
     /// Problem that the rows are, unless they vary a case.
     pub problem: TableProblem,
     /// The case that the rows vary, and what is computed of it.
@@ -148,6 +160,7 @@ impl TableOptions {
             from: TableFormat::Csv,
             to: TableFormat::Csv,
             sheet: None,
+            head: TableHead::default(),
             problem: TableProblem::Force,
             case: None,
             map: Vec::new(),

@@ -5,7 +5,7 @@ use standfast_cases::motion::{ColumnError, MotionRows, RowFault};
 
 use crate::case::nothing_varies;
 use crate::text::{FirstLine, Rows, Text, lossy};
-use crate::{RowProblem, TableError, TablePlace};
+use crate::{RowProblem, TableError, TableHead, TablePlace};
 
 /// Bytes of text read at once.
 const TEXT: usize = 1 << 17;
@@ -32,9 +32,9 @@ impl MotionTable {
     ///
     /// # Errors
     /// If there is no header, or a quotation mark is never closed.
-    pub fn read(text: &[u8], name: &str) -> Result<MotionTable, TableError> {
+    pub fn read(text: &[u8], name: &str, head: TableHead) -> Result<MotionTable, TableError> {
         let needed = || "one that varies the case".to_owned();
-        let (mut text, header) = Text::begin(text, TEXT, name, needed)?;
+        let (mut text, header) = Text::begin(text, TEXT, name, head, needed)?;
         let mut rows = Vec::new();
         while let Some(piece) = text.next()? {
             let mut found = Rows::new(&piece.bytes);

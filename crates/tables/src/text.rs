@@ -2,7 +2,7 @@
 
 mod cut;
 
-use std::io::Read;
+use std::io::{self, Read};
 use std::ops::Range;
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
@@ -11,7 +11,7 @@ use crate::pieces::Done;
 use crate::results::Values;
 use crate::row_warning::RowWarnings;
 use crate::task::{Fault, Faults, RowFault, Task};
-use crate::{RowProblem, TableError, TableOptions};
+use crate::{RowProblem, TableError, TableHead, TableOptions};
 use cut::{CutError, Pieces};
 
 /// A CSV table, of which the header is read.
@@ -72,33 +72,55 @@ impl<R: Read> Text<R> {
         size: usize,
         options: &TableOptions,
     ) -> Result<(Text<R>, Header), TableError> {
-        let (text, line) = Text::begin(source, size, &options.name, || options.needed())?;
+        let (text, line) = Text::begin(source, size, &options.name, options.head, || options.needed())?;
         let task = Task::of(options, &line.names);
         let (task, places) = task.map_err(|error| line.refused(&options.name, error))?;
         let FirstLine { names, bytes, end } = line;
         Ok((text, Header { names, places, bytes, end, task }))
     }
 
-    /// Reads the first line, in which columns are `needed`.
+    /// Reads the rows at its head, in which columns are `needed`.
     pub(crate) fn begin(
-        source: R,
+        mut source: R,
         size: usize,
         name: &str,
+        head: TableHead,
         needed: impl Fn() -> String,
     ) -> Result<(Text<R>, FirstLine), TableError> {
-        let mut text =
-            Text { pieces: Pieces::new(source, size), first: None, line: 1, name: name.to_owned() };
-        let empty = || TableError::Empty { name: name.to_owned(), needed: needed() };
-        let bytes = text.piece()?.ok_or_else(empty)?;
+        let above = head.row.map_or(0, |row| row.get() - 1);
+        let unread = |cause: io::Error| TableError::Read { name: name.to_owned(), cause: cause.to_string() };
+        let skipped = skip_lines(&mut source, above).map_err(unread)?;
+        let empty = || match head.row {
+            Some(row) => TableError::NoHeaderRow { name: name.to_owned(), row: row.get() },
+            None => TableError::Empty { name: name.to_owned(), needed: needed() },
+        };
+        let line = 1 + u64::from(above);
+        let mut text = Text { pieces: Pieces::new(source, size), first: None, line, name: name.to_owned() };
+        let bytes = if skipped { text.piece()? } else { None }.ok_or_else(empty)?;
         let mut rows = Rows::new(&bytes);
         if !rows.advance() {
             return Err(empty());
         }
-        let names: Vec<String> = rows.record.iter().map(|name| lossy(name).trim().to_owned()).collect();
+        let mut names: Vec<String> = rows.record.iter().map(|name| lossy(name).trim().to_owned()).collect();
         let Range { start, end } = rows.range;
         let line_end: &[u8] = if bytes[end..].starts_with(b"\r\n") { b"\r\n" } else { b"\n" };
-        let line = FirstLine { names, bytes: bytes[start..end].to_vec(), end: line_end };
-        text.line = 1 + feeds(&bytes[..end]);
+        let mut own = bytes[start..end].to_vec();
+        if head.has_units {
+            let no_units = || TableError::NoUnitsRow { name: name.to_owned() };
+            if !rows.advance() {
+                return Err(no_units());
+            }
+            let units = rows.record.iter().map(lossy).chain(std::iter::repeat(String::new()));
+            names = names.into_iter().zip(units).map(|(name, unit)| with_unit(name, &unit)).collect();
+            let mut writer = csv::Writer::from_writer(Vec::new());
+            // Writing to memory never fails.
+            writer.write_record(&names).expect("memory has room");
+            own = writer.into_inner().expect("memory has room");
+            own.truncate(own.trim_ascii_end().len());
+        }
+        let end = rows.range.end;
+        let line = FirstLine { names, bytes: own, end: line_end };
+        text.line += feeds(&bytes[..end]);
         text.first = Some(bytes[end..].to_vec());
         Ok((text, line))
     }
@@ -122,6 +144,29 @@ impl<R: Read> Text<R> {
             CutError::Quote => TableError::Quote { name: self.name.clone(), line: self.line },
         })
     }
+}
+
+/// The name of a column with the unit that stands below it, as one that is typed with its unit; without one where nothing is counted.
+pub(crate) fn with_unit(name: String, unit: &str) -> String {
+    let unit = unit.trim().trim_matches(['[', ']', '(', ')']).trim();
+    let counts_nothing = matches!(unit, "" | "-" | "–" | "—" | "1");
+    if counts_nothing || name.is_empty() || name.ends_with(']') { name } else { format!("{name} [{unit}]") }
+}
+
+/// Reads so many lines, whatever stands in them; false if there are not as many.
+fn skip_lines(source: &mut impl Read, lines: u32) -> io::Result<bool> {
+    let mut byte = [0];
+    for _ in 0..lines {
+        loop {
+            if source.read(&mut byte)? == 0 {
+                return Ok(false);
+            }
+            if byte[0] == b'\n' {
+                break;
+            }
+        }
+    }
+    Ok(true)
 }
 
 /// Separator that seems to part the columns of a header that has one only.

@@ -91,6 +91,7 @@ pub(super) fn all(
 ) -> Result<Vec<Sensitivity>, Stopped> {
     // The caisson's width is the body's.
     let variables = Variable::all(varied.inputs())
+        .chain(Variable::implied(varied.inputs()))
         .filter(|id| id.key != Key::CaissonWidth)
         .map(|id| Variable::of(id, varied.inputs()));
     let variables: Vec<Variable> = variables.collect();

@@ -9,7 +9,7 @@ use super::set::{End, ExactEnd, OuterState, Search, Tried};
 use super::subject::Subject;
 use super::{CHANCE_PARTS, DesignError, PARTS, Spelling, Target, Varied, answerable};
 use crate::assess::{Assessed, Assessment};
-use crate::couple::{Variable, vary};
+use crate::couple::{Variable, moved, vary};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Table};
 use crate::rounded::Towards;
@@ -167,6 +167,15 @@ impl SingleChanges {
             })?;
             // What is written is what is proven.
             inputs.set(id, now.inputs().number(id)?);
+        }
+        for id in moved(file.inputs(), case, &[variable]) {
+            let Some(list) = inputs.list(id).filter(|list| file.inputs().list(id) != Some(*list)) else {
+                continue;
+            };
+            let (rewritten, text) = now.relisted(id, list)?;
+            now = rewritten;
+            coupled.push((id, text));
+            inputs.put(id, now.inputs().get(id)?.clone());
         }
         self.meets(inputs).then(|| (now.text().to_owned(), coupled))
     }

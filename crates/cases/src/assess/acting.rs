@@ -105,6 +105,9 @@ fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
         }
         (_, Some(distance)) => rows.push(row!["distance", format!("{} m right of O", digits(distance))]),
     }
+    if let Some(lever) = &force.lever {
+        rows.push(row!["on", lever.clone()]);
+    }
     rows
 }
 

@@ -203,6 +203,9 @@ struct Force<'a> {
     /// To the right of O; null at mid-width.
     distance: Option<f64>,
     direction: &'static str,
+    /// What it stands on.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lever: Option<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -501,6 +504,7 @@ impl<'a> Force<'a> {
             elevation: force.elevation,
             distance: force.distance,
             direction: force.direction.word(),
+            lever: force.lever.as_deref(),
         }
     }
 }

@@ -36,7 +36,7 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     let format = super::format(&args.output, args.output_format, "--output-format");
     let format = format?;
     let nulls = args.on_error == OnError::Null;
-    let table = MotionTable::read(&read(args, &name, files)?, &name)?;
+    let table = MotionTable::read(&read(args, &name, files)?, &name, args.head())?;
     let header = table.columns();
     if args.output != Path::new("-") {
         // Before many motions are followed for nothing.

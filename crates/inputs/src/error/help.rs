@@ -75,6 +75,9 @@ impl Problem {
             Problem::WrongType { key, .. } | Problem::OutOfRange { key, .. } => {
                 format!("for example\n{}", line(*key))
             }
+            Problem::AboveCrest { key: Key::Elevation, .. } => "the elevation is measured from the base, in m if it has no unit; \
+                 of a force on something that stands on the body, say on what: lever = \"bollard hook\""
+                .into(),
             Problem::AboveCrest { .. } => {
                 "the elevation is measured from the base, in m if it has no unit".into()
             }

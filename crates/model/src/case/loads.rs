@@ -39,6 +39,8 @@ pub struct PointForce<T = f64> {
     pub elevation: T,
     /// To the right of O, m; `None` at mid-width.
     pub distance: Option<T>,
+    /// What it stands on, where that may be beside or above the body.
+    pub lever: Option<String>,
     /// True if it is there all the time.
     pub permanent: bool,
     /// True if it acts with all other loads, rather than alone of those that do.
@@ -138,7 +140,8 @@ impl Reader<'_> {
                 (elevation.unwrap_or_else(|| body.height()), Some(distance))
             }
         };
-        if !body.reaches(elevation.clone()) {
+        let lever = self.inputs.text(id(Key::LoadLever)).map(str::to_owned);
+        if lever.is_none() && !body.reaches(elevation.clone()) {
             let problem = Problem::AboveCrest { key: Key::Elevation, height: body.height().value() };
             return Err(Fault::new(problem, id(Key::Elevation)));
         }
@@ -166,6 +169,7 @@ impl Reader<'_> {
             direction,
             elevation,
             distance,
+            lever,
             permanent: truth(Key::LoadPermanent),
             together: truth(Key::Together),
             is_fast: truth(Key::LoadFast) || history.is_some(),
@@ -178,17 +182,16 @@ impl Reader<'_> {
         let id = |key| Id::new(key, index);
         let face =
             self.inputs.choice(id(Key::PressedFace)).ok_or_else(|| self.missing(Key::PressedFace, index))?;
+        let face = match face {
+            "left" => Face::Left,
+            "right" => Face::Right,
+            "base" => Face::Base,
+            _ => Face::Top,
+        };
         let rounded = body.rounded();
-        let (face, along, other, ends) = match face {
-            "left" => (Face::Left, Key::PressureElevation, Key::PressureDistance, [0.0, rounded.height()]),
-            "right" => (Face::Right, Key::PressureElevation, Key::PressureDistance, [0.0, rounded.height()]),
-            "base" => {
-                (Face::Base, Key::PressureDistance, Key::PressureElevation, [0.0, rounded.base_width()])
-            }
-            _ => {
-                let left = rounded.base_edges().left - rounded.width() / 2.0;
-                (Face::Top, Key::PressureDistance, Key::PressureElevation, [left, left + rounded.width()])
-            }
+        let (along, other, ends) = match ends(&rounded, face) {
+            Some(ends) => (Key::PressureDistance, Key::PressureElevation, ends),
+            None => (Key::PressureElevation, Key::PressureDistance, [0.0, rounded.height()]),
         };
         if self.inputs.list(id(other)).is_some() {
             return Err(Fault::new(Problem::WrongAlong { found: other, expected: along }, id(other)));
@@ -236,4 +239,16 @@ impl Reader<'_> {
 }
 
 /// Distance by which a pressure may reach beyond its face through rounding, m.
-const SLACK: f64 = 1e-6;
+pub(crate) const SLACK: f64 = 1e-6;
+
+/// Ends of the base or the top, to the right of O, m; `None` of the sides.
+pub(crate) fn ends(body: &Body, face: Face) -> Option<[f64; 2]> {
+    match face {
+        Face::Left | Face::Right => None,
+        Face::Base => Some([0.0, body.base_width()]),
+        Face::Top => {
+            let left = body.base_edges().left - body.width() / 2.0;
+            Some([left, left + body.width()])
+        }
+    }
+}

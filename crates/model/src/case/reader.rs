@@ -443,6 +443,11 @@ pub fn check_ranges(inputs: &Inputs) -> Result<(), Fault> {
     Reader { inputs }.ranges()
 }
 
+/// The body of inputs, in floating point; `None` if there is none such.
+pub(crate) fn body_of(inputs: &Inputs) -> Option<Body> {
+    Reader { inputs }.body::<f64>().ok().map(|(body, _)| body)
+}
+
 /// Refusal of the case of inputs by the motion, at the number that brings it about.
 pub(crate) fn motion_fault(inputs: &Inputs, error: MotionError) -> Fault {
     Reader { inputs }.motion_refused(error)

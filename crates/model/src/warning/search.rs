@@ -167,13 +167,25 @@ impl Case {
     fn forces(&self) -> Vec<Warning> {
         let left = self.body.base_edges().left - self.body.width() / 2.0;
         let right = left + self.body.width();
+        let off = self.forces.iter().enumerate().filter_map(|(index, force)| {
+            let lever = force.lever.clone()?;
+            let above = force.elevation - self.body.height();
+            let beside = force.distance.map_or(0.0, |distance| (left - distance).max(distance - right));
+            let [above, beside] = [above, beside].map(|by| if by > SLACK { by } else { 0.0 });
+            let id = Id::new(Key::LoadLever, index);
+            (above > 0.0 || beside > 0.0).then_some(Warning::LoadOffTheBody { id, lever, above, beside })
+        });
+        let off: Vec<Warning> = off.collect();
         let beside = self.forces.iter().enumerate().filter_map(|(index, force)| {
+            if force.lever.is_some() {
+                return None;
+            }
             let distance = force.distance.filter(|_| !matches!(force.direction, Direction::Sideways(_)))?;
             let beside = (left - distance).max(distance - right);
             let id = Id::new(Key::LoadDistance, index);
             (beside > SLACK).then_some(Warning::LoadBesideBody { id, distance, beside })
         });
-        let mut warnings: Vec<Warning> = beside.collect();
+        let mut warnings: Vec<Warning> = beside.chain(off).collect();
         let weight = self.body.mass() * self.gravity;
         for (index, force) in self.forces.iter().enumerate() {
             let (force, share) = (force.magnitude, force.magnitude / weight);

@@ -116,18 +116,19 @@ fn added_mass(steps: &mut SheetSteps, case: &Case) {
     steps.know("ρ_w", density, DENSITY);
     steps.know("h_r", right, METRE);
     steps.know("h_l", left, METRE);
-    let one_side =
-        standfast::wave::added_mass(1, density * case.body.plan().side(case.body.width()), right) == mass;
+    let of =
+        |depth| standfast::wave::added_mass(1, density * case.body.plan().side(case.body.width()), depth);
+    let one_side = [("h_r", right), ("h_l", left)].into_iter().find(|(_, depth)| of(*depth) == mass);
     // ζ(3) to the digits of a double; the coefficient is 0.54275.
     let coefficient = "14 1.2020569031595942/π^3 ρ_w";
     let long = along(&case.body, case.extent).side;
     let formula = match one_side {
-        true => format!("{coefficient} h_r^2{long}"),
-        false => format!("{coefficient} (h_r^2 + h_l^2){long}"),
+        Some((depth, _)) => format!("{coefficient} {depth}^2{long}"),
+        None => format!("{coefficient} (h_r^2 + h_l^2){long}"),
     };
     let about = "Added mass of water, 14ζ(3)/π³ `ρ_w h^2` a side";
     steps.add(about, "Westergaard's problem", ["m_a", &formula], mass, MASS, "added_mass");
-    let depths = if one_side { "h_r" } else { "(h_r^3 + h_l^3)/(h_r^2 + h_l^2)" };
+    let depths = one_side.map_or("(h_r^3 + h_l^3)/(h_r^2 + h_l^2)", |(depth, _)| depth);
     // β(4) is Dirichlet's; the coefficient is 0.40142.
     let formula = format!("(1 − 16 0.9889445517411053/(7 π 1.2020569031595942)) {depths}");
     let about =

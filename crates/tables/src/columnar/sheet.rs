@@ -13,6 +13,7 @@ use calamine::{DataRef, ExcelDateTime, Reader, Xlsx};
 
 use super::unpacked;
 use super::workbook::ROWS;
+use crate::text::with_unit;
 use crate::{TableError, TableOptions};
 
 /// Value of a cell.
@@ -39,21 +40,23 @@ const CELLS: usize = 1 << 26;
 
 const DAY: i64 = 86_400_000;
 
-/// The table of the sheet that the options name, or the first, and the row of its header, counted from one.
+/// The table of the sheet that the options name, or the first, and the last row of its head, counted from one.
 pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u64), TableError> {
     unpacked::check(&file, options, unpacked::LIMITS)?;
     let damaged = |error: calamine::XlsxError| options.damaged(error.to_string());
     let mut workbook: Xlsx<_> = Xlsx::new(BufReader::new(file)).map_err(damaged)?;
     let sheet = sheet(&workbook, options)?;
     let mut cells = workbook.worksheet_cells_reader(&sheet).map_err(damaged)?;
-    let mut header: Option<u32> = None;
+    let above = options.head.row.map_or(0, |row| row.get() - 1);
+    let below = 1 + u32::from(options.head.has_units);
+    let mut header: Option<u32> = options.head.row.map(|_| above);
     // The columns of the sheet that have a name, with their cells so far.
     let mut columns: Vec<(u32, String, Vec<Cell>)> = Vec::new();
     let (mut rows, mut room) = (0, Room { options, sheet: &sheet, texts: 0 });
     while let Some(cell) = cells.next_cell().map_err(damaged)? {
         let value = Cell::of(cell.get_value());
         let (row, column) = cell.get_position();
-        if matches!(value, Cell::Empty) {
+        if matches!(value, Cell::Empty) || row < above {
             continue;
         }
         room.hold(&value, row, column)?;
@@ -70,11 +73,16 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
                 header: u64::from(header) + 1,
             });
         };
+        if options.head.has_units && row == header + 1 {
+            let name = &mut columns[place].1;
+            *name = with_unit(std::mem::take(name), &value.words());
+            continue;
+        }
         let width = columns.len();
         let cells = &mut columns[place].2;
         // Rows rise in a sheet, and there are no more of them; what says otherwise is not a sheet.
         let index =
-            row.checked_sub(header + 1).filter(|_| u64::from(row) <= ROWS).map(|index| index as usize);
+            row.checked_sub(header + below).filter(|_| u64::from(row) <= ROWS).map(|index| index as usize);
         let Some(index) = index.filter(|index| cells.len() <= *index) else {
             return Err(options.damaged("its cells are not in the order of rows".to_owned()));
         };
@@ -82,6 +90,9 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
         room.hold_all(rows * width)?;
         cells.resize_with(index, || Cell::Empty);
         cells.push(value);
+    }
+    if let Some(row) = options.head.row.filter(|_| columns.is_empty()) {
+        return Err(TableError::NoHeaderRow { name: options.name.clone(), row: row.get() });
     }
     let Some(header) = header else {
         return Err(TableError::Empty { name: options.name.clone(), needed: options.needed() });
@@ -95,7 +106,7 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
         })
         .unzip();
     let batch = RecordBatch::try_new(Arc::new(Schema::new(fields)), arrays);
-    Ok((batch.map_err(|error| options.damaged(error.to_string()))?, u64::from(header) + 1))
+    Ok((batch.map_err(|error| options.damaged(error.to_string()))?, u64::from(header + below)))
 }
 
 /// Room left for the texts of a sheet.

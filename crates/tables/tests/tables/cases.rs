@@ -1,6 +1,7 @@
 //! Tables of cases in every format against assessments of the cases they vary.
 
 use std::fs::{self, File};
+use std::num::NonZeroU32;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -19,7 +20,8 @@ use standfast_cases::results::{ResultName, ResultValue};
 use standfast_cases::sweep::SweepResult;
 use standfast_cases::{Assessment, Case, CaseFile};
 use standfast_tables::{
-    CaseTable, OnError, Summary, TableError, TableFormat, TableInput, TableOptions, TableWarning, run,
+    CaseTable, OnError, Summary, TableError, TableFormat, TableHead, TableInput, TableOptions, TableWarning,
+    run,
 };
 use tempfile::TempDir;
 
@@ -392,7 +394,7 @@ fn a_column_by_another_name_is_warned_about() {
     let (_, summary) = text("friction,Hs\n0.5,4\n", GODA, |options| options);
     let warnings = summary.unwrap().varied.unwrap().warnings;
     let [TableWarning::ColumnLikeAbsentKey { key, .. }] = &warnings[..] else { panic!("{warnings:?}") };
-    assert_eq!(key, "wave.H13");
+    assert_eq!(key, "wave.period");
 }
 
 #[test]
@@ -402,4 +404,73 @@ fn a_column_that_may_be_meant_is_warned_about() {
     let [warning @ TableWarning::ColumnLikeKey { .. }] = &warnings[..] else { panic!("{warnings:?}") };
     assert_eq!(warning.name(), "column-like-key");
     assert!(warning.to_string().contains("--map \"wave.deep_water_height=deep_water_height\""));
+}
+
+/// A table as an office makes it: titles with quotation marks of their own, the names, their units.
+#[test]
+fn titles_stand_above_and_units_below_the_names() {
+    let head = |row: Option<u32>, has_units| TableHead { row: row.and_then(NonZeroU32::new), has_units };
+    let plain = "name,body.width [cm],body.friction,wave.period [s]\na,1500,0.6,11\nb,1600,0.5,\"12.5\"\n";
+    let office = "Harbour of X, pipe 5\" wide\r\n\r\nname,body.width,body.friction,wave.period\r\n,cm,-,(s)\r\na,1500,0.6,11\r\nb,1600,0.5,\"12.5\"\r\n";
+    let answer = |table: &str, head| text(table, GODA, |options| TableOptions { head, ..options });
+    let (expected, summary) = answer(plain, TableHead::default());
+    summary.unwrap();
+    let (found, summary) = answer(office, head(Some(3), true));
+    assert_eq!(summary.unwrap().rows, 2);
+    assert_eq!(found.replace("\r\n", "\n"), expected);
+    // A row that makes no sense is told by the line it stands on.
+    let wrong = office.replace("1600", "wide");
+    let error = answer(&wrong, head(Some(3), true)).1.unwrap_err().to_string();
+    assert!(error.contains("line 6") && error.contains("\"wide\""), "{error}");
+    // Where nothing is said the first line has the names.
+    let (found, summary) = answer(plain, head(Some(1), false));
+    summary.unwrap();
+    assert_eq!(found, expected);
+    assert!(answer(office, TableHead::default()).1.is_err());
+    for (table, head, words) in [
+        (plain, head(Some(9), false), "has no row 9 with the names"),
+        ("body.width\n", head(None, true), "has no row of units"),
+    ] {
+        let error = answer(table, head).1.unwrap_err().to_string();
+        assert!(error.contains(words), "{error}");
+    }
+    // A unit that does not fit is named with its column.
+    let error = answer(&office.replace(",cm,", ",kPa,"), head(Some(3), true)).1.unwrap_err().to_string();
+    assert!(error.contains("body.width") && error.contains("kPa"), "{error}");
+}
+
+/// The same table in a sheet, which may begin anywhere.
+#[test]
+fn a_sheet_has_titles_and_units() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut workbook = rust_xlsxwriter::Workbook::new();
+    let sheet = workbook.add_worksheet();
+    sheet.write_string(0, 0, "Harbour of X").unwrap();
+    sheet.write_string(1, 4, "drawn by N. N.").unwrap();
+    sheet.write_row(3, 1, ["body.width", "body.friction", "wave.period"]).unwrap();
+    sheet.write_row(4, 1, ["cm", "-", "s"]).unwrap();
+    sheet.write_row(5, 1, [1500.0, 0.6, 11.0]).unwrap();
+    sheet.write_row(6, 1, [1600.0, 0.5, 12.5]).unwrap();
+    workbook.save(folder.path().join("in.xlsx")).unwrap();
+    let head = TableHead { row: NonZeroU32::new(4), has_units: true };
+    let options = TableOptions { case: of_case(GODA), head, ..TableOptions::new("in.xlsx") };
+    answer(&folder, "in.xlsx", "out.csv", &options).unwrap();
+    let plain = "body.width [cm],body.friction,wave.period [s]\n1500,0.6,11\n1600,0.5,12.5\n";
+    fs::write(folder.path().join("in.csv"), plain).unwrap();
+    let options = TableOptions { head: TableHead::default(), ..options };
+    answer(&folder, "in.csv", "expected.csv", &options).unwrap();
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    let cells = |text: &str| {
+        text.lines().map(|line| line.split(',').skip(3).collect::<Vec<_>>().join(",")).collect::<Vec<_>>()
+    };
+    assert_eq!(cells(&read("out.csv")), cells(&read("expected.csv")));
+    assert!(read("out.csv").starts_with("body.width [cm],body.friction,wave.period [s],"));
+    let empty =
+        TableOptions { head: TableHead { row: NonZeroU32::new(3), has_units: false }, ..options.clone() };
+    let error = answer(&folder, "in.xlsx", "out.csv", &empty).unwrap_err().to_string();
+    assert!(error.contains("no row 3"), "{error}");
+    answer(&folder, "in.csv", "in.parquet", &options).unwrap();
+    let options = TableOptions { head: TableHead { row: NonZeroU32::new(4), has_units: false }, ..options };
+    let error = answer(&folder, "in.parquet", "out.csv", &options).unwrap_err().to_string();
+    assert!(error.starts_with("--header-row: "), "{error}");
 }

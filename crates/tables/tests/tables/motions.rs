@@ -1,7 +1,7 @@
 //! Tables of motions against tables of cases: one text, one error.
 
 use standfast_cases::{CaseFile, Explained};
-use standfast_tables::{CaseTable, MotionTable, OnError, TableError, TableOptions, run};
+use standfast_tables::{CaseTable, MotionTable, OnError, TableError, TableHead, TableOptions, run};
 
 const AT_REST: &str = "[body]\nwidth = 2\nheight = 3\ndensity = 800\nfriction = 0.3\n\
     [[load]]\nforce = 25e3\nelevation = 1.2\n";
@@ -26,7 +26,7 @@ fn of_cases(text: &[u8]) -> Option<TableError> {
 /// The error of a table whose rows are motions.
 fn of_motions(text: &[u8]) -> Option<TableError> {
     let answered = || {
-        let table = MotionTable::read(text, "table.csv")?;
+        let table = MotionTable::read(text, "table.csv", TableHead::default())?;
         let rows = table.varying(&file(&format!("{AT_REST}{IN_TIME}")))?;
         for (i, row) in table.rows().iter().enumerate() {
             let cells: Vec<&str> = row.cells.iter().map(String::as_str).collect();
@@ -85,7 +85,7 @@ fn what_is_right_is_read() {
         [b"\xef\xbb\xbffriction\n0.3\n", b"friction,note\r\n0.3,\"a,b\"\r\n", b"friction\n\n0.3\n\n\n"];
     for text in right {
         assert_eq!(of_motions(text).map(|error| error.to_string()), None);
-        let table = MotionTable::read(text, "table.csv").unwrap();
+        let table = MotionTable::read(text, "table.csv", TableHead::default()).unwrap();
         assert_eq!((table.columns()[0].as_str(), table.rows().len()), ("friction", 1));
         assert_eq!(table.rows()[0].cells[0], "0.3");
     }
