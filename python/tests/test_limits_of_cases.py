@@ -51,12 +51,15 @@ def check(body: standfast.answers.Body, situation: Situation) -> bool | None:
     """Whether the margins say rest, after comparing them with the sum of all loads; ``None`` at a limit, as without friction and
     horizontal force."""
     wrench = situation.wrench
+    # A combination may divide the friction.
+    others = (situation.to_dict().get("combination") or {}).get("numbers", {})
+    friction = others.get("body.friction", body.friction)
     turning = wrench.m - wrench.x * body.centroid_height
     about = {"O": wrench.p * body.heel_distance - turning, "O'": wrench.p * body.toe_distance + turning}
     other = "O" if situation.heel == "O'" else "O'"
     force = body.weight + abs(wrench.x) + abs(wrench.p) + situation.buoyant_weight + abs(situation.U)
     moment = force * (body.width + body.height) + abs(situation.M_U) + abs(situation.M_p)
-    assert abs(situation.margin_sliding - (body.friction * wrench.p - abs(wrench.x))) <= 1e-12 * force
+    assert abs(situation.margin_sliding - (friction * wrench.p - abs(wrench.x))) <= 1e-12 * force
     assert abs(situation.margin_overturning_heel - about[situation.heel]) <= 1e-12 * moment
     assert abs(situation.margin_overturning_toe - about[other]) <= 1e-12 * moment
     assert situation.margin_overturning == min(situation.margin_overturning_heel, situation.margin_overturning_toe)
