@@ -152,10 +152,10 @@ listed! {
         |a| factor(&a.outcome.full, a.outcome.gross.overturning()));
 
     SfUplift = number("SF_uplift", None,
-        "safety factor against uplift: all that acts down over all that acts up; told where a criterion asks for it, and not of a `buoyant_weight`",
+        "safety factor against uplift: all that acts down over all that acts up; told where a criterion asks for it, else absent, and not of a `buoyant_weight`",
         |a| perhaps(a.balance().map(|balance| balance.uplift())));
     Tipping = number("tipping", None,
-        "moments that tip the body over those that hold it, load by load, a load's push and its vertical part apart; the larger of both corners; told where a criterion asks for it, and not of a `buoyant_weight`",
+        "moments that tip the body over those that hold it, load by load, a load's push and its vertical part apart; the larger of both corners; told where a criterion asks for it, else absent, and not of a `buoyant_weight`",
         |a| perhaps(a.balance().map(|balance| balance.tipping())));
 
     MarginSliding = number("margin_sliding", Some(Dimension::Force),
