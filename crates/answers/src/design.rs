@@ -27,7 +27,7 @@ use crate::assess::predicate;
 use crate::assess::{Assessed, Assessment};
 use crate::case::Case;
 use crate::couple::{Variable, moved};
-use crate::digits::{digits, significant};
+use crate::digits::{digits, plain};
 use crate::error::CaseError;
 use crate::inputs::Inputs;
 use crate::motion::MotionValue;
@@ -352,14 +352,11 @@ impl Design {
 
     /// What becomes of lists that go with the value found, as sentences.
     fn lists_with_it(&self) -> Vec<String> {
-        // As many digits as a product of two short numbers has.
-        const WRITTEN: usize = 12;
         let (file, variable) = (&self.subject.file, &self.quantity.variable);
         let Ok(found) = self.subject.with(&[(variable, self.found().rounded)]) else { return Vec::new() };
         let lists = moved(file.inputs(), &self.subject.case, &[variable]).into_iter();
         let lists = lists.filter_map(|id| {
-            let places =
-                found.inputs().list(id)?.iter().map(|place| format!("{} m", significant(*place, WRITTEN)));
+            let places = found.inputs().list(id)?.iter().map(|place| format!("{} m", plain(*place)));
             Some(format!("With it {id} becomes {}.", places.collect::<Vec<_>>().join(", ")))
         });
         lists.collect()

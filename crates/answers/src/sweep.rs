@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 use standfast::loads::Earthquake;
 
-pub use factor::{Factor, NoFactor, heading};
+pub use factor::{Factor, NoFactor, PLAIN, heading};
 
 use crate::assess::{Assessed, Assessment};
 use crate::case::{Biases, Case, blamed};

@@ -1,36 +1,10 @@
 //! Soil beside the body: worked numbers, the same pressures typed, the mirror image, an earthquake, partial factors, refusals and warnings.
 
+mod common;
+
+use common::{assess, file, near, number, refused, six};
 use standfast_cases::results::{ResultName, ResultValue};
-use standfast_cases::{Assessed, Assessment, AssessmentView, CaseFile, Document, Explained};
-
-fn file(text: &str) -> CaseFile {
-    CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}: {text}"))
-}
-
-fn assess(text: &str) -> Assessment {
-    let case = file(text).case().unwrap_or_else(|error| panic!("{error}: {text}"));
-    Assessment::of(&case).unwrap()
-}
-
-fn refused(text: &str) -> String {
-    let error = CaseFile::parse("case.toml", text).and_then(|file| file.case()).unwrap_err();
-    format!("{error}; {}", error.help().unwrap_or_default())
-}
-
-fn number(assessed: &Assessed, result: ResultName) -> f64 {
-    match result.of(assessed) {
-        ResultValue::Number(number) => number,
-        other => panic!("{} is {other:?}", result.name()),
-    }
-}
-
-fn near(found: f64, expected: f64, by: f64) {
-    assert!((found - expected).abs() <= by * expected.abs(), "{found}, expected {expected}");
-}
-
-fn six(found: f64, expected: f64) {
-    near(found, expected, 5e-6);
-}
+use standfast_cases::{Assessed, AssessmentView, Document};
 
 const QUAY: &str = "[body]\nwidth = \"7.5 m\"\nheight = \"11 m\"\ndensity = \"2300 kg/m3\"\nfriction = 0.6\n\
     [water]\nleft = \"9 m\"\nright = \"9.5 m\"\ndensity = \"1025 kg/m3\"\n";

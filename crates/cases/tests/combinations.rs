@@ -1,33 +1,11 @@
 //! Combinations as checks of a code: values that are others in one, strengths and resistances divided, pairs of factors, criteria of its
 //! own; held against files in which the same is typed, enumerations of plain combinations, and worked numbers.
 
+mod common;
+
+use common::{assess, file, near, number, refused};
 use standfast_cases::results::{ResultName, ResultValue};
-use standfast_cases::{Assessed, Assessment, AssessmentView, CaseFile, Document, Explained};
-
-fn file(text: &str) -> CaseFile {
-    CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}: {text}"))
-}
-
-fn assess(text: &str) -> Assessment {
-    let case = file(text).case().unwrap_or_else(|error| panic!("{error}: {text}"));
-    Assessment::of(&case).unwrap()
-}
-
-fn refused(text: &str) -> String {
-    let error = CaseFile::parse("case.toml", text).and_then(|file| file.case()).unwrap_err();
-    format!("{error}; {}", error.help().unwrap_or_default())
-}
-
-fn number(assessed: &Assessed, result: ResultName) -> f64 {
-    match result.of(assessed) {
-        ResultValue::Number(number) => number,
-        other => panic!("{} is {other:?}", result.name()),
-    }
-}
-
-fn near(one: f64, two: f64, by: f64) {
-    assert!((one - two).abs() <= by * two.abs(), "{one}, expected {two}");
-}
+use standfast_cases::{Assessed, Assessment, AssessmentView, Document, Explained};
 
 /// Every result of two situations, and what acts in them.
 fn same(one: &Assessed, two: &Assessed, what: &str) {

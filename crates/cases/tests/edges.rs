@@ -1,6 +1,9 @@
 //! A body that is resized takes the pressures along that end at its edges: designs against closed forms, and against case files that are
 //! written out by hand.
 
+mod common;
+
+use common::file;
 use standfast_cases::couple::{STAYS, Variable, moved, vary};
 use standfast_cases::design::{
     Design, DesignRequest, Extreme, Found, SingleChanges, Spelling, sensitivities,
@@ -17,10 +20,6 @@ const DAM: &str = "[body]\nfriction = 0.7\n[[part]]\nleft = 0\nwidth = 32\nbotto
 /// The same as one block.
 const BLOCK: &str = "[body]\nwidth = 32\nheight = 30\ndensity = 2000\nfriction = 0.7\n[[pressure]]\nface = \"base\"\n\
     distance = [0, 32]\npressure = [0, 300e3]\n[[load]]\nforce = 8000e3\nelevation = 10\n";
-
-fn file(text: &str) -> CaseFile {
-    CaseFile::parse("case.toml", text).unwrap()
-}
 
 fn sliding(text: &str) -> f64 {
     Assessment::of(&file(text).case().unwrap()).unwrap().governing().outcome.stability.sliding

@@ -1,32 +1,11 @@
 //! A base that opens under steady heads, in cases: worked numbers, what was answered before, fast loads, combinations, probability.
 
+mod common;
+
+use common::{assess, file, near, number, six};
 use standfast_cases::random::{ChanceProblem, ChanceRequest, Probability};
-use standfast_cases::results::{ResultName, ResultValue};
-use standfast_cases::{Assessed, Assessment, AssessmentView, CaseFile, Document, Explained};
-
-fn file(text: &str) -> CaseFile {
-    CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}: {text}"))
-}
-
-fn assess(text: &str) -> Assessment {
-    let case = file(text).case().unwrap_or_else(|error| panic!("{error}: {text}"));
-    Assessment::of(&case).unwrap()
-}
-
-fn number(assessed: &Assessed, result: ResultName) -> f64 {
-    match result.of(assessed) {
-        ResultValue::Number(number) => number,
-        other => panic!("{} is {other:?}", result.name()),
-    }
-}
-
-fn near(found: f64, expected: f64, by: f64) {
-    assert!((found - expected).abs() <= by * expected.abs(), "{found}, expected {expected}");
-}
-
-fn six(found: f64, expected: f64) {
-    near(found, expected, 5e-6);
-}
+use standfast_cases::results::ResultName;
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Document, Explained};
 
 fn wall(width: f64, friction: f64, water: &str, loads: &str) -> String {
     format!(

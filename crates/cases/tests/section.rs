@@ -394,3 +394,17 @@ fn a_force_at_the_water_stands_free_of_its_surface() {
     assert!(!surfaces.is_empty());
     assert!(surfaces.iter().all(|line| line.iter().all(|end| end.0 > debris.x1)), "{surfaces:?} {debris:?}");
 }
+
+/// A soil is called as one likes, dots and all, and what it makes is told from it.
+#[test]
+fn a_soil_with_a_dot_in_its_name_is_drawn_as_itself() {
+    let text = "[body]\nwidth = 5\nheight = 8\ndensity = 2300\nfriction = 0.6\n[earthquake]\nhorizontal = \"0.1 g\"\n[[backfill]]\n\
+        name = \"Sand 1.5\"\nface = \"right\"\nfriction_angle_deg = 33\nwall_friction_deg = 10\nunit_weight = \"18 kN/m3\"\n\
+        surcharge = \"20 kPa\"\n";
+    let figure = section(&case("case.toml", text));
+    let drawn = figure.svg();
+    for words in ["Sand 1.5, 1", "Sand 1.5, drag", "surcharge on Sand 1.5", "Sand 1.5 in the earthquake"] {
+        assert!(drawn.contains(words), "{words}: {drawn}");
+    }
+    assert!(!drawn.contains("Sand 1 in"));
+}

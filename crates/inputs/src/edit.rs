@@ -7,6 +7,7 @@ pub(crate) mod random;
 
 use std::ops::Range as Span;
 
+use crate::digits::decimal;
 use crate::key::{Id, Kind};
 use crate::parse::CaseText;
 use crate::typed::TypedUnits;
@@ -71,17 +72,20 @@ impl CaseText {
             quote if unit.is_empty() => format!("{quote}{digits}{quote}"),
             quote => format!("{quote}{digits} {unit}{quote}"),
         };
+        Some(self.replaced(written.span, &value))
+    }
+
+    /// The text with another value in the place of one, and what a comment behind it says then.
+    fn replaced(&self, span: Span<usize>, value: &str) -> String {
         let text = self.text();
-        let end = written.span.end;
+        let Span { start, end } = span;
         let change = self.comment_behind(end).and_then(|comment| {
-            let other = of_another(&text[comment.clone()], &text[written.span.clone()], &value)?;
+            let other = of_another(&text[comment.clone()], &text[start..end], value)?;
             Some((comment, other))
         });
-        // Without a comment to change, nothing is changed behind the number.
+        // Without a comment to change, nothing is changed behind the value.
         let (comment, other) = change.unwrap_or((end..end, String::new()));
-        let parts =
-            [&text[..written.span.start], &value, &text[end..comment.start], &other, &text[comment.end..]];
-        Some(parts.concat())
+        [&text[..start], value, &text[end..comment.start], &other, &text[comment.end..]].concat()
     }
 
     /// The text with other numbers in the list under a key, each in the unit that stands at its place, and the list as it is then written;
@@ -98,10 +102,10 @@ impl CaseText {
             let written = text.get(span.clone())?;
             let quote = written.chars().next().filter(|first| matches!(first, '"' | '\''));
             let element = match quote {
-                None => toml_number(in_digits(*si)),
+                None => toml_number(decimal(*si)),
                 Some(quote) => {
                     let (_, unit) = split_text(written.strip_prefix(quote)?.strip_suffix(quote)?)?;
-                    let number = in_digits(self.from_si(id, *si, unit.trim())?);
+                    let number = decimal(self.from_si(id, *si, unit.trim())?);
                     format!("{quote}{} {}{quote}", toml_number(number), unit.trim())
                 }
             };
@@ -110,15 +114,7 @@ impl CaseText {
             end = span.end;
         }
         list += text.get(end..entry.span.end)?;
-        let end = entry.span.end;
-        let comment = self.comment_behind(end).and_then(|comment| {
-            let other = of_another(&text[comment.clone()], &text[entry.span.clone()], &list)?;
-            Some((comment, other))
-        });
-        let (comment, other) = comment.unwrap_or((end..end, String::new()));
-        let parts =
-            [&text[..entry.span.start], &list, &text[end..comment.start], &other, &text[comment.end..]];
-        Some((parts.concat(), list.replace(['"', '\''], "")))
+        Some((self.replaced(entry.span.clone(), &list), list.replace(['"', '\''], "")))
     }
 
     /// A number in a unit of the key's, in SI units; `None` if the unit is not one of its.
@@ -178,11 +174,6 @@ fn of_another(comment: &str, before: &str, now: &str) -> Option<String> {
         Some((first, source)) => is_same(first, &now).then(|| source.to_owned()),
         None => (!is_same(&before, &now)).then(|| format!("{WAS}{before}: {comment}")),
     }
-}
-
-/// A number to twelve digits, without the rounding of what it was computed from.
-fn in_digits(number: f64) -> f64 {
-    format!("{number:.11e}").parse().unwrap_or(number)
 }
 
 /// A number as TOML has it, that is read as the same.

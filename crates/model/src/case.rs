@@ -44,8 +44,9 @@ use standfast::loads::{
 };
 use standfast::section::{Part, PartMass, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
-use standfast::{Ball, Body, InputError, OpeningRule, Plan, Scalar, Situation, Wrench};
+use standfast::{Ball, Body, InputError, OpeningRule, Scalar, Situation, Wrench};
 
+pub(crate) use backfill::tables_of_layers;
 pub use backfill::{Made, SoilFill, soil_of};
 pub use bias::{Bias, Biases, biased};
 pub use combination::{ChangeBy, Combination, InputChange, Trial};
@@ -228,11 +229,8 @@ impl Case {
         let Acting::Combination(index) = acting else { return None };
         let combination = self.combinations.get(index).filter(|combination| combination.effects)?;
         let case = self.under(acting);
-        let shaken = trial.signs().and_then(|signs| case.shaken(signs)).or(case.earthquake);
-        let factors = case
-            .loads(acting, shaken)
-            .into_iter()
-            .map(|(of, load)| case.factor(combination, of, &load, trial));
+        let loads = case.loads_tried(acting, trial).into_iter();
+        let factors = loads.map(|(of, load)| case.factor(combination, of, &load, trial));
         let factors = factors.filter(|factor| *factor != 0.0);
         let sums = situation.loads().iter().zip(factors);
         Some(sums.map(|(load, factor)| situation.wrench_of(load) * factor).sum())
@@ -382,9 +380,18 @@ impl<T: Scalar> Case<T> {
     /// The accelerations of the base that are tried, whatever acts: as given, and to the other side and down for up unless that is fixed.
     pub(crate) fn accelerations(&self) -> Vec<Earthquake> {
         let Some(given) = self.earthquake.as_ref().map(Earthquake::rounded) else { return Vec::new() };
-        let signs = |both: bool| if both { &[1.0, -1.0][..] } else { &[1.0] };
-        let ways = |side: &f64| signs(self.both_ways).iter().map(|way| given.turned(*side, *way)).collect();
-        signs(self.both_sides).iter().flat_map(|side| -> Vec<_> { ways(side) }).collect()
+        self.signs(&given, [false; 2]).into_iter().map(|[side, way]| given.turned(side, way)).collect()
+    }
+
+    /// Signs of an acceleration of the base that are tried, to the sides and upwards: both, unless one is fixed, or it is zero and not `moved`
+    /// from that.
+    fn signs(&self, given: &Earthquake, moved: [bool; 2]) -> Vec<[f64; 2]> {
+        let signs = |both: bool, value: f64, moved: bool| {
+            if both && (moved || value != 0.0) { &[1.0, -1.0][..] } else { &[1.0] }
+        };
+        let sides = signs(self.both_sides, given.horizontal(), moved[0]);
+        let ways = signs(self.both_ways, given.vertical(), moved[1]);
+        sides.iter().flat_map(|side| ways.iter().map(move |way| [*side, *way])).collect()
     }
 
     /// The acceleration of the base times signs, to the sides and upwards.
@@ -395,13 +402,12 @@ impl<T: Scalar> Case<T> {
     /// The body under the loads that act, the water under its base as if it did not open.
     fn loaded(&self, acting: Acting, trial: Trial) -> Result<Situation<T>, InputError> {
         let case = self.under(acting);
-        let shaken = trial.signs().and_then(|signs| case.shaken(signs));
         let mut situation = case.bare()?;
         let by_effects = match acting {
             Acting::Combination(index) => self.combinations[index].effects,
             _ => false,
         };
-        for (of, load) in case.loads(acting, shaken.or_else(|| case.earthquake.clone())) {
+        for (of, load) in case.loads_tried(acting, trial) {
             let factor = match acting {
                 Acting::Combination(index) => case.factor_as_written(index, of, &load, trial),
                 Acting::All | Acting::Alone(_) => T::of(1.0),
@@ -421,6 +427,12 @@ impl<T: Scalar> Case<T> {
         let situation = Situation::new(self.body.clone(), self.friction.clone(), self.gravity.clone())?
             .with_kinetic_friction(self.kinetic_friction.clone())?;
         Ok(situation.with_added_mass(self.added_mass.clone()))
+    }
+
+    /// All loads but for alternatives to the one that acts, in one of the ways in which they are tried, and what each is of.
+    fn loads_tried(&self, acting: Acting, trial: Trial) -> Vec<(LoadOrigin, Load<T>)> {
+        let shaken = trial.signs().and_then(|signs| self.shaken(signs));
+        self.loads(acting, shaken.or_else(|| self.earthquake.clone()))
     }
 
     /// All loads of the case but for alternatives to the one that acts, and what each is of.
@@ -458,9 +470,8 @@ impl<T: Scalar> Case<T> {
         for (index, soil) in self.soils.iter().enumerate() {
             let (body, shaken) = (self.body.rounded(), shaken.as_ref());
             let of_soil = soil.loads(index, &body, self.gravity.value(), shaken);
-            loads.extend(of_soil.into_iter().map(|(of, load)| (of, load.computed())));
+            of_soil.into_iter().for_each(|(of, load)| add(of, vec![load.computed()]));
         }
-        let mut add = |of, more: Vec<Load<T>>| loads.extend(more.into_iter().map(|load| (of, load)));
         for (index, force) in self.forces.iter().enumerate() {
             let replaced = matches!(acting, Acting::Alone(alone) if alone != index && force.acts_alone());
             if !replaced {
@@ -479,10 +490,7 @@ impl<T: Scalar> Case<T> {
             return vec![whole()];
         };
         let masses = section.masses(self.water_table);
-        let length = match self.body.plan() {
-            Plan::Rectangle { length } => length.value(),
-            _ => 1.0,
-        };
+        let length = self.body.plan().side(self.body.width()).value();
         let of = |group: Option<&str>| {
             let members = self.members(&groups, group);
             let mass: f64 = members.iter().map(|part| masses[*part].mass).sum();
@@ -581,13 +589,8 @@ impl Case {
 
     /// Signs of the accelerations that are tried where the one to the sides, or upwards, may be another than the case's, which may be zero.
     pub fn shakings_if(&self, acting: Acting, moved: [bool; 2]) -> Vec<[f64; 2]> {
-        let Some(given) = self.earthquake.filter(|_| self.is_shaken(acting)) else { return Vec::new() };
-        let signs = |both: bool, value: f64, moved: bool| {
-            if both && (moved || value != 0.0) { &[1.0, -1.0][..] } else { &[1.0] }
-        };
-        let sides = signs(self.both_sides, given.horizontal(), moved[0]);
-        let ways = signs(self.both_ways, given.vertical(), moved[1]);
-        sides.iter().flat_map(|side| ways.iter().map(move |way| [*side, *way])).collect()
+        let given = self.earthquake.filter(|_| self.is_shaken(acting));
+        given.map_or(Vec::new(), |given| self.signs(&given, moved))
     }
 
     /// Factor on the earthquake: that of a combination, which may be zero.
@@ -668,28 +671,27 @@ enum LoadOrigin {
 }
 
 impl LoadOrigin {
-    /// The table of the file that says it.
-    fn place(self) -> Place {
+    /// The table of the file that says it, and its place among these.
+    fn table(self) -> (Table, usize) {
         match self {
-            LoadOrigin::Table(table) => Place::Table(table, 0),
-            LoadOrigin::Group(index) => Place::Table(Table::Part, index),
-            LoadOrigin::Pressure(index) => Place::Table(Table::Pressure, index),
-            LoadOrigin::Soil(index, _) => Place::Table(Table::Backfill, index),
-            LoadOrigin::Force(index) => Place::Table(Table::Load, index),
+            LoadOrigin::Table(table) => (table, 0),
+            LoadOrigin::Group(index) => (Table::Part, index),
+            LoadOrigin::Pressure(index) => (Table::Pressure, index),
+            LoadOrigin::Soil(index, _) => (Table::Backfill, index),
+            LoadOrigin::Force(index) => (Table::Load, index),
         }
+    }
+
+    fn place(self) -> Place {
+        let (table, index) = self.table();
+        Place::Table(table, index)
     }
 }
 
 /// The table that says a load is the upper half of its number, the place of the table the lower.
 impl From<LoadOrigin> for LoadId {
     fn from(of: LoadOrigin) -> LoadId {
-        let (table, index) = match of {
-            LoadOrigin::Table(table) => (table, 0),
-            LoadOrigin::Group(index) => (Table::Part, index),
-            LoadOrigin::Pressure(index) => (Table::Pressure, index),
-            LoadOrigin::Soil(index, _) => (Table::Backfill, index),
-            LoadOrigin::Force(index) => (Table::Load, index),
-        };
+        let (table, index) = of.table();
         LoadId((table as u64) << 32 | index as u64)
     }
 }

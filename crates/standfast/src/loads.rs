@@ -161,6 +161,12 @@ impl<T: Scalar> Load<T> {
         Load { id, ..self }
     }
 
+    /// True of still water under the base.
+    pub fn is_water_under_base(&self) -> bool {
+        let is_under = matches!(self.action, Action::Pressure { face: Face::Base, .. });
+        self.source == LoadSource::Buoyancy && is_under
+    }
+
     /// Load that is too fast for water to follow it.
     pub fn fast(self) -> Load<T> {
         Load { is_fast: true, ..self }

@@ -7,6 +7,8 @@ use std::ops::Range;
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
+use standfast_cases::sweep::PLAIN;
+
 use crate::pieces::Done;
 use crate::results::Values;
 use crate::row_warning::RowWarnings;
@@ -149,7 +151,7 @@ impl<R: Read> Text<R> {
 /// The name of a column with the unit that stands below it, as one that is typed with its unit; without one where nothing is counted.
 pub(crate) fn with_unit(name: String, unit: &str) -> String {
     let unit = unit.trim().trim_matches(['[', ']', '(', ')']).trim();
-    let counts_nothing = matches!(unit, "" | "-" | "–" | "—" | "1");
+    let counts_nothing = PLAIN.contains(&unit) || ["–", "—"].contains(&unit);
     if counts_nothing || name.is_empty() || name.ends_with(']') { name } else { format!("{name} [{unit}]") }
 }
 
@@ -158,11 +160,11 @@ fn skip_lines(source: &mut impl Read, lines: u32) -> io::Result<bool> {
     let mut byte = [0];
     for _ in 0..lines {
         loop {
-            if source.read(&mut byte)? == 0 {
-                return Ok(false);
-            }
-            if byte[0] == b'\n' {
-                break;
+            match source.read_exact(&mut byte) {
+                Ok(()) if byte == *b"\n" => break,
+                Ok(()) => {}
+                Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => return Ok(false),
+                Err(error) => return Err(error),
             }
         }
     }

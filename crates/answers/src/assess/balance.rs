@@ -67,11 +67,7 @@ fn is_lift(load: &Load) -> bool {
 impl Balance {
     /// Moments that tip the body about a corner, and those that hold it, N·m per metre run.
     pub fn moments(&self, corner: Corner) -> [f64; 2] {
-        let moments = self.parts.iter().map(|part| part.tips(&self.body, corner));
-        moments.fold([0.0; 2], |[tips, holds], moment| match moment > 0.0 {
-            true => [tips + moment, holds],
-            false => [tips, holds - moment],
-        })
+        by_sign(self.parts.iter().map(|part| part.tips(&self.body, corner)))
     }
 
     /// The sum of the moments that tip the body about a corner over that of those that hold it. Zero where nothing tips it, infinite where
@@ -95,10 +91,7 @@ impl Balance {
 
     /// Forces that act down, and those that act up, N per metre run.
     pub fn vertical(&self) -> [f64; 2] {
-        self.parts.iter().map(|part| part.wrench.p).fold([0.0; 2], |[down, up], p| match p > 0.0 {
-            true => [down + p, up],
-            false => [down, up - p],
-        })
+        by_sign(self.parts.iter().map(|part| part.wrench.p))
     }
 
     /// All that acts down over all that acts up; infinite where nothing lifts.
@@ -118,4 +111,12 @@ impl Balance {
     pub fn body(&self) -> &Body {
         &self.body
     }
+}
+
+/// The sum of what is above zero, and that of what is below it, without its sign.
+fn by_sign(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([0.0; 2], |[above, below], value| match value > 0.0 {
+        true => [above + value, below],
+        false => [above, below - value],
+    })
 }

@@ -97,7 +97,7 @@ fn unknown(unknown: &Unknown) -> String {
 }
 
 /// What stands in brackets where a number has no unit.
-const PLAIN: [&str; 3] = ["-", "1", ""];
+pub const PLAIN: [&str; 3] = ["-", "1", ""];
 
 /// The name that heads a column, and the unit in brackets behind it. As in `load[2].force` the bracket is part of the name where
 /// nothing parts the two.

@@ -36,7 +36,7 @@ pub struct MadeLoad {
 }
 
 /// Coefficients of a layer; null of one that the load does not have.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct MadeCoefficients {
     /// Of the soil at rest of the ground.
     #[serde(rename = "K")]
@@ -122,13 +122,7 @@ fn of_soil(case: &Case, assessed: &Assessed, index: usize, fill: &SoilFill) -> V
         }
     };
     let still = || {
-        let of = |k: f64| MadeCoefficients {
-            k: Some(k),
-            k_e: None,
-            psi_deg: None,
-            k_e_wet: None,
-            psi_wet_deg: None,
-        };
+        let of = |k: f64| MadeCoefficients { k: Some(k), ..MadeCoefficients::default() };
         pressure.coefficients.iter().map(|coefficients| of(coefficients.k)).collect::<Vec<_>>()
     };
     let formula = match soil.state {
@@ -159,7 +153,7 @@ fn of_soil(case: &Case, assessed: &Assessed, index: usize, fill: &SoilFill) -> V
         };
         loads.push(load(fill.made(Made::Earthquake), formula, &increment.points, coefficients));
         if let Some([force, elevation]) = increment.pore_water {
-            let mut pore = load(&format!("{}, pore water", fill.name), "westergaard", &[], Vec::new());
+            let mut pore = load(&fill.pore_water(), "westergaard", &[], Vec::new());
             pore.diagrams.clear();
             (pore.force_h, pore.elevation) = (force * along, elevation);
             loads.push(pore);

@@ -12,7 +12,7 @@ use standfast_figures::{
 use standfast_model::load_words;
 
 use super::Assessment;
-use crate::case::{Acting, Case, Limit, SoilFill, Trial, Waves, soil_of};
+use crate::case::{Acting, Case, Limit, Made, SoilFill, Trial, Waves, soil_of};
 use crate::layout::digits;
 use crate::units::Extent;
 
@@ -178,10 +178,18 @@ fn kilograms(density: f64) -> String {
     format!("{} kg/m³", digits(density))
 }
 
+/// The side of a face that is upright.
+fn side_of(face: Face) -> Side {
+    if face == Face::Left { Side::Left } else { Side::Right }
+}
+
 /// Soil beside the body.
 fn backfill(fill: &SoilFill) -> Backfill {
-    let side = if fill.soil.face == Face::Left { Side::Left } else { Side::Right };
-    Backfill { side, top: fill.soil.top, slope: fill.soil.slope_deg.to_radians().tan() }
+    Backfill {
+        side: side_of(fill.soil.face),
+        top: fill.soil.top,
+        slope: fill.soil.slope_deg.to_radians().tan(),
+    }
 }
 
 /// Fill beside the body: permanent pressures on a side, as they are given, that rise with depth, up to where they begin.
@@ -250,15 +258,10 @@ fn levels(case: &Case) -> Vec<Level> {
         levels.extend(wet.map(|(side, elevation)| level(side, elevation, "water", true)));
     }
     for fill in &case.soils {
-        let side = if fill.soil.face == Face::Left { Side::Left } else { Side::Right };
+        let side = side_of(fill.soil.face);
         levels.push(level(side, fill.soil.top, "ground", false));
-        let mut upper = fill.soil.top;
-        for layer in fill.soil.layers.iter().take(fill.soil.layers.len() - 1) {
-            upper -= layer.thickness;
-            if upper > 0.0 {
-                levels.push(level(side, upper, "layer", false));
-            }
-        }
+        let bounds = fill.soil.bounds().into_iter().map(|[_, lower]| lower);
+        levels.extend(bounds.filter(|lower| *lower > 0.0).map(|lower| level(side, lower, "layer", false)));
     }
     if let Some(Waves { sea, section, goda, .. }) = &case.wave {
         let still = section.base_depth;
@@ -282,19 +285,12 @@ fn mound(wave: &Waves) -> Option<Mound> {
 
 /// The name of a load in a figure, where that of what is made of soil reads as words.
 fn drawn_words(load: &Load) -> String {
-    let words = load_words(load);
-    let of_soil = matches!(load.source, LoadSource::EarthPressure | LoadSource::EarthDrag);
-    match soil_of(&words).rsplit_once('.') {
-        Some((soil, made)) if of_soil => {
-            let made = if made == "surcharge" {
-                format!("surcharge on {soil}")
-            } else {
-                format!("{soil} in the earthquake")
-            };
-            if load.source == LoadSource::EarthDrag { format!("{made}, drag") } else { made }
-        }
-        _ => words,
-    }
+    let words = match soil_of(load) {
+        Some((soil, Some(Made::Surcharge))) => format!("surcharge on {soil}"),
+        Some((soil, Some(Made::Earthquake))) => format!("{soil} in the earthquake"),
+        _ => return load_words(load),
+    };
+    if load.source == LoadSource::EarthDrag { format!("{words}, drag") } else { words }
 }
 
 /// True of what a soil makes beside its own pressure, which is drawn as its resultant.

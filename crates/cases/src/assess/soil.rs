@@ -1,6 +1,6 @@
 //! Soil beside the body and the pressure that it makes, for reading.
 
-use standfast::loads::earth::{EarthIncrement, EarthPoint, EarthState, PoreWater, SoilLayer};
+use standfast::loads::earth::{EarthIncrement, EarthPoint, EarthState, PoreWater, SoilLayer, sums};
 use standfast::loads::{Earthquake, Face};
 
 use crate::case::{Case, SoilFill};
@@ -29,19 +29,8 @@ pub fn side(face: Face) -> &'static str {
 
 /// The resultant of a pressure: what pushes, its height above the base, and what drags down; N and m.
 pub fn resultant(points: &[EarthPoint]) -> [f64; 3] {
-    let sums = points.windows(2).fold([0.0; 3], |[push, moment, drag], pair| {
-        let [low, high] = [&pair[0], &pair[1]];
-        let height = high.elevation - low.elevation;
-        [
-            push + (low.normal + high.normal) / 2.0 * height,
-            moment
-                + height / 6.0
-                    * (low.normal * (2.0 * low.elevation + high.elevation)
-                        + high.normal * (low.elevation + 2.0 * high.elevation)),
-            drag + (low.tangential + high.tangential) / 2.0 * height,
-        ]
-    });
-    let [push, moment, drag] = sums;
+    let [push, moment] = sums(points, |point| point.normal);
+    let [drag, _] = sums(points, |point| point.tangential);
     [push, if push == 0.0 { 0.0 } else { moment / push }, drag]
 }
 
@@ -76,9 +65,8 @@ fn one(case: &Case, fill: &SoilFill) -> String {
         Some(water) => rows.push(row!["water in it", format!("{} above the base", metres(water.level))]),
         None => rows.push(row!["water in it", "none"]),
     }
-    let mut upper = soil.top;
-    for (place, (layer, of)) in soil.layers.iter().zip(&pressure.coefficients).enumerate() {
-        let lower = if place + 1 == soil.layers.len() { 0.0 } else { (upper - layer.thickness).max(0.0) };
+    let layers = soil.layers.iter().zip(&pressure.coefficients).zip(soil.bounds());
+    for ((layer, of), [upper, lower]) in layers {
         let heading = match soil.layers.len() {
             1 => "friction".to_owned(),
             _ => format!("{} to {} m", digits(upper), digits(lower)),
@@ -88,17 +76,8 @@ fn one(case: &Case, fill: &SoilFill) -> String {
             let words = format!("c = {} kPa, K_c = {}", digits(layer.soil.cohesion / 1e3), digits(of.k_c));
             rows.push(row!["", words]);
         }
-        upper = lower;
     }
-    let of = |points: &[EarthPoint]| {
-        let [push, elevation, drag] = resultant(points);
-        let drag = if drag == 0.0 {
-            String::new()
-        } else {
-            format!(", drags down {}", case.extent.kilonewtons(drag * along(case)))
-        };
-        format!("{} at {}{drag}", case.extent.kilonewtons(push * along(case)), metres(elevation))
-    };
+    let of = |points: &[EarthPoint]| acting(case, resultant(points));
     for (place, words) in diagram(&pressure.soil).into_iter().enumerate() {
         rows.push(row![if place == 0 { "pressure" } else { "" }, words]);
     }
@@ -115,6 +94,13 @@ fn one(case: &Case, fill: &SoilFill) -> String {
         text += &paragraph("No friction between soil and body is counted: `wall_friction_deg` is 0.", 2);
     }
     text + "\n"
+}
+
+/// What pushes, at which height, and what drags down, of a pressure per metre run.
+fn acting(case: &Case, [push, elevation, drag]: [f64; 3]) -> String {
+    let whole = |force: f64| case.extent.kilonewtons(force * along(case));
+    let drags = if drag == 0.0 { String::new() } else { format!(", drags down {}", whole(drag)) };
+    format!("{} at {}{drags}", whole(push), metres(elevation))
 }
 
 /// How long the body is along the soil, m.
@@ -170,18 +156,10 @@ pub(super) fn increments(case: &Case, earthquake: &Earthquake) -> String {
                 ]);
             }
         }
-        let drag = if drag == 0.0 {
-            String::new()
-        } else {
-            format!(", drags down {}", case.extent.kilonewtons(drag * along(case)))
-        };
         let [_, elevation, _] = resultant(&points);
-        let pushes =
-            format!("{} at {}{drag}", case.extent.kilonewtons(force * along(case)), metres(elevation));
-        rows.push(row!["adds", pushes]);
+        rows.push(row!["adds", acting(case, [force, elevation, drag])]);
         if let Some([force, elevation]) = pore_water {
-            let words = format!("{} at {}", case.extent.kilonewtons(force * along(case)), metres(elevation));
-            rows.push(row!["pore water", words]);
+            rows.push(row!["pore water", acting(case, [force, elevation, 0.0])]);
         }
         text += &format!("\n{}", paragraph(&format!("{} in the earthquake", fill.name), 0));
         text += &columns(&rows, 2, &[]);

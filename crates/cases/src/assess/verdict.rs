@@ -4,7 +4,7 @@ use standfast::loads::{Load, LoadSource};
 use standfast::{Boundary, Departure, Mode, Outcome, Response, Verdict};
 
 use super::{Assessed, AssessmentView, BaseResponse, predicate};
-use crate::case::soil_of;
+use crate::case::{Made, soil_of};
 use crate::layout::{self, columns, digits, percent, row};
 use crate::summary::{listed, quoted};
 use crate::units::Extent;
@@ -101,12 +101,12 @@ fn is_shaken_sideways(load: &Load) -> bool {
 }
 
 /// A variable load of a soil, as it stands in a sentence.
-fn soil_words(name: &str) -> String {
-    match soil_of(name).rsplit_once('.') {
-        Some((_, "earthquake")) => "the earthquake".to_owned(),
-        Some((soil, made)) => format!("the {made} on the {soil}"),
-        None => format!("the {name}"),
-    }
+fn soil_words(load: &Load) -> Option<String> {
+    Some(match soil_of(load)? {
+        (_, Some(Made::Earthquake)) => "the earthquake".to_owned(),
+        (soil, Some(Made::Surcharge)) => format!("the surcharge on the {soil}"),
+        (soil, None) => format!("the {soil}"),
+    })
 }
 
 /// The variable loads in a row, as they stand in a sentence.
@@ -114,7 +114,9 @@ pub fn risen_loads(assessed: &Assessed) -> String {
     let mut names: Vec<String> = Vec::new();
     for component in assessed.components().into_iter().filter(|component| !component.load.permanent) {
         let name = match component.load.source {
-            LoadSource::EarthPressure | LoadSource::EarthDrag => soil_words(&component.name),
+            LoadSource::EarthPressure | LoadSource::EarthDrag => {
+                soil_words(&component.load).unwrap_or_default()
+            }
             LoadSource::PoreWater => "the earthquake".to_owned(),
             LoadSource::WavePressure | LoadSource::WaveUplift => "the wave".to_owned(),
             LoadSource::HorizontalInertia | LoadSource::VerticalInertia | LoadSource::ShakenWater => {

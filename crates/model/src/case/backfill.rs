@@ -41,6 +41,7 @@ pub enum Made {
 impl Made {
     const ALL: [Made; 2] = [Made::Surcharge, Made::Earthquake];
 
+    /// Name behind that of the soil.
     fn name(self) -> &'static str {
         match self {
             Made::Surcharge => "surcharge",
@@ -55,15 +56,29 @@ const UNNAMED: &str = "backfill";
 /// Words behind the name of a soil for what it drags down.
 const DRAG: &str = ", drag";
 
-/// The name of the pressure that a load of a soil belongs to: that of what drags is the name of what pushes.
-pub fn soil_of(name: &str) -> &str {
-    name.strip_suffix(DRAG).unwrap_or(name)
+/// The name of the soil that a load is of, and what of it, where that is not its own pressure; `None` of another load.
+pub fn soil_of(load: &Load) -> Option<(&str, Option<Made>)> {
+    let name = load.name.as_deref()?;
+    let name = match load.source {
+        LoadSource::EarthPressure => name,
+        LoadSource::EarthDrag => name.strip_suffix(DRAG)?,
+        _ => return None,
+    };
+    // Its own pressure is there all the time, and the name of a soil may have any dots.
+    let made = Made::ALL.into_iter().filter(|_| !load.permanent);
+    let mut made = made.filter_map(|made| Some((name.strip_suffix(made.name())?.strip_suffix('.')?, made)));
+    Some(made.next().map_or((name, None), |(name, made)| (name, Some(made))))
 }
 
 impl SoilFill {
     /// Name of what it makes.
     pub fn made(&self, made: Made) -> &str {
         &self.made[made as usize]
+    }
+
+    /// Name of the push of its water in an earthquake.
+    pub fn pore_water(&self) -> String {
+        format!("{}, pore water", self.name)
     }
 
     /// Names of what it makes that a combination may name.
@@ -111,7 +126,7 @@ impl SoilFill {
             let shaken = variable(named(soil.loads(&increment.points), self.made(made)));
             add(of, shaken.into_iter().map(Load::fast).collect());
             if let Some(pore) = increment.pore_water {
-                let pore = soil.pore_load(body, pore).named(format!("{}, pore water", self.name));
+                let pore = soil.pore_load(body, pore).named(self.pore_water());
                 add(of, vec![pore.fast()]);
             }
         }
@@ -252,12 +267,10 @@ impl Reader<'_> {
 
     /// What of a soil goes together.
     fn stands(&self, index: usize, soil: &Backfill, water: Option<GroundWater>) -> Result<(), Fault> {
-        let tables = self.inputs.tables_in(Table::BackfillLayer, index);
-        for (layer, SoilLayer { soil: of, .. }) in soil.layers.iter().enumerate() {
-            let (table, place) = match tables.get(layer) {
-                Some(place) => (Table::BackfillLayer, *place),
-                None => (Table::Backfill, index),
-            };
+        let tables = tables_of_layers(self.inputs, index);
+        for (layer, (SoilLayer { soil: of, .. }, (table, place))) in
+            soil.layers.iter().zip(tables).enumerate()
+        {
             let id = |key| Id::of(table, place, key);
             let φ = of.friction_angle_deg;
             if soil.slope_deg >= φ {
@@ -319,12 +332,21 @@ impl Reader<'_> {
     }
 }
 
+/// The tables that say the layers of a fill, from the top, with their places: its own, or one for each layer.
+pub(crate) fn tables_of_layers(inputs: &Inputs, index: usize) -> Vec<(Table, usize)> {
+    match inputs.tables_in(Table::BackfillLayer, index) {
+        layers if layers.is_empty() => vec![(Table::Backfill, index)],
+        layers => layers.into_iter().map(|place| (Table::BackfillLayer, place)).collect(),
+    }
+}
+
 /// The keys of the soil of a fill, of all its layers, that are one angle or strength by name: those of the fill itself, or of each layer.
 pub(super) fn of_all_layers(inputs: &Inputs, id: Id) -> Vec<Id> {
-    let layers = inputs.tables_in(Table::BackfillLayer, id.index);
-    let is_of_fill = id.table == Table::Backfill && id.key.info().table == Table::Soil;
-    match is_of_fill && !layers.is_empty() {
-        true => layers.iter().map(|place| Id::of(Table::BackfillLayer, *place, id.key)).collect(),
-        false => vec![id],
+    if id.table != Table::Backfill || id.key.info().table != Table::Soil {
+        return vec![id];
     }
+    tables_of_layers(inputs, id.index)
+        .into_iter()
+        .map(|(table, place)| Id::of(table, place, id.key))
+        .collect()
 }

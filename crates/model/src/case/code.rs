@@ -3,9 +3,9 @@
 //! Values are recommended ones: EN 1997-1, annex A, as digitised in two open packages; PIANC WG 28, sub-group A, appendix B, table B1;
 //! UFC 3-220-20. National annexes change them, and psi factors are the user's.
 
-use crate::criteria::{Bound, Criterion};
+use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};
-use crate::inputs::{Inputs, LoadFactor};
+use crate::inputs::{Inputs, LoadFactor, Value};
 use crate::key::{Id, Key, Table};
 
 use super::combination::{ChangeBy, InputChange};
@@ -200,11 +200,11 @@ fn of_pianc(options: &Options<'_>) -> Result<[f64; 2], Fault> {
 /// What a code fills in of a combination, by its place, of a case with these loads on a base so wide.
 pub(super) fn filled(
     inputs: &Inputs,
+    code: &'static str,
     index: usize,
     loads: Vec<NamedLoad>,
     base: f64,
-) -> Result<Option<Filled>, Fault> {
-    let Some(code) = inputs.choice(Id::new(Key::CombinationCode, index)) else { return Ok(None) };
+) -> Result<Filled, Fault> {
     let at = Id::new(Key::CombinationOptions, index);
     let options = Options { given: inputs.settings(at).unwrap_or_default(), at };
     let set = set(code);
@@ -247,7 +247,7 @@ pub(super) fn filled(
                 Some(_) => options.one_of("ground", &["soil", "rock"], "\"soil\" or \"rock\"")?,
             };
             let most = base / if rock == 1 { 4.0 } else { 6.0 };
-            criteria.push(Criterion { key: Key::GreatestEccentricity, bound: Bound::AtMost(most) });
+            criteria.extend(Criterion::of(Key::GreatestEccentricity, &Value::Number(most)));
         }
         _ => options.only(&[])?,
     }
@@ -262,15 +262,9 @@ pub(super) fn filled(
     let has = |id: &Id| super::backfill::of_all_layers(inputs, *id).iter().any(of);
     let drained = soils.chain([Key::GroundAngle, Key::Cohesion].map(Id::from)).filter(has);
     changes.extend(drained.filter_map(|id| divided(id, set.materials[0])));
-    changes.extend(
-        [Id::from(Key::Strength)].into_iter().filter(of).filter_map(|id| divided(id, set.materials[1])),
-    );
-    criteria.extend(set.criteria.iter().map(|(key, bound)| Criterion {
-        key: *key,
-        bound: match key {
-            Key::GreatestTipping => Bound::AtMost(*bound),
-            _ => Bound::AtLeast(*bound),
-        },
-    }));
-    Ok(Some(Filled { code, factors, changes, sliding: set.resist[0], bearing: set.resist[1], criteria }))
+    let strength = Some(Id::from(Key::Strength)).filter(of);
+    changes.extend(strength.and_then(|id| divided(id, set.materials[1])));
+    criteria
+        .extend(set.criteria.iter().filter_map(|(key, bound)| Criterion::of(*key, &Value::Number(*bound))));
+    Ok(Filled { code, factors, changes, sliding: set.resist[0], bearing: set.resist[1], criteria })
 }

@@ -175,8 +175,7 @@ impl Case {
         let Acting::Combination(index) = acting else { return 1.0 };
         let case = self.under(acting);
         let combination = &case.combinations[index];
-        let shaken = trial.signs().and_then(|signs| case.shaken(signs)).or(case.earthquake);
-        let all = case.loads(acting, shaken);
+        let all = case.loads_tried(acting, trial);
         let is_it = |of: LoadOrigin, other: &Load| {
             (of.into(), other.source, &other.name) == (load.id, load.source, &load.name)
         };
@@ -409,14 +408,12 @@ impl Reader<'_> {
         soils: &[SoilFill],
     ) -> Result<Combination, Fault> {
         let id = |key| Id::new(key, index);
-        let filled = match self.inputs.get(id(Key::CombinationCode)).is_some() {
-            true => filled(
-                self.inputs,
-                index,
-                self.named_loads(index, forces, pressures, soils)?,
-                body.base_width(),
-            )?,
-            false => None,
+        let filled = match self.inputs.choice(id(Key::CombinationCode)) {
+            Some(code) => {
+                let loads = self.named_loads(index, forces, pressures, soils)?;
+                Some(filled(self.inputs, code, index, loads, body.base_width())?)
+            }
+            None => None,
         };
         let factors = self.inputs.factors(id(Key::LoadFactors));
         let factors = match &filled {

@@ -8,7 +8,9 @@ use standfast::wave::Heights;
 use standfast::{BaseEdges, BaseOpening, Situation, Slip};
 
 use super::Warning;
-use crate::case::{Acting, Case, Direction, FacePressure, Made, Trial, Waves, Weight, said_by};
+use crate::case::{
+    Acting, Case, Direction, FacePressure, Made, Trial, Waves, Weight, said_by, tables_of_layers,
+};
 use crate::criteria::Bound;
 use crate::error::Place;
 use crate::key::{Id, Key, Table};
@@ -167,21 +169,19 @@ impl Case {
     fn forces(&self) -> Vec<Warning> {
         let left = self.body.base_edges().left - self.body.width() / 2.0;
         let right = left + self.body.width();
+        let beside_body = |distance: f64| (left - distance).max(distance - right);
         let off = self.forces.iter().enumerate().filter_map(|(index, force)| {
             let lever = force.lever.clone()?;
             let above = force.elevation - self.body.height();
-            let beside = force.distance.map_or(0.0, |distance| (left - distance).max(distance - right));
+            let beside = force.distance.map_or(0.0, beside_body);
             let [above, beside] = [above, beside].map(|by| if by > SLACK { by } else { 0.0 });
             let id = Id::new(Key::LoadLever, index);
             (above > 0.0 || beside > 0.0).then_some(Warning::LoadOffTheBody { id, lever, above, beside })
         });
-        let off: Vec<Warning> = off.collect();
-        let beside = self.forces.iter().enumerate().filter_map(|(index, force)| {
-            if force.lever.is_some() {
-                return None;
-            }
+        let on_body = self.forces.iter().enumerate().filter(|(_, force)| force.lever.is_none());
+        let beside = on_body.filter_map(|(index, force)| {
             let distance = force.distance.filter(|_| !matches!(force.direction, Direction::Sideways(_)))?;
-            let beside = (left - distance).max(distance - right);
+            let beside = beside_body(distance);
             let id = Id::new(Key::LoadDistance, index);
             (beside > SLACK).then_some(Warning::LoadBesideBody { id, distance, beside })
         });
@@ -244,10 +244,8 @@ impl Case {
         for (index, fill) in self.soils.iter().enumerate() {
             let name = || fill.name.clone();
             let own = |key| Id::of(Table::Backfill, index, key);
-            let tables = self.inputs.tables_in(Table::BackfillLayer, index);
-            for (layer, of) in fill.soil.layers.iter().enumerate() {
-                let place = tables.get(layer).map(|place| (Table::BackfillLayer, *place));
-                let (table, place) = place.unwrap_or((Table::Backfill, index));
+            let tables = tables_of_layers(&self.inputs, index);
+            for (of, (table, place)) in fill.soil.layers.iter().zip(tables) {
                 let id = |key| Id::of(table, place, key);
                 let (wall, friction) = (of.soil.wall_friction_deg, of.soil.friction_angle_deg);
                 // Along the slope of the ground it is that of the soil itself, on the upright through the heel.
@@ -317,12 +315,17 @@ impl Case {
     /// About water under a base that opens, in the situation of each set of loads that opens it most.
     fn opened(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
-        if self.opening.is_none() || self.water.is_none() {
+        if self.opening.is_none() {
             return warnings;
         }
         let base = self.body.base_width();
         let all = self.acting();
-        for acting in all.iter().copied() {
+        // Under equal heads nothing follows.
+        let may_open = |acting: &&Acting| {
+            let case = self.under(**acting);
+            case.follows_opening() || case.drain.is_some()
+        };
+        for acting in all.iter().filter(may_open).copied() {
             let tried = self.trials(acting).into_iter().filter_map(|trial| {
                 self.situation(acting, trial).ok().and_then(|situation| situation.base_opening())
             });

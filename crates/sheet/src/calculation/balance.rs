@@ -5,7 +5,7 @@ use standfast_cases::assess::{Balance, BalancePart, Component};
 use standfast_cases::results::ResultName;
 use standfast_cases::{Assessed, Case};
 
-use super::loads::{parts, sum};
+use super::loads::{parts, signed, sum};
 use crate::measured::{FACTOR, KILONEWTON, MOMENT};
 use crate::steps::SheetSteps;
 
@@ -82,29 +82,17 @@ fn one(steps: &mut SheetSteps, balance: &Balance, part: &BalancePart, corner: Co
     let [x, v, m] = parts(part.of);
     let moment = part.tips(balance.body(), corner);
     let about = format!("Load {}", part.of + 1);
-    let (arm, sign) = if corner == Corner::O { ("b_1", 1.0) } else { ("b_2", -1.0) };
+    let about_o = corner == Corner::O;
+    let arm = if about_o { "b_1" } else { "b_2" };
     if balance.parts().iter().filter(|other| other.of == part.of).count() > 1 {
         let words = if part.wrench.p == 0.0 { "of its horizontal part" } else { "of its vertical part" };
         return steps.told(&about, name, moment, MOMENT, words, "");
     }
-    let mut formula = String::new();
-    let mut add = |plus: bool, term: &str| {
-        let sign = match (plus, formula.is_empty()) {
-            (true, true) => "",
-            (false, true) => "−",
-            (true, false) => " + ",
-            (false, false) => " − ",
-        };
-        formula += &format!("{sign}{term}");
-    };
-    if part.wrench.m != 0.0 {
-        add(sign > 0.0, &m);
-    }
-    if part.wrench.x != 0.0 {
-        add(sign < 0.0, &format!("{x} y_C"));
-    }
-    if part.wrench.p != 0.0 {
-        add(false, &format!("{v} {arm}"));
-    }
-    steps.add(&about, "", [name, &formula], moment, MOMENT, "");
+    let terms = [
+        (part.wrench.m, about_o, m),
+        (part.wrench.x, !about_o, format!("{x} y_C")),
+        (part.wrench.p, false, format!("{v} {arm}")),
+    ];
+    let terms = terms.into_iter().filter(|(value, ..)| *value != 0.0).map(|(_, plus, term)| (plus, term));
+    steps.add(&about, "", [name, &signed(terms)], moment, MOMENT, "");
 }

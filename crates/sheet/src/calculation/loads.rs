@@ -27,6 +27,19 @@ pub(super) fn sum<'a>(components: impl Iterator<Item = (String, f64)> + 'a) -> O
     (!names.is_empty()).then(|| names.join(" + "))
 }
 
+/// A sum of terms, each added or taken away; empty without any.
+pub(super) fn signed(terms: impl IntoIterator<Item = (bool, String)>) -> String {
+    terms.into_iter().fold(String::new(), |sum, (plus, term)| {
+        let sign = match (sum.is_empty(), plus) {
+            (true, true) => "",
+            (true, false) => "−",
+            (false, true) => " + ",
+            (false, false) => " − ",
+        };
+        sum + sign + &term
+    })
+}
+
 /// A formula as a factor: in parentheses if it is a sum.
 pub(super) fn grouped(formula: &str) -> String {
     if formula.contains(' ') { format!("({formula})") } else { formula.to_owned() }

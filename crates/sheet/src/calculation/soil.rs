@@ -1,7 +1,7 @@
 //! Soil beside the body: from its friction to its pressure, point by point.
 
 use standfast::Plan;
-use standfast::loads::earth::{EarthPoint, EarthState, SoilLayer, SoilStretch};
+use standfast::loads::earth::{EarthPoint, EarthState, PoreWater, SoilLayer, SoilStretch, sums};
 use standfast::loads::{Face, Load, LoadSource};
 use standfast_cases::assess::soil::{formula, formula_of_increment, side};
 use standfast_cases::case::{Made, SoilFill, soil_of};
@@ -311,9 +311,7 @@ pub(super) fn increments(steps: &mut SheetSteps, case: &Case, assessed: &Assesse
                 let (angle, name) = (symbols.at("ψ_E", place), symbols.at("K_E", place));
                 let words = match (wet, soil.pore_water) {
                     (0, _) => "arctan(k_h/(1 − k_v)), above water",
-                    (_, standfast::loads::earth::PoreWater::Free) => {
-                        "arctan(γ_dry k_h/((γ_sat − γ_w)(1 − k_v))), below water"
-                    }
+                    (_, PoreWater::Free) => "arctan(γ_dry k_h/((γ_sat − γ_w)(1 − k_v))), below water",
                     _ => "arctan(γ_sat k_h/((γ_sat − γ_w)(1 − k_v))), below water",
                 };
                 steps.told("Angle by which gravity is turned", &angle, *ψ, DEGREE, words, "");
@@ -341,7 +339,7 @@ pub(super) fn increments(steps: &mut SheetSteps, case: &Case, assessed: &Assesse
                     }
                     let name = |of: &str| symbols.own(&format!("{letter}_{of}"));
                     let (shaken, at_rest) = (name("E"), name("S"));
-                    let before: f64 = still.iter().map(|points| sum_of(points, of)).sum();
+                    let before: f64 = still.iter().map(|points| sums(points, of)[0]).sum();
                     let about = if letter == "P" { "Pressure with it" } else { "The same down the body" };
                     steps.add(
                         about,
@@ -355,7 +353,7 @@ pub(super) fn increments(steps: &mut SheetSteps, case: &Case, assessed: &Assesse
                         strips(&symbols, &pressure.soil, &format!("{part}_e"), "z_e", of),
                         strips(&symbols, &pressure.surcharge, &format!("{part}_q"), "z_q", of),
                     ];
-                    let terms: Vec<String> = terms.into_iter().flatten().collect();
+                    let terms: Vec<String> = terms.into_iter().flatten().map(|[sum, _]| sum).collect();
                     steps.add("Without it", "", [&at_rest, &terms.join(" + ")], before, KILONEWTON, "");
                     let (about, name) = if letter == "P" {
                         ("What it adds, against the upright", &force)
@@ -400,22 +398,14 @@ pub(super) fn increments(steps: &mut SheetSteps, case: &Case, assessed: &Assesse
     }
 }
 
-/// The sum of a pressure over the height, N per metre run.
-fn sum_of(points: &[EarthPoint], of: fn(&EarthPoint) -> f64) -> f64 {
-    let strips = points
-        .windows(2)
-        .map(|pair| (of(&pair[0]) + of(&pair[1])) / 2.0 * (pair[1].elevation - pair[0].elevation));
-    strips.sum()
-}
-
-/// The strips of a pressure whose points have these symbols, as formulas.
+/// The strips of a pressure whose points have these symbols, as formulas: each with its moment about the base.
 fn strips(
     symbols: &SoilSymbols<'_>,
     points: &[EarthPoint],
     value: &str,
     height: &str,
     of: fn(&EarthPoint) -> f64,
-) -> Vec<String> {
+) -> Vec<[String; 2]> {
     let mut strips = Vec::new();
     for (place, pair) in points.windows(2).enumerate() {
         if pair[0].elevation == pair[1].elevation || (of(&pair[0]), of(&pair[1])) == (0.0, 0.0) {
@@ -423,7 +413,8 @@ fn strips(
         }
         let [z1, z2] = [place, place + 1].map(|place| symbols.at(height, place));
         let [q1, q2] = [place, place + 1].map(|place| symbols.at(value, place));
-        strips.push(format!("({q1} + {q2})/2 ({z2} − {z1})"));
+        let moment = format!("({z2} − {z1})/6 ({q1} (2 {z1} + {z2}) + {q2} ({z1} + 2 {z2}))");
+        strips.push([format!("({q1} + {q2})/2 ({z2} − {z1})"), moment]);
     }
     strips
 }
@@ -469,23 +460,12 @@ pub(super) fn load(
         Some(Made::Earthquake) => (increment.map(|increment| increment.points).unwrap_or_default(), "E"),
     };
     let along = case.body.plan().side(case.body.width());
-    let of = |point: &EarthPoint| if is_drag { point.tangential } else { point.normal };
-    let (mut sum, mut lever) = (0.0, 0.0);
-    let (mut sums, mut levers) = (Vec::new(), Vec::new());
-    let value = if is_drag { "t" } else { "p" };
-    for (place, pair) in points.windows(2).enumerate() {
-        let [y1, y2] = [pair[0].elevation, pair[1].elevation];
-        let [p1, p2] = [of(&pair[0]), of(&pair[1])];
-        if y1 == y2 || (p1, p2) == (0.0, 0.0) {
-            continue;
-        }
-        sum += (p1 + p2) / 2.0 * (y2 - y1);
-        lever += (y2 - y1) / 6.0 * (p1 * (2.0 * y1 + y2) + p2 * (y1 + 2.0 * y2));
-        let [z1, z2] = [place, place + 1].map(|place| symbols.at(&format!("z_{letter}"), place));
-        let [q1, q2] = [place, place + 1].map(|place| symbols.at(&format!("{value}_{letter}"), place));
-        sums.push(format!("({q1} + {q2})/2 ({z2} − {z1})"));
-        levers.push(format!("({z2} − {z1})/6 ({q1} (2 {z1} + {z2}) + {q2} ({z1} + 2 {z2}))"));
-    }
+    let (value, of): (_, fn(&EarthPoint) -> f64) =
+        if is_drag { ("t", |point| point.tangential) } else { ("p", |point| point.normal) };
+    let [sum, lever] = sums(&points, of);
+    let strips = strips(&symbols, &points, &format!("{value}_{letter}"), &format!("z_{letter}"), of);
+    let (of_sum, of_lever): (Vec<String>, Vec<String>) =
+        strips.into_iter().map(|[sum, lever]| (sum, lever)).unzip();
     let times = match (case.body.plan(), case.extent) {
         (Plan::Circle, _) => " w",
         (_, Extent::Whole) => " L_b",
@@ -496,9 +476,9 @@ pub(super) fn load(
         times => format!("({}){times}", terms.join(" + ")),
     };
     let about = format!("{name}: sum along the face");
-    steps.add(&about, "", [sum_name, &whole(&sums)], sum * along, KILONEWTON, "");
+    steps.add(&about, "", [sum_name, &whole(&of_sum)], sum * along, KILONEWTON, "");
     let about = "Its moment about the base";
-    steps.add(about, "", [lever_name, &whole(&levers)], lever * along, MOMENT, "");
+    steps.add(about, "", [lever_name, &whole(&of_lever)], lever * along, MOMENT, "");
     true
 }
 
@@ -511,10 +491,7 @@ pub(super) fn formulas(
     factor: &str,
 ) -> Option<[Option<String>; 3]> {
     if load.source == LoadSource::PoreWater {
-        let index = case
-            .soils
-            .iter()
-            .position(|fill| load.name.as_deref() == Some(&format!("{}, pore water", fill.name)))?;
+        let index = case.soils.iter().position(|fill| load.name == Some(fill.pore_water()))?;
         let symbols = SoilSymbols::of(case, index);
         let (force, elevation) = (symbols.own("P_pw"), symbols.own("z_pw"));
         let long = if case.extent == Extent::Whole { " L_b" } else { "" };
@@ -551,12 +528,6 @@ pub(super) fn formulas(
 
 /// The soil that a load is of, by its place, and what of it.
 fn made_by(case: &Case, load: &Load) -> Option<(usize, Option<Made>)> {
-    if !matches!(load.source, LoadSource::EarthPressure | LoadSource::EarthDrag) {
-        return None;
-    }
-    let name = soil_of(load.name.as_deref()?);
-    case.soils.iter().enumerate().find_map(|(index, fill)| {
-        let made = [Made::Surcharge, Made::Earthquake].into_iter().find(|made| fill.made(*made) == name);
-        (fill.name == name || made.is_some()).then_some((index, made))
-    })
+    let (name, made) = soil_of(load)?;
+    Some((case.soils.iter().position(|fill| fill.name == name)?, made))
 }

@@ -75,6 +75,22 @@ pub enum OpeningState {
     Through,
 }
 
+impl OpeningState {
+    /// The length that is pressed, of a base so wide.
+    pub fn contact(self, width: f64) -> f64 {
+        match self {
+            OpeningState::Closed => width,
+            OpeningState::Open { contact, .. } => contact,
+            OpeningState::Through => 0.0,
+        }
+    }
+
+    /// True if a drain under the base would work.
+    pub fn is_drained(self) -> bool {
+        matches!(self, OpeningState::Closed | OpeningState::Open { drained: true, .. })
+    }
+}
+
 /// Loads on a block whose water opens its base: all but the water under it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OpeningLoads {
@@ -101,6 +117,20 @@ pub struct OpeningSolution {
     pub wrench: Wrench,
     /// True if an opening is followed; else the straight line under a closed base decides.
     pub follows: bool,
+}
+
+impl OpeningSolution {
+    /// Every mode of `block` under a wrench with the water of a state.
+    fn of(
+        block: &Block,
+        wrench: Wrench,
+        state: OpeningState,
+        follows: bool,
+    ) -> Result<OpeningSolution, InputError> {
+        let found = solve(block, &wrench)?;
+        let motion = found.mode().and_then(|mode| found.motion(mode));
+        Ok(OpeningSolution { modes: found.modes, mode: found.mode(), state, motion, wrench, follows })
+    }
 }
 
 impl BaseWater {
@@ -157,10 +187,7 @@ impl BaseWater {
         check(block, &steady)?;
         let state = self.state(block, &steady);
         let wrench = steady + self.wrench(block, state) + loads.fast * factor;
-        let found = solve(block, &wrench)?;
-        let motion = found.mode().and_then(|mode| found.motion(mode));
-        let follows = state != OpeningState::Closed;
-        Ok(OpeningSolution { modes: found.modes, mode: found.mode(), state, motion, wrench, follows })
+        OpeningSolution::of(block, wrench, state, state != OpeningState::Closed)
     }
 
     /// The stages of variable loads that rise from nothing without end.
@@ -276,6 +303,13 @@ struct Net {
     x: f64,
 }
 
+impl Net {
+    /// The way in which it is pushed.
+    fn slip(&self) -> Slip {
+        if self.x < 0.0 { Slip::Left } else { Slip::Right }
+    }
+}
+
 /// A base with the higher head at the right: that of the problem, or its mirror image.
 struct Given {
     /// The width of the base, and the distance of its left end from C.
@@ -330,14 +364,15 @@ impl Given {
 
     fn rest(&self, n: f64, t: f64) -> OpeningState {
         let [_, squared] = self.drained();
-        if 3.0 * t + squared >= self.b * n {
-            return OpeningState::Closed;
-        }
         self.opened(n, 3.0 * t, squared)
     }
 
-    /// The state of a base that opens, c = `above`/`below`, or with `drained` above as well while the drain works.
+    /// The state of a base pressed over c = `above`/`below`, or with `drained` above as well while the drain works; closed where that is no
+    /// less than the base.
     fn opened(&self, below: f64, above: f64, drained: f64) -> OpeningState {
+        if above + drained >= self.b * below {
+            return OpeningState::Closed;
+        }
         if below <= 0.0 {
             return OpeningState::Through;
         }
@@ -363,11 +398,7 @@ impl Given {
     fn slide(&self, Net { n, t, x }: &Net, slip: Slip) -> OpeningState {
         let [μ, drained] = self.slip(slip);
         let above = 3.0 * (t + self.d * (-x - μ * n));
-        let below = n + 1.5 * μ * self.d * self.delta;
-        if above + drained >= self.b * below {
-            return OpeningState::Closed;
-        }
-        self.opened(below, above, drained)
+        self.opened(n + 1.5 * μ * self.d * self.delta, above, drained)
     }
 
     /// True if the closed base would open: at rest if friction holds it, else in the slide.
@@ -377,21 +408,16 @@ impl Given {
         if net.x.abs() <= self.mu_s * pressed {
             return self.rest(net.n, net.t) != OpeningState::Closed;
         }
-        let slip = if net.x < 0.0 { Slip::Left } else { Slip::Right };
-        self.slide(net, slip) != OpeningState::Closed
+        self.slide(net, net.slip()) != OpeningState::Closed
     }
 
     /// U, and its moment about the left end.
     fn uplift(&self, state: OpeningState) -> [f64; 2] {
         let Given { b, high, delta, .. } = *self;
-        let (contact, drained) = match state {
-            OpeningState::Closed => (b, true),
-            OpeningState::Open { contact, drained } => (contact, drained),
-            OpeningState::Through => (0.0, false),
-        };
+        let contact = state.contact(b);
         let mut uplift = high * b - delta * contact / 2.0;
         let mut moment = high * b * b / 2.0 - delta * contact * contact / 6.0;
-        if let Some(Drain { distance, .. }) = self.drain.filter(|_| drained) {
+        if let Some(Drain { distance, .. }) = self.drain.filter(|_| state.is_drained()) {
             let [force, _] = self.drained();
             uplift -= force;
             moment -= force * (contact + distance) / 3.0;
@@ -406,15 +432,11 @@ impl Given {
 
     fn diagram(&self, state: OpeningState) -> Vec<(f64, f64)> {
         let low = self.high - self.delta;
-        let (contact, drained) = match state {
-            OpeningState::Closed => (self.b, true),
-            OpeningState::Open { contact, drained } => (contact, drained),
-            OpeningState::Through => (0.0, false),
-        };
+        let contact = state.contact(self.b);
         let mut points = Vec::new();
         if contact > 0.0 {
             points.push((0.0, low));
-            if let Some(Drain { distance, efficiency }) = self.drain.filter(|_| drained) {
+            if let Some(Drain { distance, efficiency }) = self.drain.filter(|_| state.is_drained()) {
                 points.push((distance, low + (1.0 - efficiency) * self.delta * distance / contact));
             }
         }
@@ -434,16 +456,7 @@ impl Given {
         let state = self.rest(net.n, net.t);
         let closed = *loads + self.water(OpeningState::Closed);
         if self.delta == 0.0 || !self.opens(&net) {
-            let found = solve(block, &closed)?;
-            let motion = found.mode().and_then(|mode| found.motion(mode));
-            return Ok(OpeningSolution {
-                modes: found.modes,
-                mode: found.mode(),
-                state,
-                motion,
-                wrench: closed,
-                follows: false,
-            });
+            return OpeningSolution::of(block, closed, state, false);
         }
         let orient = |mode: Mode| if self.mirrored { mode.mirrored() } else { mode };
         let (mut modes, mut reported) = (Modes::NONE, None);
@@ -466,7 +479,7 @@ impl Given {
             look(state, &|mode| mode == Mode::Rest)?;
         }
         // It slides the way it is pushed.
-        let slip = if net.x < 0.0 { Slip::Left } else { Slip::Right };
+        let slip = net.slip();
         match self.slide(&net, slip) {
             OpeningState::Through => {}
             state => look(state, &|mode| mode == Mode::slide(slip))?,

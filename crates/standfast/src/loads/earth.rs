@@ -48,6 +48,16 @@ pub struct Soil {
     pub ocr: f64,
 }
 
+impl Soil {
+    /// Its unit weight, its water with it where it is wet, N/m³.
+    fn weight(&self, wet: bool) -> f64 {
+        match self.unit_weight_saturated {
+            Some(saturated) if wet => saturated,
+            _ => self.unit_weight,
+        }
+    }
+}
+
 /// A layer of soil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoilLayer {
@@ -227,13 +237,25 @@ impl Backfill {
         self.layers.iter().map(of).collect()
     }
 
+    /// The upper and the lower end of each layer above the base, m; the last reaches the base.
+    pub fn bounds(&self) -> Vec<[f64; 2]> {
+        let mut upper = self.top;
+        let layers = self.layers.iter().enumerate();
+        let bounds = layers.map(|(layer, SoilLayer { thickness, .. })| {
+            let last = layer + 1 == self.layers.len();
+            let lower = if last { 0.0 } else { (upper - thickness).max(0.0) };
+            [std::mem::replace(&mut upper, lower), lower]
+        });
+        bounds.collect()
+    }
+
     /// The stretches of soil and water, from the top down to the base.
     pub fn stretches(&self, water: Option<GroundWater>) -> Vec<SoilStretch<'_>> {
         let (mut upper, mut stress) = (self.top, 0.0);
         let mut stretches = Vec::new();
-        for (layer, SoilLayer { soil, thickness }) in self.layers.iter().enumerate() {
-            let last = layer + 1 == self.layers.len();
-            let bottom = if last { 0.0 } else { (upper - thickness).max(0.0) };
+        for (layer, (SoilLayer { soil, .. }, [_, bottom])) in
+            self.layers.iter().zip(self.bounds()).enumerate()
+        {
             let level = water.map_or(f64::NEG_INFINITY, |water| water.level);
             for lower in [level, bottom].map(|end| end.max(bottom)) {
                 if lower >= upper {
@@ -241,12 +263,7 @@ impl Backfill {
                 }
                 let wet = upper <= level;
                 let lifted = water.filter(|_| wet).map_or(0.0, |water| water.unit_weight);
-                let weight = if wet {
-                    soil.unit_weight_saturated.unwrap_or(soil.unit_weight)
-                } else {
-                    soil.unit_weight
-                };
-                let below = stress + (weight - lifted) * (upper - lower);
+                let below = stress + (soil.weight(wet) - lifted) * (upper - lower);
                 stretches.push(SoilStretch {
                     layer,
                     soil,
@@ -349,17 +366,14 @@ impl Backfill {
                 }
                 let EarthPressure { soil, surcharge, .. } = self.pressure(water);
                 for points in [soil, surcharge] {
-                    force -= sum_of(&points, |point| point.normal);
-                    drag -= sum_of(&points, |point| point.tangential);
+                    force -= sums(&points, |point| point.normal)[0];
+                    drag -= sums(&points, |point| point.tangential)[0];
                 }
             }
             // Wood's, of a wall that does not yield.
             EarthState::AtRest => {
                 let weight = |stretch: &SoilStretch<'_>| {
-                    let Soil { unit_weight, unit_weight_saturated, .. } = *stretch.soil;
-                    let of =
-                        if stretch.wet { unit_weight_saturated.unwrap_or(unit_weight) } else { unit_weight };
-                    of * (stretch.ends[0] - stretch.ends[1])
+                    stretch.soil.weight(stretch.wet) * (stretch.ends[0] - stretch.ends[1])
                 };
                 force = k_h * stretches.iter().map(weight).sum::<f64>() * height;
                 at = 0.6;
@@ -380,7 +394,7 @@ impl Backfill {
     /// What is shaken over what weighs: the share by which k_h counts in tan ψ.
     fn inertia_share(&self, soil: &Soil, water: Option<GroundWater>) -> f64 {
         let Some(water) = water else { return 1.0 };
-        let saturated = soil.unit_weight_saturated.unwrap_or(soil.unit_weight);
+        let saturated = soil.weight(true);
         let shaken = match self.pore_water {
             PoreWater::WithSoil => saturated,
             PoreWater::Free => soil.unit_weight_dry.unwrap_or(soil.unit_weight),
@@ -390,13 +404,7 @@ impl Backfill {
 
     /// True if a layer has water in it that stands up to `level`.
     pub fn is_wet(&self, layer: usize, level: f64) -> bool {
-        let above: f64 = self.layers[..layer].iter().map(|layer| layer.thickness).sum();
-        let bottom = if layer + 1 == self.layers.len() {
-            0.0
-        } else {
-            self.top - above - self.layers[layer].thickness
-        };
-        level > bottom.max(0.0)
+        level > self.bounds()[layer][1]
     }
 
     /// The loads of a pressure: what pushes, and what drags the body down.
@@ -442,10 +450,12 @@ fn from_base(points: Vec<EarthPoint>) -> Vec<EarthPoint> {
     kept
 }
 
-/// ∫ of a pressure over the height.
-fn sum_of(points: &[EarthPoint], of: fn(&EarthPoint) -> f64) -> f64 {
-    points
-        .windows(2)
-        .map(|pair| (of(&pair[0]) + of(&pair[1])) / 2.0 * (pair[1].elevation - pair[0].elevation))
-        .sum()
+/// ∫p dy and ∫p y dy of a part of a pressure over the height, N and N·m per metre run.
+pub fn sums(points: &[EarthPoint], part: fn(&EarthPoint) -> f64) -> [f64; 2] {
+    points.windows(2).fold([0.0; 2], |[sum, moment], pair| {
+        let [y1, y2] = [pair[0].elevation, pair[1].elevation];
+        let [p1, p2] = [part(&pair[0]), part(&pair[1])];
+        let of_strip = (y2 - y1) / 6.0 * (p1 * (2.0 * y1 + y2) + p2 * (y1 + 2.0 * y2));
+        [sum + (p1 + p2) / 2.0 * (y2 - y1), moment + of_strip]
+    })
 }

@@ -64,9 +64,7 @@ impl<T: Scalar> Earthquake<T> {
         }
         loads
     }
-}
 
-impl<T: Scalar> Earthquake<T> {
     /// Earthquake in f64.
     pub fn rounded(&self) -> Earthquake {
         Earthquake { horizontal: self.horizontal.value(), vertical: self.vertical.value() }

@@ -4,7 +4,7 @@ use super::{Response, Situation};
 use crate::contact::Block;
 use crate::contact::opening::{BaseWater, Drain, OpeningLoads, OpeningSolution, OpeningState};
 use crate::error::InputError;
-use crate::loads::{Action, Face, Load, LoadSource, PressureDiagram};
+use crate::loads::{Action, Face, PressureDiagram};
 use crate::mode::Mode;
 use crate::plan::Plan;
 use crate::stage::Stage;
@@ -56,17 +56,12 @@ pub struct BaseOpening {
 impl BaseOpening {
     /// The length of the base that is pressed, of `width`, m.
     pub fn contact(&self, width: f64) -> f64 {
-        match self.state {
-            OpeningState::Closed => width,
-            OpeningState::Open { contact, .. } => contact,
-            OpeningState::Through => 0.0,
-        }
+        self.state.contact(width)
     }
 
     /// Whether the drain works; `None` without one.
     pub fn drain_works(&self) -> Option<bool> {
-        self.drain
-            .map(|_| !matches!(self.state, OpeningState::Open { drained: false, .. } | OpeningState::Through))
+        self.drain.map(|_| self.state.is_drained())
     }
 
     /// The higher of both pressures, Pa: that of what has opened.
@@ -95,16 +90,12 @@ impl Situation {
         let drained = self.with_opening(OpeningRule::Steady, Some(drain));
         let Some(Opening { water, .. }) = drained.opening else { return drained };
         let points = water.diagram(&drained.block_in_metres(), OpeningState::Closed);
-        drained.under(&points).closed()
-    }
-
-    fn closed(self) -> Situation {
-        Situation { opening: None, ..self }
+        Situation { opening: None, ..drained.under(&points) }
     }
 
     /// Situation with these pressures under its base, at distances from O.
     fn under(mut self, points: &[(f64, f64)]) -> Situation {
-        for load in self.loads.iter_mut().filter(|load| is_under_base(load)) {
+        for load in self.loads.iter_mut().filter(|load| load.is_water_under_base()) {
             let factor = load.factor;
             let points = points.iter().map(|(position, pressure)| (*position, pressure / factor));
             let diagram = PressureDiagram::through(points);
@@ -116,7 +107,7 @@ impl Situation {
     /// Situation with the water under its base as its loads open it at rest.
     pub(super) fn reopened(self) -> Situation {
         let Some(Opening { water, .. }) = self.opening else { return self };
-        let state = self.state_at(1.0);
+        let state = self.opening_at(1.0);
         if state != OpeningState::Closed || water.drain.is_some() {
             let points = water.diagram(&self.block_in_metres(), state);
             return self.under(&points);
@@ -126,7 +117,7 @@ impl Situation {
 
     /// Pressures of still water at both ends of the base, times the factor of their load, Pa.
     fn heads(&self) -> Option<[f64; 2]> {
-        let under = self.loads.iter().filter(|load| is_under_base(load));
+        let under = self.loads.iter().filter(|load| load.is_water_under_base());
         let ends = under.filter_map(|load| match &load.action {
             Action::Pressure { diagram, .. } => {
                 let (first, last) = (diagram.points().first()?, diagram.points().last()?);
@@ -154,7 +145,7 @@ impl Situation {
     /// All loads but the water under the base, in SI units.
     fn loads_in_si(&self, rule: OpeningRule) -> OpeningLoads {
         let mut loads = OpeningLoads { permanent: Wrench::ZERO, steady: Wrench::ZERO, fast: Wrench::ZERO };
-        for load in self.loads.iter().filter(|load| !is_under_base(load)) {
+        for load in self.loads.iter().filter(|load| !load.is_water_under_base()) {
             let sum = match (load.permanent, load.is_fast && rule == OpeningRule::Steady) {
                 (true, _) => &mut loads.permanent,
                 (false, false) => &mut loads.steady,
@@ -167,22 +158,15 @@ impl Situation {
 
     /// Pressures per length of the base out of the plane, as a block in metres has them.
     fn along(&self, water: &BaseWater) -> BaseWater {
-        let length = match self.body.plan() {
-            Plan::Rectangle { length } => length,
-            _ => 1.0,
-        };
+        let length = self.body.plan().side(self.body.width());
         BaseWater { left: water.left * length, right: water.right * length, ..*water }
-    }
-
-    fn state_at(&self, factor: f64) -> OpeningState {
-        let Some(Opening { rule, water }) = &self.opening else { return OpeningState::Closed };
-        let loads = self.loads_in_si(*rule);
-        self.along(water).state(&self.block_in_metres(), &(loads.permanent + loads.steady * factor))
     }
 
     /// State of the base at rest under a multiple of the variable loads; closed where no water follows an opening.
     pub fn opening_at(&self, factor: f64) -> OpeningState {
-        self.state_at(factor)
+        let Some(Opening { rule, water }) = &self.opening else { return OpeningState::Closed };
+        let loads = self.loads_in_si(*rule);
+        self.along(water).state(&self.block_in_metres(), &(loads.permanent + loads.steady * factor))
     }
 
     /// The water and the loads in the units of the [reduced block](Situation::reduced_block).
@@ -208,9 +192,9 @@ impl Situation {
 
     /// All loads under a load factor with the water of the body at rest, N and N·m per metre run.
     pub(super) fn total_at(&self, factor: f64) -> Wrench {
-        let state = self.state_at(factor);
+        let state = self.opening_at(factor);
         match &self.opening {
-            Some(Opening { rule, water }) if state != self.state_at(1.0) => {
+            Some(Opening { rule, water }) if state != self.opening_at(1.0) => {
                 let loads = self.loads_in_si(*rule);
                 let block = self.block_in_metres();
                 loads.permanent
@@ -277,7 +261,7 @@ impl Situation {
         let Opening { rule, water } = self.opening.as_ref()?;
         let (block, along) = (self.block_in_metres(), self.along(water));
         let loads = self.loads_in_si(*rule);
-        let state = self.state_at(1.0);
+        let state = self.opening_at(1.0);
         let is_held = loads.fast != Wrench::ZERO;
         let steady = OpeningLoads { fast: Wrench::ZERO, ..loads };
         let [opens_at, tips_at] = along.opens_at(&block, &steady);
@@ -295,9 +279,4 @@ impl Situation {
             would_run_through: state == OpeningState::Closed && net < 0.0,
         })
     }
-}
-
-/// True of still water under the base.
-fn is_under_base(load: &Load) -> bool {
-    load.source == LoadSource::Buoyancy && matches!(load.action, Action::Pressure { face: Face::Base, .. })
 }
