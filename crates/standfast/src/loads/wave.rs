@@ -1,4 +1,5 @@
-//! Wave loads on a vertical caisson: Goda's pressures, with Takahashi's coefficient for impulsive breaking.
+//! Wave loads on a vertical caisson: Goda's pressures, with Takahashi's coefficient for impulsive breaking; on a wall before which waves stand:
+//! [`sainflou`](fn@sainflou), in crest and trough; on a crown wall: [`pedersen`] and [`van_gent`].
 //!
 //! ```text
 //!                      ┌────────────┐ ─┬─
@@ -40,16 +41,20 @@
 //! relieved; [`WaveWarning`] names what leaves the range of the formulas.
 
 mod added_mass;
+mod crown;
 mod dispersion;
 mod goda;
 mod heights;
+mod sainflou;
 mod warning;
 
 pub use added_mass::{added_mass, added_mass_height};
+pub use crown::{Armour, CrownSea, CrownWave, PedersenTerms, PedersenWall, VanGentWall, pedersen, van_gent};
 pub use dispersion::{deep_water_wavelength, shoaling, wavelength};
 pub use goda::{Goda, Impulsive, goda};
 pub use heights::{BreakingTerms, DesignHeights};
-pub use warning::WaveWarning;
+pub use sainflou::{Sainflou, StandingWall, WavePhase, sainflou};
+pub use warning::{CrownRatio, WaveWarning};
 
 use crate::error::InputError;
 use crate::quantity::{Expected, Quantity};

@@ -59,6 +59,43 @@ pub enum WaveWarning {
         /// tanθ.
         bed_slope: f64,
     },
+    /// Standing waves as high, or before a bed as steep, break on the wall.
+    StandingWaveBreaks {
+        /// H, m.
+        height: f64,
+        /// 0.142 L tanh(2πh/L), m.
+        limit: f64,
+        /// tanθ.
+        bed_slope: f64,
+    },
+    /// A crown wall, or its sea, outside the tests that its formula comes from.
+    CrownWallRange(CrownRatio),
+}
+
+/// A ratio beside the range in which a formula for crown walls was tested.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CrownRatio {
+    /// Its name.
+    pub name: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// The lower end of the range.
+    pub low: f64,
+    /// The upper end.
+    pub high: f64,
+}
+
+impl CrownRatio {
+    /// True if it lies in the range, rounding apart.
+    pub fn is_inside(&self) -> bool {
+        let slack = 1e-9 * self.high;
+        (self.low - slack..=self.high + slack).contains(&self.value)
+    }
+}
+
+/// True if waves of this steepness H₀'/L₀ break on a wall without a berm for the slope of the bed, one of Goda's conditions.
+pub(super) fn breaks_by_bed(bed_slope: f64, steepness: f64) -> bool {
+    bed_slope > 0.02 && steepness < 0.03
 }
 
 /// Longest period of wind waves and swell, s.
@@ -86,7 +123,7 @@ impl WaveWarning {
             Heights::Local { significant, .. } => significant / shoaling(sea.period, h, sea.gravity),
         };
         let steepness = deep_water_height / goda.deep_water_wavelength;
-        let narrow_berm = berm_width_ratio < 0.02 && bed_slope > 0.02 && steepness < 0.03;
+        let narrow_berm = berm_width_ratio < 0.02 && breaks_by_bed(bed_slope, steepness);
         let high_berm = berm_width_ratio > 0.02 && berm_width_ratio < 0.3 && berm_depth_ratio < 0.6;
         let steep_front = goda.angle_deg < 20.0 && section.crest_height / goda.h_13 > 0.3;
         if steep_front && (narrow_berm || high_berm) {
@@ -137,6 +174,8 @@ impl WaveWarning {
             WaveWarning::BermBelowBase { .. } => "berm-below-base",
             WaveWarning::LongPeriod { .. } => "long-period",
             WaveWarning::SteepBed { .. } => "steep-bed",
+            WaveWarning::StandingWaveBreaks { .. } => "sainflou-breaking",
+            WaveWarning::CrownWallRange(_) => "crown-wall-range",
         }
     }
 }
@@ -182,6 +221,19 @@ impl fmt::Display for WaveWarning {
             WaveWarning::SteepBed { bed_slope } => write!(
                 f,
                 "bed slope {bed_slope}: the wave heights were computed for beds of {STEEPEST_BED} at most"
+            ),
+            WaveWarning::StandingWaveBreaks { height, limit, .. } if height > limit => write!(
+                f,
+                "H = {height:.2} m is above the breaking limit {limit:.2} m at the wall's depth (0.142 L tanh 2πh/L): Sainflou's waves do \
+                 not break"
+            ),
+            WaveWarning::StandingWaveBreaks { height, bed_slope, .. } => write!(
+                f,
+                "waves of H = {height:.2} m may break on the wall over a bed of slope {bed_slope:.3}: Sainflou's waves do not break"
+            ),
+            WaveWarning::CrownWallRange(CrownRatio { name, value, low, high }) => write!(
+                f,
+                "{name} = {value:.3} is outside {low} to {high}, the range in which the formula for crown walls was tested"
             ),
         }
     }
