@@ -169,7 +169,7 @@ impl Sweep {
                 }
                 SweepResult::Met | SweepResult::Utilisation | SweepResult::Criterion => has_criteria,
                 SweepResult::Of(name) => !name.is_of_ground() || self.case.ground.is_some(),
-                SweepResult::Sea(_) => self.case.wave.is_some(),
+                SweepResult::Sea(_) => self.case.goda().is_some(),
                 SweepResult::Warnings => true,
             })
             .collect()
@@ -302,7 +302,7 @@ impl Answer {
             }
             SweepResult::Of(name) => name.of(self.governing()),
             SweepResult::Sea(name) => {
-                let waves = self.assessment.case_of(self.governing()).wave.as_ref();
+                let waves = self.assessment.case_of(self.governing()).goda();
                 waves.map_or(ResultValue::Nothing, |waves| ResultValue::Number(name.of(&waves.goda)))
             }
         }

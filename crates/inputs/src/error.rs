@@ -359,7 +359,7 @@ pub enum Problem {
     PartsOfCylinder,
     /// Goda's waves on a single object.
     #[error(
-        "[wave] does not go with a single object, of a `length` or a cylinder: Goda's formulas are for a long wall"
+        "[wave] does not go with a single object, of a `length` or a cylinder: the formulas are for a long wall"
     )]
     WavesOnObject,
     /// Slip with more friction than stick.
@@ -408,9 +408,11 @@ pub enum Problem {
     },
     /// Two heights of one caisson.
     #[error(
-        "`base_depth` and `crest_height` make {base_depth} m + {crest_height} m, but the body is {height} m high"
+        "`{}` and `crest_height` make {base_depth} m + {crest_height} m, but the body is {height} m high", key.name()
     )]
     Height {
+        /// The key of the depth.
+        key: Key,
         /// Below still water, m.
         base_depth: f64,
         /// Above still water, m.
@@ -547,6 +549,30 @@ pub enum Problem {
     ByWavesShape {
         /// The word that takes the duration from the waves.
         words: &'static str,
+    },
+    /// A duration that the waves give, of waves by another formula than Goda's.
+    #[error("duration = \"{words}\" goes with Goda's waves only")]
+    ByOtherWaves {
+        /// The word that takes the duration from the waves.
+        words: &'static str,
+    },
+    /// A key of waves by another formula.
+    #[error("`{}` is no key of formula = \"{formula}\"", key.entry())]
+    NotOfFormula {
+        /// The key.
+        key: Key,
+        /// The formula.
+        formula: &'static str,
+        /// Keys that the formula takes.
+        takes: Vec<&'static str>,
+    },
+    /// A crown wall that is wider than the base.
+    #[error("`wall_base` is {} m, but the base of the body is {} m wide", reached(*width), reached(*base))]
+    WallBeyondBase {
+        /// Of the waves, m.
+        width: f64,
+        /// From O to O', m.
+        base: f64,
     },
     /// A duration that the waves give beside a rise.
     #[error("`rise` does not go with duration = \"{words}\", whose peak is in the middle")]

@@ -290,7 +290,7 @@ impl Table {
                 "what the base can bear, without which it is rigid and bears everything: a strength at which it crushes; or ground \
                  that fails, by a friction angle or an envelope; and a stiffness, alone or beside them"
             }
-            Table::Wave => "waves by Goda's formulas, with the sea at the right",
+            Table::Wave => "waves, with the sea at the right, by Goda's formulas or another",
             Table::Water => "still water on both sides and under the base",
             Table::Drain => "a line of drains under the base, between the heads of both sides",
             Table::Uplift => "pressures under the base that are not buoyancy",
@@ -648,6 +648,11 @@ const EARTH_STATES: Kind = Kind::Choice { of: &["active", "rest"], words: "\"act
 const PORE_WATER: Kind = Kind::Choice { of: &["free", "with-soil"], words: "\"free\" or \"with-soil\"" };
 const OPENINGS: Kind =
     Kind::Choice { of: &["steady", "always", "closed"], words: "\"steady\", \"always\" or \"closed\"" };
+const WAVE_FORMULAS: Kind = Kind::Choice {
+    of: &["goda", "sainflou", "pedersen", "van-gent"],
+    words: "\"goda\", \"sainflou\", \"pedersen\" or \"van-gent\"",
+};
+const PHASES: Kind = Kind::Choice { of: &["crest", "trough"], words: "\"crest\" or \"trough\"" };
 const CODES: Kind = Kind::Choice {
     of: &[
         "EN1997-DA1-1",
@@ -795,6 +800,8 @@ listed! {
     TangentialStiffness = key(Ground, "tangential_stiffness", Measured(Dimension::Stiffness, Positive), "k_t", "the same along the base; without it no periods", "\"25 MN/m3\"")
         .gives(&[Quantity::TangentialStiffness]);
 
+    WaveFormula = key(Wave, "formula", WAVE_FORMULAS, "", "what the pressures come from: Goda’s formulas, Sainflou’s standing waves, or Pedersen’s or Van Gent’s for crown walls", "\"sainflou\"")
+        .silent("formula of the waves: Goda’s");
     WaterDepth = key(Wave, "water_depth", length(Positive), "h", "depth at the wall", "\"10.1 m\"")
         .gives(&[Quantity::WaterDepth]);
     SeaBottomSlope = key(Wave, "sea_bottom_slope", Plain(NotNegative), "i", "slope of the sea bed, Goda’s tan θ", "0.01")
@@ -812,10 +819,15 @@ listed! {
         .gives(&[Quantity::SignificantHeight]);
     Hmax = key(Wave, "Hmax", length(Positive), "H_max", "maximum wave height at the wall", "\"8.05 m\"")
         .gives(&[Quantity::MaximumHeight]);
+    WaveHeight = key(Wave, "height", length(Positive), "H_s", "height of Sainflou’s waves, or \"Hmax\" or \"H13\"", "\"4.5 m\"")
+        .gives(&[Quantity::WaveHeight]);
+    WavePhase = key(Wave, "phase", PHASES, "", "phase of Sainflou’s waves at the wall", "\"trough\"");
     CaissonWidth = key(Wave, "caisson_width", length(Positive), "B_c", "width of the caisson’s base", "\"15 m\"")
         .silent("width of the caisson’s base: that of the body").moves(Moves::Width).gives(&[Quantity::CaissonWidth]);
     BaseDepth = key(Wave, "base_depth", length(Positive), "h'", "depth of the caisson’s base", "\"7.1 m\"")
         .moves(Moves::BaseDepth).gives(&[Quantity::BaseDepth]);
+    StillWaterLevel = key(Wave, "still_water", length(Positive), "h'", "the sea’s level above the base, in place of base_depth", "\"7.1 m\"")
+        .moves(Moves::WaterLevel).gives(&[Quantity::BaseDepth]);
     DepthAboveBerm = key(Wave, "depth_above_berm", length(Positive), "d_M", "depth above the berm’s armour, Goda’s d", "\"5.6 m\"")
         .gives(&[Quantity::BermDepth]);
     CrestHeight = key(Wave, "crest_height", length(Finite), "h_c", "crest above still water", "\"3.4 m\"")
@@ -834,6 +846,26 @@ listed! {
         .silent("pressure of the waves under the base: Goda’s");
     TurnDeg = key(Wave, "turn_deg", Plain(NotNegative), "Δβ", "by how much they are turned towards it", "15")
         .silent("waves turned towards the normal by: 0°").gives(&[Quantity::WaveTurn]);
+    ArmourSlope = key(Wave, "armour_slope", Plain(Positive), "cot_α", "slope of the armour before a crown wall, its cotangent", "2")
+        .gives(&[Quantity::ArmourSlope]);
+    ArmourCrest = key(Wave, "armour_crest", length(Positive), "A_c", "crest of the armour above still water", "\"4 m\"")
+        .gives(&[Quantity::ArmourCrest]);
+    ArmourWidth = key(Wave, "armour_width", length(Positive), "B_a", "width of the crest of the armour", "\"5 m\"")
+        .gives(&[Quantity::ArmourWidth]);
+    ProtectedHeight = key(Wave, "protected_height", length(NotNegative), "h_p", "height of the crown wall behind the armour, Pedersen’s h'", "\"2 m\"")
+        .gives(&[Quantity::WallHeight]);
+    FreeHeight = key(Wave, "free_height", length(NotNegative), "f_c", "height of the crown wall above the armour", "\"1.5 m\"")
+        .gives(&[Quantity::WallHeight]);
+    VolumeShare = key(Wave, "volume_share", Plain(Share), "V_a", "share of the wedge of run-up that the armour leaves, min(A_2/A_1, 1)", "1")
+        .silent("share of the wedge of run-up: 1").gives(&[Quantity::VolumeShare]);
+    WallHeight = key(Wave, "wall_height", length(Positive), "H_w", "height of the crown wall, of Van Gent’s formula", "\"3.5 m\"")
+        .silent("height of the crown wall: that of the body").gives(&[Quantity::WallHeight]);
+    WallBase = key(Wave, "wall_base", length(Positive), "B_w", "width of its base", "\"8 m\"")
+        .silent("width of the crown wall’s base: that of the body").gives(&[Quantity::Width]);
+    BaseFreeboard = key(Wave, "base_freeboard", length(NotNegative), "F_b", "its base above still water", "\"1.5 m\"")
+        .gives(&[Quantity::BaseFreeboard]);
+    Roughness = key(Wave, "roughness", Plain(Share), "γ_f", "roughness factor of the armour", "0.45")
+        .silent("roughness factor of the armour: 1").gives(&[Quantity::Roughness]);
 
     Level = key(Water, "level", length(NotNegative), "h_l", "still water above the base, both sides", "\"7.1 m\"")
         .moves(Moves::WaterLevel).gives(&[Quantity::WaterLevel]);

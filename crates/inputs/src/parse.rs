@@ -438,14 +438,17 @@ pub fn plain_number(value: &DeValue<'_>) -> Option<f64> {
     }
 }
 
-/// Keys whose duration of an impulsive wave the waves may give by formulas of Shimosako and Takahashi, and the word for it.
-pub const BY_WAVES: ([Id; 2], &str) = (
-    [
-        Id { table: Table::WaveHistory, index: 0, key: Key::HistoryDuration },
-        Id { table: Table::Storm, index: 0, key: Key::StormTau0 },
-    ],
-    "shimosako-takahashi",
-);
+/// The word for formulas of Shimosako and Takahashi by which the waves give the duration of an impulsive one.
+pub const BY_WAVES: &str = "shimosako-takahashi";
+
+/// Words that stand in place of the number under a key: the formulas by which waves give a duration, the heights that they have anyway.
+pub fn words_for(id: Id) -> &'static [&'static str] {
+    match (id.table, id.key) {
+        (Table::WaveHistory, Key::HistoryDuration) | (Table::Storm, Key::StormTau0) => &[BY_WAVES],
+        (Table::Wave, Key::WaveHeight) => &["Hmax", "H13"],
+        _ => &[],
+    }
+}
 
 /// The entries of a table in the order in which they stand in the text.
 fn in_order<'a, 'b>(table: &'a DeTable<'b>) -> Vec<(&'a Spanned<Cow<'b, str>>, &'a Spanned<DeValue<'b>>)> {
@@ -490,11 +493,7 @@ impl Field<'_> {
         let number = plain_number(self.value.get_ref());
         Ok(match kind {
             Kind::Text | Kind::File => Value::Text(self.words()?),
-            Kind::Measured(..)
-                if BY_WAVES.0.contains(&self.id) && self.value.get_ref().as_str() == Some(BY_WAVES.1) =>
-            {
-                Value::Choice(BY_WAVES.1)
-            }
+            Kind::Measured(..) if self.word().is_some() => Value::Choice(self.word().unwrap_or_default()),
             Kind::Measured(_, range) => {
                 let number = number.map_or_else(|| self.measured(), Ok)?;
                 Value::Number(self.in_range(number, range)?)
@@ -654,6 +653,12 @@ impl Field<'_> {
             },
             _ => words.to_owned(),
         })
+    }
+
+    /// The word that stands in place of a number.
+    fn word(&self) -> Option<&'static str> {
+        let found = self.value.get_ref().as_str()?;
+        words_for(self.id).iter().copied().find(|word| *word == found)
     }
 
     fn dimension(&self) -> Option<Dimension> {

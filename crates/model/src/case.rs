@@ -35,6 +35,7 @@ mod loads;
 mod motion;
 mod reader;
 mod section;
+mod waves;
 
 use std::sync::Arc;
 
@@ -43,7 +44,6 @@ use standfast::loads::{
     Action, AddedMass, BodyPoint, Earthquake, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
 };
 use standfast::section::{Part, PartMass, Section, WaterTable};
-use standfast::wave::{self, Choices, Goda, Heights, Sea};
 use standfast::{Ball, Body, InputError, OpeningRule, Scalar, Situation, Wrench};
 
 pub(crate) use backfill::tables_of_layers;
@@ -59,6 +59,7 @@ pub use motion::CaseMotion;
 pub(crate) use reader::{Reader, body_of, motion_fault};
 pub use reader::{blamed, check_ranges};
 pub use section::OF_PARTS;
+pub use waves::{CrownWall, CrownWaves, GodaWaves, StandingWaves, WaveFormula, Waves};
 
 use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};
@@ -158,25 +159,6 @@ pub enum Weight<T = f64> {
     },
 }
 
-/// Waves from the right, and what they amount to by Goda's formulas.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Waves {
-    /// The sea.
-    pub sea: Sea,
-    /// Key that gives the density of its water: that of the waves, or that of still water.
-    pub density_key: Key,
-    /// The wave heights as they are given.
-    pub heights: Heights,
-    /// The caisson and its berm.
-    pub section: wave::CaissonSection,
-    /// The choices in the formulas.
-    pub choices: Choices,
-    /// The pressures, forces and moments.
-    pub goda: Goda,
-    /// Variation of thrust and uplift in time.
-    pub history: Option<standfast::History>,
-}
-
 impl Case {
     /// The case of inputs.
     ///
@@ -247,9 +229,15 @@ impl Case {
         }
     }
 
-    /// The case with other waves.
-    pub fn with_waves(&self, waves: Waves) -> Case {
-        Case { wave: Some(waves), ..self.clone() }
+    /// Its waves by Goda's formulas; `None` without any, and of those by another formula.
+    pub fn goda(&self) -> Option<&GodaWaves> {
+        self.wave.as_ref()?.goda()
+    }
+
+    /// The case with other waves by Goda's formulas.
+    pub fn with_goda(&self, waves: GodaWaves) -> Case {
+        let wave = self.wave.clone().map(|wave| Waves { formula: WaveFormula::Goda(waves), ..wave });
+        Case { wave, ..self.clone() }
     }
 
     /// True if still water stands under its base at different heads and follows an opening.
@@ -296,7 +284,9 @@ impl<T: Scalar> Case<T> {
             .in_table(Table::Wave, |given| given.waves(&body.rounded(), gravity.value(), motion.as_mut()))?;
         let water = match (inputs.has(Table::Water), &weight, &wave) {
             (true, Weight::Buoyant { .. }, _) => return Err(Fault::new(Problem::WaterTwice, Table::Water)),
-            (false, Weight::Total, Some(_)) => return Err(Fault::new(Problem::NoWater, Table::Wave)),
+            (false, Weight::Total, Some(_)) if given.sea_stands_beside() => {
+                return Err(Fault::new(Problem::NoWater, Table::Wave));
+            }
             (true, Weight::Total, wave) => Some(given.water(&body, wave.as_ref())?),
             (false, _, _) => None,
         };
@@ -327,7 +317,7 @@ impl<T: Scalar> Case<T> {
             every(Table::Pressure).map(|index| given.pressure(index, &body)).collect::<Result<_, _>>()?;
         let table = given.water_table();
         let unit_weight = water.as_ref().map(|water| water.density().value());
-        let unit_weight = unit_weight.or(wave.as_ref().map(|wave| wave.sea.water_density));
+        let unit_weight = unit_weight.or(wave.as_ref().map(|wave| wave.water_density));
         let in_soil = table.zip(unit_weight.map(|density| density * gravity.value()));
         let soils: Vec<_> = every(Table::Backfill)
             .map(|index| given.backfill(index, &body.rounded(), in_soil))
@@ -460,9 +450,10 @@ impl<T: Scalar> Case<T> {
             let of_base = earthquake.loads(&self.added_mass).into_iter().map(Load::fast);
             add(LoadOrigin::Table(Table::Earthquake), of_base.collect());
         }
-        if let Some(Waves { goda, section, history, .. }) = &self.wave {
-            let waves = goda.loads(&self.body.rounded(), section.base_depth).into_iter().map(Load::computed);
-            add(LoadOrigin::Table(Table::Wave), waves.map(|load| over_time(load, history).fast()).collect());
+        if let Some(wave) = &self.wave {
+            let waves = wave.loads(&self.body.rounded()).into_iter().map(Load::computed);
+            let waves = waves.map(|load| over_time(load, &wave.history).fast());
+            add(LoadOrigin::Table(Table::Wave), waves.collect());
         }
         for (index, pressure) in self.pressures.iter().enumerate() {
             add(LoadOrigin::Pressure(index), vec![pressure.load()]);

@@ -62,7 +62,7 @@ const SHORT_NAMES: [(&str, &[Key]); 6] = [
     ("height", &[Key::Height]),
     ("mass", &[Key::Mass, Key::Density]),
     ("friction", &[Key::Friction]),
-    ("water_level", &[Key::Level, Key::WaterRight, Key::BaseDepth]),
+    ("water_level", &[Key::Level, Key::WaterRight, Key::BaseDepth, Key::StillWaterLevel]),
     ("crest_height", &[Key::CrestHeight]),
 ];
 
@@ -193,7 +193,14 @@ impl Variable {
         Ok(match read(Id { key, ..self.id }, kind, self.units, text)? {
             Value::InGravity(share) => share * inputs.gravity(),
             Value::Number(number) => number,
-            _ => unreachable!("a number is read"),
+            // A word may stand in place of a number, but is none to be varied.
+            _ => {
+                return Err(Problem::OutOfRange {
+                    key,
+                    written: text.to_owned(),
+                    expected: self.range().words(),
+                });
+            }
         })
     }
 
@@ -495,12 +502,13 @@ impl CoupledChanges {
                 if variable.both_sides {
                     self.level(by, &[Key::WaterLeft]);
                 }
-                self.level(by, &[Key::BaseDepth, Key::WaterDepth, Key::DepthAboveBerm]);
-                self.level(-by, &[Key::CrestHeight]);
+                let depths = [Key::BaseDepth, Key::StillWaterLevel, Key::WaterDepth, Key::DepthAboveBerm];
+                self.level(by, &depths);
+                self.level(-by, &[Key::CrestHeight, Key::ArmourCrest, Key::BaseFreeboard]);
                 self.drown(case, by);
             }
             Moves::BaseDepth => {
-                self.level(by, &[Key::Level, Key::WaterRight, Key::Height]);
+                self.level(by, &[Key::Level, Key::WaterRight, Key::Height, Key::StillWaterLevel]);
                 self.heighten(case, by);
                 self.drown(case, by);
             }
@@ -525,8 +533,11 @@ impl CoupledChanges {
 
     /// Takes the buoyancy of more water off a given buoyant weight.
     fn drown(&mut self, case: &Case, by: f64) {
-        let Some(wave) = &case.wave else { return };
-        let unit_weight = wave.sea.water_density * case.gravity;
+        let Some((wave, depth)) = case.wave.as_ref().and_then(|wave| Some((wave, wave.still_water()?)))
+        else {
+            return;
+        };
+        let unit_weight = wave.water_density * case.gravity;
         let Some(section) = &case.section else {
             return self.level(-unit_weight * by * case.body.base_area(), &[Key::BuoyantWeight]);
         };
@@ -535,7 +546,6 @@ impl CoupledChanges {
             let wet = section.mass(Some(WaterTable { left: depth, right: depth }));
             wet.mass * case.gravity - unit_weight * section.below(depth).area
         };
-        let depth = wave.section.base_depth;
         self.level(weight(depth + by) - weight(depth), &[Key::BuoyantWeight]);
     }
 }

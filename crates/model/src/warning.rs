@@ -362,6 +362,20 @@ pub enum Warning {
         /// The combination.
         combination: String,
     },
+    /// A formula that nobody here has read in its source.
+    FormulaRecalled {
+        /// What it gives.
+        what: &'static str,
+        /// Where it is said to stand.
+        source: &'static str,
+    },
+    /// A crown wall that is not as high as the body.
+    CrownWallHeight {
+        /// Its height, m.
+        wall: f64,
+        /// That of the body, m.
+        body: f64,
+    },
     /// The waves leave the range of the formulas.
     Wave(wave::WaveWarning),
 }
@@ -415,6 +429,8 @@ impl Warning {
             Warning::OpeningHeld { .. } => "opening-held",
             Warning::DrainLost { .. } => "drain-lost",
             Warning::GivenUpliftDoesNotFollow { .. } => "given-uplift-does-not-follow",
+            Warning::FormulaRecalled { .. } => "formula-recalled",
+            Warning::CrownWallHeight { .. } => "crown-wall-height",
             Warning::Wave(warning) => warning.name(),
         }
     }
@@ -451,7 +467,7 @@ impl Warning {
     /// True if it is about waves.
     pub fn is_about_waves(&self) -> bool {
         match self {
-            Warning::Wave(_) | Warning::WaveHeightRatio { .. } => true,
+            Warning::Wave(_) | Warning::WaveHeightRatio { .. } | Warning::CrownWallHeight { .. } => true,
             Warning::WaterDensity { key, .. } => key.info().table == Table::Wave,
             _ => false,
         }
@@ -779,6 +795,15 @@ impl fmt::Display for Warning {
                 kilopascals(*left),
                 kilopascals(*right),
                 kilopascals(*of_waves)
+            ),
+            Warning::FormulaRecalled { what, source } => {
+                write!(f, "{what} is by a formula that is recalled, not read: {source}")
+            }
+            Warning::CrownWallHeight { wall, body } => write!(
+                f,
+                "the waves meet a crown wall of {} m, and the body is {} m high",
+                digits(*wall),
+                digits(*body)
             ),
             Warning::Wave(warning) => warning.fmt(f),
         }

@@ -67,7 +67,7 @@ pub fn steps(
     let mut steps = SheetSteps::new("Body", case.extent);
     body::steps(&mut steps, case, inputs);
     if let Some(wave) = &case.wave {
-        steps.part("Waves and pressures (Goda, Takahashi)", None);
+        steps.part(waves::title(wave), None);
         waves::steps(&mut steps, case, wave);
     }
     if !case.soils.is_empty() {

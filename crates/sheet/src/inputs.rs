@@ -150,7 +150,7 @@ fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
     if let Weight::Buoyant { arm, .. } = case.weight {
         taken.push((Key::WeightArm, Measured::of(arm, METRE).html("")));
     }
-    if let Some(wave) = &case.wave {
+    if let Some(wave) = case.goda() {
         let factors = wave.choices.lambda.map(|factor| Measured::of(factor, NONE).html(""));
         taken.extend([
             (Key::CaissonWidth, Measured::of(wave.section.caisson_width, METRE).html("")),

@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 use standfast::Plan;
+use standfast_cases::case::{CrownWall, WaveFormula, Waves};
 use standfast_cases::{Assessment, Case};
 
 use crate::limits::Setting;
@@ -40,7 +41,8 @@ pub fn words(assessment: &Assessment) -> Markup {
                     }
                 }
             }
-            @if let Some(wave) = &case.wave {
+            @if let Some(words) = other_waves(case) { li { (words) } }
+            @if let Some(wave) = case.goda() {
                 li {
                     "Wave pressures after Goda"
                     @if wave.choices.impulsive { " with Takahashi’s coefficient for impulsive breaking" }
@@ -102,13 +104,43 @@ fn base(case: &Case) -> &'static str {
     }
 }
 
+/// True unless the case file says that the waves do not press under the base.
+fn presses_under_base(wave: &Waves) -> bool {
+    match &wave.formula {
+        WaveFormula::Goda(wave) => wave.choices.uplift,
+        WaveFormula::Sainflou(wave) => wave.wall.uplift,
+        WaveFormula::Crown(_) => true,
+    }
+}
+
+/// What waves by another formula than Goda's are taken for.
+fn other_waves(case: &Case) -> Option<&'static str> {
+    match &case.wave.as_ref()?.formula {
+        WaveFormula::Goda(_) => None,
+        WaveFormula::Sainflou(wave) if wave.wall.uplift => Some(
+            "Waves stand before the wall and do not break: pressures after Sainflou with straight lines, beside those of still water. The              uplift falls from that at the base to nothing at the heel, which is recalled, not read.",
+        ),
+        WaveFormula::Sainflou(_) => Some(
+            "Waves stand before the wall and do not break: pressures after Sainflou with straight lines, beside those of still water. By the              case file, they do not press under the base.",
+        ),
+        WaveFormula::Crown(wave) => Some(match wave.wall {
+            CrownWall::Pedersen(_) => {
+                "Forces on the crown wall after Pedersen, which 0.1 % of the waves exceed; the uplift is a triangle from the seaward edge to the heel."
+            }
+            CrownWall::VanGent(_) => {
+                "Forces on the crown wall after Van Gent, which 2 % of the waves exceed. The formula gives no height of the force: half that of the                  wall is taken, and a triangle of uplift from the seaward edge."
+            }
+        }),
+    }
+}
+
 /// Loads of the case that vary, in parentheses; nothing where none does.
 fn variable(case: &Case) -> String {
     let forces = case.forces.iter().any(|force| !force.permanent);
     let pressures = case.pressures.iter().any(|pressure| !pressure.permanent);
     let kinds = [
-        (case.wave.as_ref().is_some_and(|wave| wave.choices.uplift), "waves with their uplift"),
-        (case.wave.as_ref().is_some_and(|wave| !wave.choices.uplift), "waves"),
+        (case.wave.as_ref().is_some_and(presses_under_base), "waves with their uplift"),
+        (case.wave.as_ref().is_some_and(|wave| !presses_under_base(wave)), "waves"),
         (case.uplift.as_ref().is_some_and(|uplift| uplift.grows()), "uplift"),
         (case.earthquake.is_some(), "the earthquake"),
         (pressures, "pressures"),

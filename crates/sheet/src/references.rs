@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 use standfast::ground::bearing::GroundLaw;
 use standfast_cases::Case;
+use standfast_cases::case::{CrownWall, WaveFormula};
 
 /// A source.
 struct Source {
@@ -17,7 +18,7 @@ struct Source {
     applies: fn(&Case) -> bool,
 }
 
-const SOURCES: [Source; 9] = [
+const SOURCES: [Source; 12] = [
     Source {
         authors: "Author not named",
         year: "no year",
@@ -40,7 +41,7 @@ const SOURCES: [Source; 9] = [
         title: "Random Seas and Design of Maritime Structures",
         place: "2nd edition, World Scientific, Singapore; worked example p. 140",
         used: "wave heights and pressures; formulas from a specification that carries them, checked against published numbers",
-        applies: |case| case.wave.is_some(),
+        applies: |case| case.goda().is_some(),
     },
     Source {
         authors: "S. Takahashi, K. Tanimoto, K. Shimosako",
@@ -48,7 +49,31 @@ const SOURCES: [Source; 9] = [
         title: "A proposal of impulsive pressure coefficient for the design of composite breakwaters",
         place: "Proceedings, Hydro-Port ’94, Yokosuka, 489–504",
         used: "the impulsive coefficient; formulas from a specification that carries them",
-        applies: |case| case.wave.is_some(),
+        applies: |case| case.goda().is_some(),
+    },
+    Source {
+        authors: "G. Sainflou",
+        year: "1928",
+        title: "Essai sur les digues maritimes verticales",
+        place: "Annales des Ponts et Chaussées, 98(4), 5–48",
+        used: "standing waves, their linear form from a specification that carries it; not read in the original",
+        applies: |case| matches!(formula(case), Some(WaveFormula::Sainflou(_))),
+    },
+    Source {
+        authors: "U.S. Army Corps of Engineers",
+        year: "2002",
+        title: "Coastal Engineering Manual",
+        place: "EM 1110-2-1100, Part VI, Chapter 5, table VI-5-61",
+        used: "Pedersen’s forces on crown walls, as coded in an open toolbox; not read in the original",
+        applies: |case| crown(case).is_some_and(|wall| matches!(wall, CrownWall::Pedersen(_))),
+    },
+    Source {
+        authors: "M. R. A. van Gent, I. M. van der Werf",
+        year: "2019",
+        title: "Influence of oblique wave attack on wave overtopping and forces on rubble mound breakwater crest walls",
+        place: "Coastal Engineering, 151, 78–96, doi 10.1016/j.coastaleng.2019.04.001",
+        used: "forces on crown walls, as coded in an open toolbox; not read in the original",
+        applies: |case| crown(case).is_some_and(|wall| matches!(wall, CrownWall::VanGent(_))),
     },
     Source {
         authors: "H. M. Westergaard",
@@ -107,6 +132,19 @@ fn law(case: &Case) -> Option<Law> {
         (_, Some(GroundLaw::Hansen)) => Law::Hansen,
         _ => Law::Ec7,
     })
+}
+
+/// The formula of its waves.
+fn formula(case: &Case) -> Option<&WaveFormula> {
+    case.wave.as_ref().map(|wave| &wave.formula)
+}
+
+/// Its crown wall.
+fn crown(case: &Case) -> Option<CrownWall> {
+    match formula(case)? {
+        WaveFormula::Crown(waves) => Some(waves.wall),
+        _ => None,
+    }
 }
 
 /// The sources of a case.

@@ -103,7 +103,7 @@ pub fn summary(assessment: &Assessment, tops: &[Top], chance: Option<&Chance<'_>
                 (table(assessment, usize::MAX))
                 p.note {
                     "The case file has no [criteria]."
-                    @if assessment.case.wave.is_some() {
+                    @if assessment.case.goda().is_some() {
                         " Common practice asks for " (TARGET) " at least of both safety factors."
                     }
                 }

@@ -2,8 +2,8 @@
 
 use standfast::loads::{Action, Face};
 use standfast::wave::{
-    Armour, CrownSea, PedersenWall, Sainflou, Sea, StandingWall, VanGentWall, WavePhase, WaveWarning, pedersen,
-    sainflou, van_gent,
+    Armour, CrownSea, PedersenWall, Sainflou, Sea, StandingWall, VanGentWall, WavePhase, WaveWarning,
+    pedersen, sainflou, van_gent,
 };
 use standfast::{Body, InputError};
 
@@ -50,16 +50,15 @@ fn crest_and_trough_have_the_numbers_of_the_specification() {
 /// Forces and moments are the integrals of the pressures of the formula, strip by strip, cut or not.
 #[test]
 fn resultants_are_the_sums_of_strips() {
-    for (phase, crest_height) in [(WavePhase::Crest, 6.0), (WavePhase::Crest, 2.5), (WavePhase::Trough, 6.0)] {
+    for (phase, crest_height) in [(WavePhase::Crest, 6.0), (WavePhase::Crest, 2.5), (WavePhase::Trough, 6.0)]
+    {
         let wall = StandingWall { crest_height, ..WALL };
         let wave = sainflou(&SEA, 4.5, phase, &wall).unwrap();
         let w = 1030.0 * 9.81;
         let at = |elevation: f64| {
             let depth = 11.0 - elevation;
             match phase {
-                WavePhase::Crest if depth < 0.0 => {
-                    wave.p1 * (1.0 + depth / (4.5 + wave.h0)).max(0.0)
-                }
+                WavePhase::Crest if depth < 0.0 => wave.p1 * (1.0 + depth / (4.5 + wave.h0)).max(0.0),
                 WavePhase::Crest => wave.p1 + (wave.p2 - wave.p1) * depth / 14.0,
                 WavePhase::Trough => {
                     let fall = 4.5 - wave.h0;
@@ -135,7 +134,10 @@ fn pedersen_has_the_numbers_of_the_specification() {
     near(terms.moment, 346.670e3);
     near(wave.pu, 52.5389e3);
     let names: Vec<_> = wave.warnings().map(|warning| warning.to_string()).collect();
-    assert_eq!(names, ["A_c/B_a = 0.800 is outside 1 to 2.6, the range in which the formula for crown walls was tested"]);
+    assert_eq!(
+        names,
+        ["A_c/B_a = 0.800 is outside 1 to 2.6, the range in which the formula for crown walls was tested"]
+    );
     // Waves that do not reach over the armour leave the wall alone.
     let low = pedersen(&CrownSea { significant: 0.5, ..COAST }, &ARMOUR, &wall).unwrap();
     assert_eq!([low.force, low.pu], [0.0; 2]);

@@ -119,7 +119,7 @@ fn kink(root: &Path) -> io::Result<Figure> {
     let goda_at = |height: f64| -> io::Result<Goda> {
         let text = text.replace("deep_water_height = \"6.3 m\"", &format!("deep_water_height = {height}"));
         let case = CaseFile::parse("kink", &text).and_then(|file| file.case()).map_err(io::Error::other)?;
-        Ok(case.wave.ok_or_else(|| io::Error::other("a case with waves"))?.goda)
+        Ok(case.goda().ok_or_else(|| io::Error::other("a case with waves"))?.goda.clone())
     };
     let mut heights: Vec<f64> = (0..=60).map(|i| 4.2 + 1.2 * f64::from(i) / 60.0).collect();
     // Changes of formula, on both sides to the last bit.

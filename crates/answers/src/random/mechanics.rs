@@ -9,7 +9,7 @@ use standfast::{Departure, InputError, Situation, Wrench};
 use super::base;
 use super::outcome::LIFTED;
 use super::quantity::Bias;
-use crate::case::{Acting, Case, Foundation, Trial, Waves, biased};
+use crate::case::{Acting, Case, Foundation, GodaWaves, Trial, biased};
 
 /// The contact problem that values make.
 #[derive(Debug, Clone, Copy)]
@@ -116,16 +116,16 @@ impl Components {
 /// A case of which wave heights alone are random: everything else is worked out once.
 #[derive(Debug, Clone)]
 pub(super) struct Quick {
-    waves: Waves,
+    waves: GodaWaves,
     components: Components,
     /// m g, N, and half the width, m.
     scale: (f64, f64),
 }
 
 impl Quick {
-    /// None where the case has no waves, or multiplies them.
+    /// None where the case has no waves by Goda's formulas, or multiplies them.
     pub(super) fn of(case: &Case, acting: Acting, trial: Trial) -> Option<Quick> {
-        let waves = case.wave.clone().filter(|_| !matches!(acting, Acting::Combination(_)))?;
+        let waves = case.goda().cloned().filter(|_| !matches!(acting, Acting::Combination(_)))?;
         let situation = case.situation(acting, trial).ok()?;
         let components = Components::of(&situation, case.ground.as_ref(), waves.goda.formulas).ok()?;
         let scale = (case.body.mass() * case.gravity, case.body.width() / 2.0);
@@ -133,7 +133,7 @@ impl Quick {
     }
 
     fn goda(&self, heights: Heights) -> Option<Goda> {
-        let Waves { sea, section, choices, goda: as_given, .. } = &self.waves;
+        let GodaWaves { sea, section, choices, goda: as_given, .. } = &self.waves;
         match heights {
             Heights::DeepWater(height) => as_given.from_deep_water(sea, section, choices, height),
             heights => goda(sea, &heights, section, choices).ok(),
@@ -149,6 +149,6 @@ impl Quick {
     /// The case, of which this is, with these heights.
     pub(super) fn case(&self, case: &Case, heights: Heights) -> Option<Case> {
         let goda = self.goda(heights)?;
-        Some(case.with_waves(Waves { heights, goda, ..self.waves.clone() }))
+        Some(case.with_goda(GodaWaves { heights, goda, ..self.waves.clone() }))
     }
 }

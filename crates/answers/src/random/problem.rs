@@ -14,7 +14,7 @@ use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
 use super::quantity::{Bias, Coordinate, Quantity, RandomInput};
 use super::resolve::{Names, Resolve};
-use crate::case::{Acting, Case, ChangeBy, Trial};
+use crate::case::{Acting, Case, ChangeBy, Trial, Waves};
 use crate::couple::{Variable, vary};
 use crate::digits::digits;
 use crate::error::{CaseError, Fault, Problem};
@@ -352,7 +352,7 @@ impl ChanceProblem {
         let case = self.case_with(values)?;
         let situation = case.situation(*acting, Trial::shaken(*shaking)).ok()?;
         let case = case.under(*acting);
-        let formulas = case.wave.as_ref().map_or(0, |wave| wave.goda.formulas);
+        let formulas = case.wave.as_ref().map_or(0, Waves::branches);
         Components::of(&situation, case.ground.as_ref(), formulas).ok()
     }
 
@@ -381,7 +381,7 @@ impl ChanceProblem {
     /// The wave heights of the case, with these values of those that are random.
     fn heights(&self, values: &[f64]) -> Option<Heights> {
         let Model::Case { case, .. } = &self.model else { return None };
-        let mut heights = case.wave.as_ref()?.heights;
+        let mut heights = case.goda()?.heights;
         for (input, value) in self.random.iter().zip(values) {
             let key = input.variable().map(|variable| variable.id().key);
             match (&mut heights, key) {

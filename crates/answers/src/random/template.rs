@@ -69,7 +69,7 @@ pub fn template(file: &CaseFile) -> Result<String, CaseError> {
         let quote = if line.name.contains('[') { "\"" } else { "" };
         let _ = write!(text, "\n# {}\n{quote}{}{quote} = {}\n", line.says, line.name, line.written());
     }
-    if case.wave.is_some() {
+    if case.goda().is_some() {
         text += "\n# Forces and uplift of one wave err to the same side; by how much is not known here.\n\
                  # [[random.correlation]]\n# between = [\"bias.P\", \"bias.U\"]\n# rank = 0.5\n";
     }
@@ -144,7 +144,7 @@ pub(super) fn proposed(case: &Case, inputs: &Inputs) -> Vec<ProposedLaw> {
             ),
         ));
     }
-    if case.wave.is_some() {
+    if case.goda().is_some() {
         for (name, moments, of) in
             [("bias.P", (Some(0.91), 0.19), "horizontal force"), ("bias.U", (Some(0.77), 0.25), "uplift")]
         {
@@ -157,8 +157,11 @@ pub(super) fn proposed(case: &Case, inputs: &Inputs) -> Vec<ProposedLaw> {
                 ),
             ));
         }
+    }
+    if case.wave.is_some() {
         // Of the heights that are given that which makes the force.
-        let height = [Key::DeepWaterHeight, Key::Hmax].into_iter().find(|key| inputs.get(*key).is_some());
+        let heights = [Key::DeepWaterHeight, Key::Hmax, Key::WaveHeight];
+        let height = heights.into_iter().find(|key| inputs.number(*key).is_some());
         let height = height.map_or("H13", Key::name);
         lines.push(line(
             &format!("wave.{height}"),

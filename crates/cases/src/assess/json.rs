@@ -14,7 +14,7 @@ use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 use super::made::{MadeLoad, made_loads};
 use super::opening::BaseOpeningEntry;
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck, combination};
-use crate::case::{Acting, Case, ChangeBy, PointForce, Waves};
+use crate::case::{Acting, Case, ChangeBy, GodaWaves, PointForce};
 use crate::json::{CheckEntry, SCHEMA, number_or_word, written};
 use crate::point::{PointDocument, RelationDocument};
 use crate::results::{self, ResultName, ResultValue, SeaResult};
@@ -92,8 +92,8 @@ struct Warning {
     message: String,
 }
 
-/// Waves: their results, and the choices in the formulas behind the angle.
-struct Wave<'a>(&'a Waves);
+/// Waves by Goda's formulas: their results, and the choices in the formulas behind the angle.
+struct Wave<'a>(&'a GodaWaves);
 
 #[derive(Serialize)]
 struct Situation<'a> {
@@ -366,7 +366,7 @@ pub(super) fn render(assessment: &Assessment, view: &AssessmentView, files: &[St
             right: water.right(),
             density: water.density(),
         }),
-        wave: case.wave.as_ref().map(Wave),
+        wave: case.goda().map(Wave),
         summary: super::summary::summary(assessment),
         warnings: case
             .warnings()
@@ -422,7 +422,7 @@ impl<'a> Part<'a> {
 
 impl Serialize for Wave<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Wave(Waves { choices, goda, .. }) = self;
+        let Wave(GodaWaves { choices, goda, .. }) = self;
         let mut map = serializer.serialize_map(None)?;
         for result in SeaResult::ALL {
             map.serialize_entry(result.name(), &result.of(goda))?;
@@ -547,7 +547,7 @@ impl<'a> Combination<'a> {
             materials: Named::of(materials),
             resist: Named::of(resist),
             numbers: Named::of(numbers.collect()),
-            wave: under.wave.as_ref().filter(|_| under.wave != case.wave).map(Wave),
+            wave: under.goda().filter(|_| under.wave != case.wave).map(Wave),
             tried: others.iter().map(|other| Tried::of(pairs(other), other)).collect(),
             factors_used: Named::numbers(used),
         }

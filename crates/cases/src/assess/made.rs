@@ -1,6 +1,9 @@
 //! Loads that the program makes of what a case says, one by one, with the formulas that they come from.
 
+mod waves;
+
 use serde::Serialize;
+use standfast::loads::LoadSource;
 use standfast::loads::earth::{EarthPoint, EarthState};
 
 use super::Assessed;
@@ -59,10 +62,13 @@ pub struct MadeCoefficients {
 pub struct MadeDiagram {
     /// The face.
     pub face: &'static str,
-    /// Heights above the base, m.
+    /// Heights above the base, m; empty of the base.
     pub elevation: Vec<f64>,
     /// Against the upright, Pa.
     pub pressure: Vec<f64>,
+    /// Distances to the right of O, m, along the base in place of heights.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub distance: Vec<f64>,
     /// Down the face, per metre of height, Pa.
     pub tangential: Vec<f64>,
 }
@@ -93,6 +99,13 @@ pub fn made_loads(case: &Case, assessed: &Assessed) -> Vec<MadeLoad> {
         let all = of_soil(case, assessed, index, fill);
         made.extend(all.into_iter().filter(|load| acts(&load.name)));
     }
+    let case = case.under(assessed.acting);
+    if let Some(wave) = &case.wave {
+        let acts = |source| assessed.situation.loads().iter().any(|load| load.source == source);
+        let of_waves =
+            [LoadSource::WavePressure, LoadSource::WaveUplift].into_iter().zip(waves::made(case, wave));
+        made.extend(of_waves.filter(|(source, _)| acts(*source)).map(|(_, load)| load));
+    }
     made
 }
 
@@ -112,6 +125,7 @@ fn of_soil(case: &Case, assessed: &Assessed, index: usize, fill: &SoilFill) -> V
             diagrams: vec![MadeDiagram {
                 face: side(soil.face),
                 elevation: of(|point| point.elevation),
+                distance: Vec::new(),
                 pressure: of(|point| point.normal),
                 tangential: of(|point| point.tangential),
             }],

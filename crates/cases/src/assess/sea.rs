@@ -1,26 +1,48 @@
 //! The sea, the waves and their pressures, for reading.
 
+mod crown;
+mod standing;
+
 use standfast::wave::Heights;
 
 use super::text::warnings;
-use crate::case::{Case, Waves};
+use crate::case::{Case, GodaWaves, WaveFormula, Waves};
 use crate::layout::{columns, digits, row};
+use crate::units::Extent;
 use standfast_model::Warning;
 
 pub(super) fn render(case: &Case, wave: &Waves) -> String {
-    let mut text = "\nSea and waves\n".to_owned();
-    text += &sea(wave);
-    text += &warnings(case, Warning::is_about_waves);
-    text += "\nPressures on the wall (Goda)\n";
-    text += &pressures(wave);
-    text
+    let sea = match &wave.formula {
+        WaveFormula::Goda(wave) => sea(wave),
+        WaveFormula::Sainflou(wave) => standing::sea(wave),
+        WaveFormula::Crown(wave) => crown::sea(wave),
+    };
+    let warnings = warnings(case, Warning::is_about_waves);
+    format!("\nSea and waves\n{sea}{warnings}\n{}", pressures(wave, case.extent))
 }
 
+/// What the waves amount to, under a title.
+pub(super) fn pressures(wave: &Waves, extent: Extent) -> String {
+    match &wave.formula {
+        WaveFormula::Goda(wave) => format!("Pressures on the wall (Goda)\n{}", of_goda(wave)),
+        WaveFormula::Sainflou(wave) => {
+            format!("{}\n{}", standing::title(wave), standing::pressures(wave, extent))
+        }
+        WaveFormula::Crown(wave) => format!("{}\n{}", crown::title(wave), crown::forces(wave, extent)),
+    }
+}
+
+/// A length in m.
 fn metres(x: f64) -> String {
     format!("{} m", digits(x))
 }
 
-fn sea(Waves { sea, heights, section, choices, goda, .. }: &Waves) -> String {
+/// A pressure in kPa.
+fn kilopascals(pressure: f64) -> String {
+    format!("{} kPa", digits(pressure / 1e3))
+}
+
+fn sea(GodaWaves { sea, heights, section, choices, goda, .. }: &GodaWaves) -> String {
     let mut rows = Vec::new();
     match *heights {
         Heights::DeepWater(height) => {
@@ -61,8 +83,7 @@ fn sea(Waves { sea, heights, section, choices, goda, .. }: &Waves) -> String {
     columns(&rows, 2, &[])
 }
 
-fn pressures(Waves { choices, goda, .. }: &Waves) -> String {
-    let kilopascals = |p: f64| format!("{} kPa", digits(p / 1e3));
+fn of_goda(GodaWaves { choices, goda, .. }: &GodaWaves) -> String {
     let [λ1, λ2, λ3] = choices.lambda.map(digits);
     let impulsive = if choices.impulsive { "in use" } else { "not used" };
     let rows = [

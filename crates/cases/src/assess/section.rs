@@ -4,6 +4,7 @@ mod under;
 
 use standfast::loads::{Action, Face, Load, LoadId, LoadSource, PressureAt};
 use standfast::section::{Part, Vertex, WaterTable};
+use standfast::wave::WavePhase;
 use standfast::{BaseEdges, InputError, Situation};
 use standfast_figures::{
     Arrow, Backfill, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
@@ -12,7 +13,9 @@ use standfast_figures::{
 use standfast_model::load_words;
 
 use super::Assessment;
-use crate::case::{Acting, Case, Limit, Made, SoilFill, Trial, Waves, soil_of};
+use crate::case::{
+    Acting, Case, GodaWaves, Limit, Made, SoilFill, StandingWaves, Trial, WaveFormula, Waves, soil_of,
+};
 use crate::layout::digits;
 use crate::units::Extent;
 
@@ -20,6 +23,7 @@ const SCALES: &str = "Lengths are to one scale, pressures to another, arrows of 
     longer, to be seen. Values are those of the case, before any factor of a combination.";
 const EQUAL: &str = "Water stands equally high on both sides: its pressures there cancel, and are no load.";
 const WAVE: &str = "The wave is drawn to η*, where its pressure would end; its shape is a sketch. Pressures are those above still water.";
+const STANDING_WAVE: &str = "Pressures of the wave are those beside still water.";
 const SLOPES: &str = "How steep the mound is, the case does not say.";
 const SOIL_BESIDE: &str = "Grains beside the body: soil, up to the ground.";
 const FILLED: &str = "Grains beside the body: fill, drawn where a permanent pressure rises with depth.";
@@ -99,8 +103,8 @@ pub(super) fn with_section<T>(
         arrows,
         widths,
         heights,
-        mound: case.wave.as_ref().and_then(mound),
-        wave_crest: case.wave.as_ref().map(|wave| wave.section.base_depth + wave.goda.eta_star),
+        mound: case.goda().and_then(mound),
+        wave_crest: case.wave.as_ref().and_then(Waves::surface),
         is_on_soil,
         backfills,
         reaction,
@@ -263,20 +267,29 @@ fn levels(case: &Case) -> Vec<Level> {
         let bounds = fill.soil.bounds().into_iter().map(|[_, lower]| lower);
         levels.extend(bounds.filter(|lower| *lower > 0.0).map(|lower| level(side, lower, "layer", false)));
     }
-    if let Some(Waves { sea, section, goda, .. }) = &case.wave {
-        let still = section.base_depth;
+    if let Some((waves, still)) = case.wave.as_ref().and_then(|waves| Some((waves, waves.still_water()?))) {
         levels.retain(|level| !level.is_water);
-        // Goda's pressures are those above still water, which stands in the harbour as well.
+        // The pressures of waves are those above still water, which stands in the harbour as well.
         levels.extend([Side::Left, Side::Right].map(|side| level(side, still, "still water", true)));
-        levels.push(level(Side::Right, still + goda.eta_star, "η*", false));
-        levels.push(level(Side::Right, still - section.depth_above_berm, "berm", false));
-        levels.push(level(Side::Right, still - sea.water_depth, "sea bed", false));
+        let at_sea = |elevation: f64, name| level(Side::Right, still + elevation, name, false);
+        match &waves.formula {
+            WaveFormula::Goda(GodaWaves { section, goda, sea, .. }) => levels.extend([
+                at_sea(goda.eta_star, "η*"),
+                at_sea(-section.depth_above_berm, "berm"),
+                at_sea(-sea.water_depth, "sea bed"),
+            ]),
+            WaveFormula::Sainflou(StandingWaves { wave, sea, .. }) => {
+                let name = if wave.phase == WavePhase::Crest { "wave crest" } else { "wave trough" };
+                levels.extend([at_sea(wave.surface, name), at_sea(-sea.water_depth, "sea bed")]);
+            }
+            WaveFormula::Crown(_) => {}
+        }
     }
     levels
 }
 
 /// The mound, unless the base is no higher than the bed.
-fn mound(wave: &Waves) -> Option<Mound> {
+fn mound(wave: &GodaWaves) -> Option<Mound> {
     let still = wave.section.base_depth;
     let bed = still - wave.sea.water_depth;
     let berm = still - wave.section.depth_above_berm;
@@ -394,10 +407,12 @@ fn notes(case: &Case) -> Vec<String> {
     if case.water_table.is_some() && case.parts().any(|(_, part)| takes_up(part)) {
         notes.push(WET);
     }
-    if case.wave.is_some() {
-        notes.push(WAVE);
+    match case.wave.as_ref().map(|wave| &wave.formula) {
+        Some(WaveFormula::Goda(_)) => notes.push(WAVE),
+        Some(WaveFormula::Sainflou(_)) => notes.push(STANDING_WAVE),
+        _ => {}
     }
-    if case.wave.as_ref().and_then(mound).is_some() {
+    if case.goda().and_then(mound).is_some() {
         notes.push(SLOPES);
     }
     if case.earthquake.is_some() && (case.both_sides || case.both_ways) {

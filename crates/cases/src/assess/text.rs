@@ -130,6 +130,10 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     let full = &assessed.outcome.full;
     let under = case.under(assessed.acting);
     let mut text = if under.soils == case.soils { String::new() } else { soil::render(under) };
+    if let Some(wave) = under.wave.as_ref().filter(|_| under.wave != case.wave) {
+        text += &sea::pressures(wave, case.extent);
+        text += "\n";
+    }
     text += "Forces and moments\n";
     text += &loads::components(assessed);
     if first {

@@ -18,6 +18,13 @@ const SKELETON: &str = "a case file has a body and one or more loads, for exampl
     [body]\nwidth = \"15 m\"\nheight = \"12 m\"\ndensity = \"2.1 t/m3\"\nfriction = 0.6\n\n\
     [[load]]\nforce = \"450 kN/m\"\nelevation = \"8 m\"";
 
+/// Names that follow each other, each once.
+fn each_once(names: &[&'static str]) -> Vec<&'static str> {
+    let mut once = names.to_vec();
+    once.dedup();
+    once
+}
+
 impl Problem {
     /// Advice on the problem.
     pub fn help(&self) -> Option<String> {
@@ -65,6 +72,7 @@ impl Problem {
                             None => units,
                         }
                     }
+                    _ if *key == Key::WaveHeight => format!("{units}; or \"Hmax\" or \"H13\", the height that [wave] has"),
                     _ => units,
                 }
             }
@@ -111,6 +119,8 @@ impl Problem {
             Problem::HistoryKey { takes, shape, .. } => format!("\"{shape}\" has {}", takes.join(", ")),
             Problem::SineOnSprings { .. } => "give it by its points".into(),
             Problem::Record { help, .. } => (*help)?.into(),
+            Problem::ByOtherWaves { .. } => "say how long the thrust lasts, for example duration = \"0.4 s\"".into(),
+            Problem::NotOfFormula { takes, formula, .. } => format!("\"{formula}\" has {}", each_once(takes).join(", ")),
             Problem::ByWavesShape { .. } => "shape = \"triangle\"".into(),
             Problem::HeldShaking => {
                 "in place of [earthquake] say how the base moves, by a record or by a pulse as\n[motion.base]\n\
@@ -270,6 +280,7 @@ impl Problem {
             | Problem::NoWeight
             | Problem::SidesWithoutWater
             | Problem::CaissonWidth { .. }
+            | Problem::WallBeyondBase { .. }
             | Problem::History { .. }
             | Problem::BothIn { .. }
             | Problem::ByWavesRise { .. }

@@ -232,13 +232,20 @@ pub(super) fn filled(
         "PIANC28-sliding" => {
             let [of_heights, of_friction] = of_pianc(&options)?;
             friction = of_friction;
-            factors.retain(|(name, _)| name != "wave");
-            if inputs.has(Table::Wave) {
-                factors.extend(BIASES.map(|(name, factor)| (name.to_owned(), One(factor))));
+            // The biases are those of Goda's formulas.
+            if inputs.choice(Key::WaveFormula).is_none_or(|formula| formula == "goda") {
+                factors.retain(|(name, _)| name != "wave");
+                if inputs.has(Table::Wave) {
+                    factors.extend(BIASES.map(|(name, factor)| (name.to_owned(), One(factor))));
+                }
             }
-            let heights = [Key::DeepWaterHeight, Key::H13, Key::Hmax].map(Id::from);
-            let heights = heights.into_iter().filter(|id| inputs.number(*id).is_some());
-            changes.extend(heights.map(|id| change(id, ChangeBy::Scale(of_heights))));
+            // The heights at the wall, as they are found: the depth does not limit them again.
+            let deep = inputs.number(Key::DeepWaterHeight).is_some();
+            let heights = [Key::H13, Key::Hmax, Key::WaveHeight].map(Id::from);
+            let at_wall = |id: &Id| deep && id.key != Key::WaveHeight || inputs.number(*id).is_some();
+            changes.extend(
+                heights.into_iter().filter(at_wall).map(|id| change(id, ChangeBy::Scale(of_heights))),
+            );
         }
         "UFC-3-220-20" => {
             options.only(&["ground"])?;

@@ -15,15 +15,16 @@ use super::backfill::of_all_layers;
 use super::code::{CodeLoad, NamedLoad, filled};
 use super::loads::{FacePressure, PointForce};
 use super::reader::Reader;
+use super::waves::keys_of_others;
 use super::{Acting, Case, LoadOrigin, Made, SoilFill};
 use crate::couple::{Variable, spelled, vary};
 use crate::criteria::Criterion;
 use crate::digits::decimal;
 use crate::error::{Fault, Place, Problem};
-use crate::inputs::{Inputs, LoadFactor};
+use crate::inputs::{Inputs, LoadFactor, Value};
 use crate::key::{Id, Key, Table};
 use crate::load_words::load_words;
-use crate::parse::read;
+use crate::parse::{read, words_for};
 
 /// Loads that act together, each times a factor.
 #[derive(Debug, Clone, PartialEq)]
@@ -565,8 +566,10 @@ impl Reader<'_> {
             indices.flat_map(move |index| table.keys().map(move |key| Id::of(table, index, key)))
         });
         let found = keys.find(|id| id.to_string() == name);
-        // What the case does not say has no number to be multiplied.
-        let has = |id: &Id| self.inputs.get(*id).is_some() || is_set(id);
+        // What the case does not say has no number to be multiplied; heights in deep water say those at the wall.
+        let deep = self.inputs.number(Key::DeepWaterHeight).is_some();
+        let at_wall = |id: &Id| deep && matches!(id.key, Key::H13 | Key::Hmax);
+        let has = |id: &Id| self.inputs.get(*id).is_some() || is_set(id) || at_wall(id);
         let found = found.filter(|id| match by {
             Key::CombinationSet => true,
             Key::CombinationMaterials => of_all_layers(self.inputs, *id).iter().any(has),
@@ -669,6 +672,7 @@ impl Reader<'_> {
 
 /// The inputs after changes of one kind, with what goes with them; the place of the one that cannot be, and why.
 fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs, (usize, Problem)> {
+    let inputs = &heights_at_wall(inputs, case, changes);
     let mut others = Vec::new();
     let (mut numbers, mut divisions) = (Vec::new(), Vec::new());
     for (place, change) in changes.iter().enumerate() {
@@ -680,13 +684,14 @@ fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs
         let value = match &change.by {
             ChangeBy::Set(text) => {
                 let kind = change.id.key.info().kind;
-                let is_number = change.id.key.info().range().is_some() && present.is_some();
+                let unquoted = text.trim_matches(['"', '\'']);
+                let is_word = words_for(change.id).contains(&unquoted);
+                let is_number = change.id.key.info().range().is_some() && present.is_some() && !is_word;
                 if !is_number {
                     let value = read(change.id, kind, inputs.units(), text);
                     others.push((change.id, value.map_err(|problem| (place, problem))?));
                     continue;
                 }
-                let unquoted = text.trim_matches(['"', '\'']);
                 variable.read(unquoted, inputs).map_err(|problem| (place, problem))?
             }
             // To fifteen digits: 0.011/1.1 is 0.01, as who writes it in decimals finds it.
@@ -706,9 +711,30 @@ fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs
     numbers.extend(divisions);
     let numbers: Vec<(&Variable, f64)> = numbers.iter().map(|(variable, value)| (variable, *value)).collect();
     let mut changed = vary(inputs, case, &numbers);
-    others.into_iter().for_each(|(id, value)| changed.put(id, value));
+    for (id, value) in others {
+        // What another formula of the waves has no use for goes.
+        if let (Key::WaveFormula, Value::Choice(formula)) = (id.key, &value) {
+            keys_of_others(formula).for_each(|key| changed.remove(key.into()));
+        }
+        changed.put(id, value);
+    }
     strengths.into_iter().for_each(|id| changed.put_divided(id));
     Ok(changed)
+}
+
+/// The inputs with the heights at the wall as they are found in place of one in deep water, where these are multiplied or set.
+fn heights_at_wall(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Inputs {
+    let mut inputs = inputs.clone();
+    let named = changes.iter().any(|change| matches!(change.id.key, Key::H13 | Key::Hmax));
+    if let Some(heights) =
+        case.heights_at_wall().filter(|_| named && inputs.number(Key::DeepWaterHeight).is_some())
+    {
+        inputs.remove(Key::DeepWaterHeight.into());
+        for (key, height) in [Key::H13, Key::Hmax].into_iter().zip(heights) {
+            inputs.set(key, height);
+        }
+    }
+    inputs
 }
 
 /// What a divisor of a strength divides: of a soil in all its layers, and with its angle of friction that on the wall, unless that is

@@ -214,8 +214,11 @@ impl Field<'_> {
     /// The history of an impulsive thrust whose duration the waves give: Shimosako and Takahashi's, a triangle with its peak in the
     /// middle, for τ₀F = max(0.4, 0.5 − H/(8h)) T and k = 1/(α*^0.3 + 1)², of k τ₀F.
     fn by_waves(&self, shape: &'static str) -> Result<ReadHistory, Fault> {
-        let HistoryOf::Waves(waves) = self.of else { return Err(self.lacks(Key::HistoryDuration)) };
-        let words = BY_WAVES.1;
+        let HistoryOf::Waves(of) = self.of else { return Err(self.lacks(Key::HistoryDuration)) };
+        let words = BY_WAVES;
+        let Some(waves) = of.goda() else {
+            return Err(Fault::new(Problem::ByOtherWaves { words }, self.id(Key::HistoryDuration)));
+        };
         if shape != "triangle" {
             return Err(Fault::new(Problem::ByWavesShape { words }, self.id(Key::HistoryShape)));
         }

@@ -3,19 +3,16 @@
 
 use standfast::contact::opening::Drain;
 use standfast::loads::{AddedMass, Earthquake, StillWater, Uplift};
-use standfast::wave::{self, Choices, Heights, Sea, goda};
 use standfast::{Body, InputError, OpeningRule, Plan, Scalar, Section};
 use standfast_motion::MotionError;
 
-use super::history::HistoryOf;
-use super::motion::CaseMotion;
 use super::{Foundation, Waves, Weight};
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Range, Table};
 
 /// Difference up to which lengths count as equal, m.
-const SAME_LENGTH: f64 = 1e-6;
+pub(super) const SAME_LENGTH: f64 = 1e-6;
 
 /// Difference up to which densities count as equal, kg/m³.
 const SAME_DENSITY: f64 = 1e-6;
@@ -147,7 +144,7 @@ impl Reader<'_> {
 
     /// The arm of the weight of parts less the water that they displace under the waves' still water.
     fn arm_of_parts<T: Scalar>(&self, body: &Body<T>, section: &Section) -> Option<T> {
-        let (depth, density) = (self.number(Key::BaseDepth)?, self.number(self.sea_density_key())?);
+        let (depth, density) = (self.still_water()?, self.number(self.sea_density_key())?);
         let [o, _] = section.base();
         let displaced = section.below(depth);
         let buoyancy = density * displaced.area;
@@ -157,7 +154,7 @@ impl Reader<'_> {
     }
 
     /// Key that gives the density of the sea: its own, or that of the water that stands beside the body.
-    fn sea_density_key(&self) -> Key {
+    pub(super) fn sea_density_key(&self) -> Key {
         let by_water =
             self.number(Key::WaveWaterDensity).is_none() && self.number(Key::WaterDensity).is_some();
         if by_water { Key::WaterDensity } else { Key::WaveWaterDensity }
@@ -181,7 +178,7 @@ impl Reader<'_> {
             }
             (Some(_), _, _) => return Err(Fault::new(Problem::LevelAndSides, Key::Level)),
         };
-        let of_wave = wave.map(|wave| wave.sea.water_density);
+        let of_wave = wave.map(|wave| wave.water_density);
         let density = match (self.scalar::<T>(Key::WaterDensity), of_wave) {
             (Some(density), Some(of_wave)) if (density.value() - of_wave).abs() > SAME_DENSITY => {
                 let own = (Key::WaterDensity, density.value());
@@ -200,9 +197,9 @@ impl Reader<'_> {
             let fault = self.blame_one_of(blamed, 0, error);
             fault.unwrap_or_else(|| Fault::new(Problem::Mechanics(error), Table::Water))
         })?;
-        match wave.map(|wave| wave.section.base_depth) {
+        match wave.and_then(Waves::still_water) {
             Some(depth) if (depth - levels[1]).abs() > SAME_LENGTH => {
-                Err(disagree((right_key, levels[1]), (Key::BaseDepth, depth)))
+                Err(disagree((right_key, levels[1]), (self.still_water_key(), depth)))
             }
             _ => Ok(water),
         }
@@ -286,7 +283,7 @@ impl Reader<'_> {
             (Some(water), _) => {
                 Some((water.density().value(), [water.right(), water.left()].map(|level| level.value())))
             }
-            (None, Some(Waves { sea, section, .. })) => Some((sea.water_density, [section.base_depth; 2])),
+            (None, Some(wave)) => wave.still_water().map(|level| (wave.water_density, [level; 2])),
             (None, None) => None,
         };
         match (self.scalar::<T>(Key::WaterMass), self.inputs.get(Key::WetSides), depths) {
@@ -362,76 +359,10 @@ impl Reader<'_> {
         fills.any(|face| self.inputs.choice(face) == Some(side))
     }
 
-    pub(super) fn waves(
-        &self,
-        body: &Body,
-        gravity: f64,
-        motion: Option<&mut CaseMotion>,
-    ) -> Result<Waves, Fault> {
-        let density_key = self.sea_density_key();
-        let sea = Sea {
-            water_depth: self.required(Key::WaterDepth)?,
-            sea_bottom_slope: self.required(Key::SeaBottomSlope)?,
-            period: self.required(Key::Period)?,
-            angle_deg: self.required(Key::AngleDeg)?,
-            water_density: self.required(density_key)?,
-            gravity,
-        };
-        let heights = self.heights()?;
-        let caisson_width = body.base_width();
-        let given_width = self.number(Key::CaissonWidth);
-        if let Some(width) = given_width.filter(|width| (width - caisson_width).abs() > SAME_LENGTH) {
-            let problem = Problem::CaissonWidth { width, base: caisson_width };
-            return Err(Fault::new(problem, Key::CaissonWidth).and(self.base_key()));
-        }
-        let section = wave::CaissonSection {
-            base_depth: self.required(Key::BaseDepth)?,
-            depth_above_berm: self.required(Key::DepthAboveBerm)?,
-            crest_height: self.required(Key::CrestHeight)?,
-            berm_width: self.required(Key::BermWidth)?,
-            caisson_width,
-        };
-        let default = Choices::default();
-        let factor = |key, default| self.number(key).unwrap_or(default);
-        let choices = Choices {
-            lambda: [
-                factor(Key::Lambda1, default.lambda[0]),
-                factor(Key::Lambda2, default.lambda[1]),
-                factor(Key::Lambda3, default.lambda[2]),
-            ],
-            impulsive: self.inputs.truth(Key::Impulsive).unwrap_or(default.impulsive),
-            turn_deg: factor(Key::TurnDeg, default.turn_deg),
-            uplift: self.inputs.truth(Key::WaveUplift).unwrap_or(default.uplift),
-        };
-        let goda =
-            goda(&sea, &heights, &section, &choices).map_err(|error| self.blame(Table::Wave, error))?;
-        let wave::CaissonSection { base_depth, crest_height, .. } = section;
-        if (base_depth + crest_height - body.height()).abs() > SAME_LENGTH {
-            let problem = Problem::Height { base_depth, crest_height, height: body.height() };
-            return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));
-        }
-        let mut waves = Waves { sea, density_key, heights, section, choices, goda, history: None };
-        let history = self.history(Table::WaveHistory, 0, HistoryOf::Waves(&waves))?;
-        waves.history = self.taken(history, motion, Table::WaveHistory, 0)?;
-        Ok(waves)
-    }
-
     /// The key that says how wide the base is.
     pub(super) fn base_key(&self) -> Key {
         let keys = [Key::BaseLeft, Key::BaseRight];
         keys.into_iter().find(|key| self.number(*key).is_some()).unwrap_or(Key::Width)
-    }
-
-    pub(super) fn heights(&self) -> Result<Heights, Fault> {
-        let one = |missing, at: Key| Err(Fault::new(Problem::OneWaveHeight { missing }, at));
-        match (self.number(Key::DeepWaterHeight), self.number(Key::H13), self.number(Key::Hmax)) {
-            (Some(height), None, None) => Ok(Heights::DeepWater(height)),
-            (None, Some(significant), Some(maximum)) => Ok(Heights::Local { significant, maximum }),
-            (Some(_), _, _) => Err(Fault::new(Problem::DeepAndLocal, Key::DeepWaterHeight)),
-            (None, None, None) => Err(Fault::new(Problem::NoWaveHeight, Table::Wave)),
-            (None, Some(_), None) => one(Key::Hmax, Key::H13),
-            (None, None, Some(_)) => one(Key::H13, Key::Hmax),
-        }
     }
 }
 

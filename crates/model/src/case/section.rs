@@ -114,7 +114,7 @@ impl Reader<'_> {
 
     /// Under which line the parts are wet: the still water at both sides, or that of the waves.
     pub(super) fn water_table(&self) -> Option<WaterTable> {
-        let level = self.number(Key::Level).or(self.number(Key::BaseDepth));
+        let level = self.number(Key::Level).or(self.still_water());
         match (self.number(Key::WaterLeft), self.number(Key::WaterRight)) {
             (Some(left), Some(right)) => Some(WaterTable { left, right }),
             _ => level.map(|level| WaterTable { left: level, right: level }),

@@ -9,7 +9,8 @@ use standfast::{BaseEdges, BaseOpening, Situation, Slip};
 
 use super::Warning;
 use crate::case::{
-    Acting, Case, Direction, FacePressure, Made, Trial, Waves, Weight, said_by, tables_of_layers,
+    Acting, Case, CrownWaves, Direction, FacePressure, GodaWaves, Made, Trial, WaveFormula, Weight, said_by,
+    tables_of_layers,
 };
 use crate::criteria::Bound;
 use crate::error::Place;
@@ -452,7 +453,7 @@ impl Case {
             Some(Warning::UnusualGround { key, value })
         });
         let mut warnings: Vec<Warning> = unusual.collect();
-        let wet = self.water.is_some() || self.wave.is_some();
+        let wet = self.water.is_some() || self.wave.as_ref().is_some_and(|wave| wave.still_water().is_some());
         if let Some(unit_weight) = ground.soil().and_then(|soil| soil.unit_weight()).filter(|_| wet)
             && unit_weight > SUBMERGED * 1e3 * (1.0 + ROUNDING)
         {
@@ -506,7 +507,7 @@ impl Case {
                 .chain(wet.and_then(|below| of(Key::PartDensityBelow, below)))
                 .collect::<Vec<_>>()
         }));
-        let of_wave = self.wave.as_ref().map(|wave| (wave.density_key, wave.sea.water_density));
+        let of_wave = self.wave.as_ref().map(|wave| (wave.density_key, wave.water_density));
         let water = of_wave.or(self.water.map(|water| (Key::WaterDensity, water.density())));
         if let Some((key, density)) = water.filter(|(_, density)| !WATER.contains(*density)) {
             warnings.push(Warning::WaterDensity { key, density });
@@ -546,14 +547,14 @@ impl Case {
         if buoyant > weight * (1.0 + ROUNDED) {
             return Some(Warning::BuoyantAboveWeight { buoyant, weight, extent });
         }
-        let Waves { sea, section, .. } = self.wave.as_ref()?;
-        let unit_weight = sea.water_density * self.gravity;
+        let wave = self.wave.as_ref()?;
+        let (unit_weight, depth) = (wave.water_density * self.gravity, wave.still_water()?);
         if let Some(parts) = &self.section {
-            let of_parts = weight - unit_weight * parts.below(section.base_depth).area;
+            let of_parts = weight - unit_weight * parts.below(depth).area;
             let off = (buoyant / of_parts - 1.0).abs();
             return (off > OF_PARTS).then_some(Warning::BuoyantBesideParts { buoyant, of_parts });
         }
-        let displaced = unit_weight * self.body.base_area() * section.base_depth;
+        let displaced = unit_weight * self.body.base_area() * depth;
         let off = (weight - displaced - buoyant).abs();
         let near = (SHAPE * displaced).max(SHALLOW * weight);
         (off > near).then_some(Warning::BuoyantBesideDisplacement { buoyant, weight, displaced, extent })
@@ -590,23 +591,38 @@ impl Case {
     fn waves(&self) -> Vec<Warning> {
         let Some(wave) = &self.wave else { return Vec::new() };
         let mut warnings = Vec::new();
-        if let Heights::Local { significant, maximum } = wave.heights
-            && !HEIGHTS.contains(maximum / significant)
-        {
-            warnings.push(Warning::WaveHeightRatio { maximum, significant });
-        }
-        if wave.sea.angle_deg > OBLIQUE {
-            warnings.push(Warning::WaveAngle { degrees: wave.sea.angle_deg });
+        match &wave.formula {
+            WaveFormula::Goda(GodaWaves { heights, sea, .. }) => {
+                if let Heights::Local { significant, maximum } = *heights
+                    && !HEIGHTS.contains(maximum / significant)
+                {
+                    warnings.push(Warning::WaveHeightRatio { maximum, significant });
+                }
+                if sea.angle_deg > OBLIQUE {
+                    warnings.push(Warning::WaveAngle { degrees: sea.angle_deg });
+                }
+            }
+            WaveFormula::Sainflou(_) if wave.uplift() != 0.0 => warnings.push(Warning::FormulaRecalled {
+                what: "the uplift of standing waves, which falls to nothing at the heel,",
+                source: "Sainflou",
+            }),
+            WaveFormula::Sainflou(_) => {}
+            WaveFormula::Crown(CrownWaves { wall, .. }) => {
+                let (wall, body) = (wall.height(), self.body.height());
+                if (wall - body).abs() > SLACK {
+                    warnings.push(Warning::CrownWallHeight { wall, body });
+                }
+            }
         }
         // Where λ3 takes it away, it is not there twice.
-        let of_waves = wave.goda.pu;
+        let of_waves = wave.uplift();
         if let Some(uplift) = self.uplift.filter(|uplift| uplift.left().max(uplift.right()) > 0.0)
             && of_waves > 0.0
         {
             let given = [uplift.left(), uplift.right()];
             warnings.push(Warning::UpliftBesideWave { given, of_waves });
         }
-        warnings.extend(wave.goda.warnings.iter().copied().map(Warning::Wave));
+        warnings.extend(wave.warnings().into_iter().map(Warning::Wave));
         warnings
     }
 }

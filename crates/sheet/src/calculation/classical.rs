@@ -135,7 +135,7 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
     gross(steps, assessed, components);
     balance::steps(steps, case, assessed, components);
     // That is practice for breakwaters.
-    if !case.criteria_of(assessed.acting).is_empty() || case.wave.is_none() {
+    if !case.criteria_of(assessed.acting).is_empty() || case.goda().is_none() {
         return;
     }
     let met = |factor: f64| if factor >= TARGET { "met" } else { "not met" };

@@ -117,9 +117,7 @@ fn added_mass(steps: &mut SheetSteps, case: &Case) {
     }
     let from_water = match (&case.water, &case.wave) {
         (Some(water), _) => Some((water.density(), water.right(), water.left())),
-        (None, Some(wave)) => {
-            Some((wave.sea.water_density, wave.section.base_depth, wave.section.base_depth))
-        }
+        (None, Some(wave)) => wave.still_water().map(|level| (wave.water_density, level, level)),
         (None, None) => None,
     };
     let (Some(height), Some((density, right, left))) = (height, from_water) else {

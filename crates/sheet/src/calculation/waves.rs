@@ -1,16 +1,36 @@
 //! Waves: heights at the wall, Goda's pressures with Takahashi's impulsive coefficient, their resultants.
 
+mod crown;
+mod standing;
+
 use standfast::wave::{BreakingTerms, CaissonSection, Goda, Heights, Impulsive, Sea};
 use standfast_cases::Case;
-use standfast_cases::case::Waves;
+use standfast_cases::case::{GodaWaves, WaveFormula, Waves};
 
 use crate::measured::{
     ACCELERATION, DEGREE, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, NONE, SECOND,
 };
 use crate::steps::{SheetStep, SheetSteps};
 
+/// The title of the part.
+pub(super) fn title(wave: &Waves) -> &'static str {
+    match &wave.formula {
+        WaveFormula::Goda(_) => "Waves and pressures (Goda, Takahashi)",
+        WaveFormula::Sainflou(_) => "Standing waves and pressures (Sainflou)",
+        WaveFormula::Crown(waves) => crown::title(waves),
+    }
+}
+
 pub(super) fn steps(steps: &mut SheetSteps, case: &Case, wave: &Waves) {
-    let Waves { sea, choices, goda, .. } = wave;
+    match &wave.formula {
+        WaveFormula::Goda(wave) => of_goda(steps, case, wave),
+        WaveFormula::Sainflou(wave) => standing::steps(steps, case, wave),
+        WaveFormula::Crown(wave) => crown::steps(steps, case, wave),
+    }
+}
+
+fn of_goda(steps: &mut SheetSteps, case: &Case, wave: &GodaWaves) {
+    let GodaWaves { sea, choices, goda, .. } = wave;
     given(steps, case, wave);
     steps.heading("Wavelength and wave heights");
     let l0 = goda.deep_water_wavelength;
@@ -26,7 +46,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, wave: &Waves) {
 }
 
 /// The numbers of the sea and of the section.
-fn given(steps: &mut SheetSteps, case: &Case, Waves { sea, section, choices, .. }: &Waves) {
+fn given(steps: &mut SheetSteps, case: &Case, GodaWaves { sea, section, choices, .. }: &GodaWaves) {
     let CaissonSection { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
     for (name, value, unit) in [
         ("h", sea.water_depth, METRE),
@@ -47,8 +67,8 @@ fn given(steps: &mut SheetSteps, case: &Case, Waves { sea, section, choices, .. 
     }
 }
 
-fn coefficients(steps: &mut SheetSteps, wave: &Waves) {
-    let Waves { choices, goda, .. } = wave;
+fn coefficients(steps: &mut SheetSteps, wave: &GodaWaves) {
+    let GodaWaves { choices, goda, .. } = wave;
     steps.heading("Coefficients");
     angle(steps, wave);
     let Goda { eta_star, h_c_star, alpha_1, alpha_2, alpha_3, alpha_4, .. } = *goda;
@@ -98,7 +118,7 @@ fn resultants(steps: &mut SheetSteps, goda: &Goda) {
     steps.add("Its moment about the heel", "Goda", formula, goda.uplift_moment, MOMENT, "");
 }
 
-fn heights(steps: &mut SheetSteps, sea: &Sea, Waves { heights, goda, .. }: &Waves) {
+fn heights(steps: &mut SheetSteps, sea: &Sea, GodaWaves { heights, goda, .. }: &GodaWaves) {
     let deep = match (heights, &goda.heights) {
         (Heights::DeepWater(height), Some(computed)) => Some((*height, computed)),
         _ => None,
@@ -158,7 +178,7 @@ fn terms(
     steps.add("", "Goda", [&name_max, &formula], beta_max, NONE, "");
 }
 
-fn angle(steps: &mut SheetSteps, Waves { sea, choices, goda, .. }: &Waves) {
+fn angle(steps: &mut SheetSteps, GodaWaves { sea, choices, goda, .. }: &GodaWaves) {
     steps.know("β_g", sea.angle_deg, DEGREE);
     let about = "Angle of the waves from the wall's normal";
     let turned = choices.turn_deg > 0.0;

@@ -138,6 +138,17 @@ impl Sea {
 }
 
 impl Heights {
+    /// H_1/3 and H_max at the wall, m.
+    pub fn at_wall(&self, sea: &Sea) -> [f64; 2] {
+        match *self {
+            Heights::DeepWater(height) => {
+                let heights = DesignHeights::from_deep_water(sea, height);
+                [heights.significant, heights.maximum]
+            }
+            Heights::Local { significant, maximum } => [significant, maximum],
+        }
+    }
+
     fn check(&self) -> Result<(), InputError> {
         match *self {
             Heights::DeepWater(height) => {

@@ -87,7 +87,7 @@ pub struct RotatingWaves {
 #[non_exhaustive]
 pub enum SlidingError {
     /// No waves.
-    #[error("the case has a [storm] and no [wave]")]
+    #[error("the case has a [storm] and no [wave] by Goda's formulas")]
     NoWaves,
     /// A base that gives way.
     #[error(

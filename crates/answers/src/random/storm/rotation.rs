@@ -8,19 +8,19 @@ use standfast::wave::Goda;
 use standfast_motion::{History, Keep, MotionProblem, is_own_weight, simulate};
 use standfast_probability::sums::OtherEvent;
 
-use crate::case::{Acting, Case, Trial, Waves};
+use crate::case::{Acting, Case, GodaWaves, Trial};
 use crate::random::quantity::Bias;
 
 /// Outcome of the wave: slide of the body at the end, and overturning. None if it cannot be followed.
 pub(super) fn wave(
     case: &Case,
-    waves: &Waves,
+    waves: &GodaWaves,
     goda: Goda,
     duration: f64,
     [mu_s, mu_k]: [f64; 2],
     bias: impl Fn(Bias) -> f64,
 ) -> Option<OtherEvent> {
-    let case = case.with_waves(Waves { goda, ..waves.clone() });
+    let case = case.with_goda(GodaWaves { goda, ..waves.clone() });
     let situation = case.situation(Acting::All, Trial::AS_GIVEN).ok()?;
     let body = situation.body();
     let mut problem = MotionProblem::standing(&situation).ok()?;

@@ -9,7 +9,7 @@ use standfast_watch::Portion;
 
 use super::answer::{Sliding, SlidingError, sliding};
 use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level, rotation};
-use crate::case::{Acting, Case, Waves};
+use crate::case::{Acting, Case, GodaWaves};
 use crate::random::answer::ChanceRequest;
 use crate::random::mechanics::Components;
 use crate::random::problem::ChanceProblem;
@@ -25,7 +25,7 @@ pub(in crate::random) struct SeaStorm<'a> {
 
 /// A wave by Goda's formulas.
 pub(in crate::random) struct GodaWave {
-    waves: Waves,
+    waves: GodaWaves,
     /// Everything that acts, the waves' part that of the largest.
     components: Components,
     block: Block,
@@ -53,7 +53,7 @@ impl GodaWave {
         let block = problem.mechanics(values)?.block;
         let weight = case.body.mass() * case.gravity;
         Some(GodaWave {
-            waves: case.wave.clone()?,
+            waves: case.goda()?.clone(),
             components,
             block,
             biases: Bias::ALL.map(|bias| problem.bias(bias, values)),
@@ -66,7 +66,7 @@ impl GodaWave {
     }
 
     fn goda(&self, height: f64) -> Goda {
-        let Waves { sea, section, choices, goda, .. } = &self.waves;
+        let GodaWaves { sea, section, choices, goda, .. } = &self.waves;
         goda.under_wave(sea, section, choices, height)
     }
 
@@ -150,7 +150,7 @@ pub(in crate::random) fn of_case(
             what: "its combinations, loads that act alone, or an earthquake",
         });
     };
-    let Some((case, acting)) = problem.case().filter(|(case, _)| case.wave.is_some()) else {
+    let Some((case, acting)) = problem.case().filter(|(case, _)| case.goda().is_some()) else {
         return Err(SlidingError::NoWaves);
     };
     if case.gives_way() {

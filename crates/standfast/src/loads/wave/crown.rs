@@ -166,8 +166,7 @@ pub fn pedersen(sea: &CrownSea, armour: &Armour, wall: &PedersenWall) -> Result<
     let lean = 15f64.to_radians();
     let y = over * lean.sin() / (α.sin() * (α - lean).cos());
     let y_eff = (0.5 * y).min(free);
-    let force =
-        0.21 * (l / armour_width).sqrt() * (1.6 * pm * y_eff + 0.5 * volume_share * pm * protected);
+    let force = 0.21 * (l / armour_width).sqrt() * (1.6 * pm * y_eff + 0.5 * volume_share * pm * protected);
     let elevation = 0.55 * (protected + y_eff);
     let pu = volume_share * pm;
     let flags = [is_low, over == 0.0, 0.5 * y > free];
