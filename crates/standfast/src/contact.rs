@@ -62,6 +62,7 @@ pub(crate) use explain::relations;
 
 pub mod departure;
 pub mod friction;
+pub mod holding;
 pub mod opening;
 pub mod path;
 pub mod plane;
@@ -190,7 +191,7 @@ impl Solution {
     /// # Ok::<(), standfast::InputError>(())
     /// ```
     pub fn explain(&self, mode: Mode) -> Vec<Relation> {
-        self.motion(mode).map_or_else(Vec::new, |motion| relations(&self.block, mode, &motion))
+        self.motion(mode).map_or_else(Vec::new, |motion| relations(&self.block, mode, &motion, 0.0))
     }
 }
 

@@ -31,6 +31,7 @@
 
 use crate::ball::{Ball, Scalar};
 use crate::body::Body;
+use crate::contact::holding::Holding;
 use crate::contact::path::stages;
 use crate::contact::{self, Block, Choice, Solution, plane};
 use crate::departure::Departure;
@@ -48,9 +49,11 @@ use crate::stage::Stage;
 use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
+mod holding;
 mod opening;
 mod written;
 
+pub use holding::Held;
 use opening::Opening;
 pub use opening::{BaseOpening, OpeningRule};
 pub use written::Boundary;
@@ -67,6 +70,8 @@ pub struct Situation<T = f64> {
     loads: Vec<Load<T>>,
     /// Still water under the base, where it follows an opening.
     opening: Option<Opening>,
+    /// What holds it beside friction.
+    holding: Option<Holding>,
     /// The sum of its loads times partial factors that act on their effects alone, against which resistances count.
     effects: Option<Wrench>,
     /// Its numbers as they are written, where they decide.
@@ -110,6 +115,8 @@ pub struct Outcome {
     pub gross: GrossOverturning,
     /// Margins of the inequalities of rest under the full load.
     pub margins: Margins,
+    /// What holds the body beside friction; `None` where nothing does.
+    pub held: Option<Held>,
 }
 
 impl Response {
@@ -161,6 +168,7 @@ impl<T: Scalar> Situation<T> {
             added_mass: AddedMass::of(T::of(0.0))?,
             loads: Vec::new(),
             opening: None,
+            holding: None,
             effects: None,
             written: None,
         })
@@ -374,6 +382,9 @@ impl Situation {
         wrench: Wrench,
         effective: Option<Reduced>,
     ) -> Result<Response, InputError> {
+        if let Some(response) = self.response_as_held(factor, wrench)? {
+            return Ok(response);
+        }
         if let Some(response) = self.response_as_it_opens(factor, wrench)? {
             return Ok(response);
         }
@@ -410,7 +421,7 @@ impl Situation {
     /// that f64 cannot tell from their boundary are said to be on it.
     pub fn explain(&self, response: &Response) -> Vec<Relation> {
         let Some(mode) = response.mode() else { return Vec::new() };
-        let by_motion = self.is_as_written() || self.opening.is_some();
+        let by_motion = self.is_as_written() || self.opening.is_some() || self.holding.is_some();
         let (true, Some(motion)) = (by_motion, &response.motion) else {
             return self
                 .solve(&response.wrench)
@@ -418,7 +429,16 @@ impl Situation {
         };
         let [weight, half_width] = [self.body.mass() * self.gravity, self.body.width() / 2.0];
         let motion = motion.scaled(1.0 / self.gravity, 1.0 / half_width, 1.0 / weight);
-        let relations = contact::relations(&self.reduced_block().0, mode, &motion);
+        let block = self.reduced_block().0;
+        let adhesion = self.reduced_holding().map_or(0.0, |holding| {
+            let held = Wrench {
+                x: 0.0 - motion.f_x,
+                p: motion.f_y,
+                m: -(motion.f_x * block.d + motion.f_y * motion.xi),
+            };
+            holding.adhesion.map_or(0.0, |adhesion| adhesion.strength * holding.adhering(&block, &held))
+        });
+        let relations = contact::relations(&block, mode, &motion, adhesion);
         relations.into_iter().map(|relation| self.settled(relation)).collect()
     }
 
@@ -439,7 +459,11 @@ impl Situation {
     }
 
     /// Situation decided by the same one in the numbers that were written.
+    /// What holds it beside friction is not told by these.
     pub fn as_written(self, exact: &Situation<Ball>) -> Situation {
+        if self.holding.is_some() {
+            return self;
+        }
         Situation { written: Some(Box::new(Written::of(exact))), ..self }
     }
 
@@ -456,6 +480,9 @@ impl Situation {
     /// # Errors
     /// If a number is out of range.
     pub fn path(&self) -> Result<Vec<Stage>, InputError> {
+        if let Some(stages) = self.path_as_held()? {
+            return Ok(stages);
+        }
         if let Some(stages) = self.path_as_it_opens()? {
             return Ok(stages);
         }
@@ -491,18 +518,27 @@ impl Situation {
         let mut margins = actions.margins(self.static_friction, &self.body);
         let mut stability = actions.stability(self.static_friction, &self.body);
         let mut gross = GrossOverturning::of(&self.body, &actions, &sums.buoyancy);
-        if let Some(effects) = &self.effects {
-            let resistance = self.static_friction * (actions.buoyant_weight - actions.uplift);
-            stability.sliding = stability::ratio(resistance, effects.x.abs());
-            margins.sliding = resistance - effects.x.abs();
+        let held = self.held_at_full(&wrench)?;
+        if let Some(held) = &held {
+            self.strengthen(held, &wrench, &actions, (&mut margins, &mut stability, &mut gross));
+        }
+        if self.effects.is_some() || held.is_some() {
+            let more = held.map_or(0.0, |held| held.adhesion + held.against);
+            let resistance = self.static_friction * (actions.buoyant_weight - actions.uplift) + more;
+            let push = self.effects.map_or(actions.force, |effects| effects.x.abs());
+            stability.sliding = stability::ratio(resistance, push);
+            margins.sliding = resistance - push;
         }
         if let Some(written) = &self.written {
             written.settle(&self.body, actions.heel, (&mut margins, &mut stability, &mut gross));
         }
-        Ok(Outcome { full, departure, path, actions, stability, gross, margins })
+        Ok(Outcome { full, departure, path, actions, stability, gross, margins, held })
     }
 
     fn departure(&self, path: &[Stage], permanent: &Wrench) -> Result<Departure, InputError> {
+        if let Some(begin) = self.begins_as_held()? {
+            return Departure::along(begin.map(Verdict::Begins), path.iter().copied().map(Ok));
+        }
         let begin = match (self.followed(0.0)?, &self.written) {
             (Some(found), _) => found.mode,
             (None, Some(written)) => written.choice(&Ball::of(0.0)).choice.mode,

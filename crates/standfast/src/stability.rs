@@ -163,10 +163,26 @@ pub struct GrossOverturning {
 impl GrossOverturning {
     /// The factors of `actions` on `body`, whose W' is what `buoyancy` leaves of the weight.
     pub fn of(body: &Body, actions: &ClassicalActions, buoyancy: &Wrench) -> GrossOverturning {
+        let buoyancy_moment = 0.0 - resisting(actions.heel, body, buoyancy);
+        let none = GrossOverturning {
+            buoyancy: 0.0 - buoyancy.p,
+            buoyancy_moment,
+            about_heel: f64::INFINITY,
+            about_toe: f64::INFINITY,
+        };
+        none.held_by(body, actions, [0.0; 2])
+    }
+
+    /// The factors with more moments that hold the body about the heel and about the toe.
+    pub(crate) fn held_by(
+        self,
+        body: &Body,
+        actions: &ClassicalActions,
+        [heel, toe]: [f64; 2],
+    ) -> GrossOverturning {
         let ClassicalActions { buoyant_weight, weight_arm, uplift, uplift_moment, force_moment, .. } =
             *actions;
-        let buoyancy_moment = 0.0 - resisting(actions.heel, body, buoyancy);
-        let buoyancy = 0.0 - buoyancy.p;
+        let GrossOverturning { buoyancy, buoyancy_moment, .. } = self;
         let base = body.base_width();
         // What is sucked down holds the body as its weight does.
         let (up, down) = match uplift < 0.0 {
@@ -180,8 +196,8 @@ impl GrossOverturning {
         GrossOverturning {
             buoyancy,
             buoyancy_moment,
-            about_heel: ratio(resisting, turning),
-            about_toe: ratio(about_toe[0], about_toe[1]),
+            about_heel: ratio(resisting + heel, turning),
+            about_toe: ratio(about_toe[0] + toe, about_toe[1]),
         }
     }
 
@@ -241,16 +257,23 @@ impl ClassicalActions {
         }
     }
 
+    /// The factors against overturning about heel and toe, net, with more moments that hold the body there.
+    pub(crate) fn overturning(&self, body: &Body, [heel, toe]: [f64; 2]) -> (f64, f64) {
+        let [_, about_heel, about_toe] = self.resistance(body);
+        (ratio(about_heel + heel, self.force_moment), ratio(about_toe + toe, -self.force_moment))
+    }
+
     /// Safety factors with friction μ, and the pressure on the base of `body`.
     pub fn stability(&self, friction: f64, body: &Body) -> Stability {
         let base_width = body.base_width();
         let ClassicalActions { force, force_moment, .. } = *self;
-        let [pressing, about_heel, about_toe] = self.resistance(body);
+        let [pressing, about_heel, _] = self.resistance(body);
         let resultant_arm = (pressing > 0.0).then(|| (about_heel - force_moment) / pressing);
+        let (overturning_about_heel, overturning_about_toe) = self.overturning(body, [0.0; 2]);
         Stability {
             sliding: ratio(friction * pressing, force),
-            overturning_about_heel: ratio(about_heel, force_moment),
-            overturning_about_toe: ratio(about_toe, -force_moment),
+            overturning_about_heel,
+            overturning_about_toe,
             resultant_arm,
             bearing: resultant_arm
                 .map_or(Bearing::Lifted, |arm| bearing(pressing, arm, base_width, body.plan())),

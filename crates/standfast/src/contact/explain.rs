@@ -5,8 +5,9 @@ use crate::mode::{Corner, Mode, Slip};
 use crate::motion::Motion;
 use crate::relation::{Relation, Sign};
 
-/// The conditions of `mode`, which begins with `motion`; see the table of the [contact problem](super).
-pub(crate) fn relations(block: &Block, mode: Mode, motion: &Motion) -> Vec<Relation> {
+/// The conditions of `mode`, which begins with `motion`, where a body at rest adheres to its base with so much; see the table of the
+/// [contact problem](super).
+pub(crate) fn relations(block: &Block, mode: Mode, motion: &Motion, adhesion: f64) -> Vec<Relation> {
     use Sign::{Greater, GreaterOrEqual, Less, LessOrEqual};
     let Motion { theta_ddot: α, f_x, f_y, xi, slip, lift_o, lift_o_prime, .. } = *motion;
     let holds = |equation, (quantity, left), sign, (bound, right)| Relation {
@@ -40,6 +41,11 @@ pub(crate) fn relations(block: &Block, mode: Mode, motion: &Motion) -> Vec<Relat
             holds("separation", ("ÿ_O", lift_o), GreaterOrEqual, zero),
             holds("separation", ("ÿ_O'", lift_o_prime), GreaterOrEqual, zero),
         ],
+        (_, None, None) if adhesion > 0.0 => {
+            let stick = ("μ_s f_y + c_a A'", block.mu_s * f_y + adhesion);
+            let friction = holds("friction", ("|f_x|", f_x.abs()), LessOrEqual, stick);
+            [friction, pressed()].into_iter().chain(on_base()).collect()
+        }
         (_, None, None) => [friction(), pressed()].into_iter().chain(on_base()).collect(),
         (_, None, Some(slides)) => [slipping(slides), pressed()].into_iter().chain(on_base()).collect(),
         (_, Some(corner), None) => vec![turning(corner), pressed(), friction()],

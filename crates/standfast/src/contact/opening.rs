@@ -28,6 +28,7 @@
 //! Fast loads, as waves, meet the diagram that the steady ones leave: the water then is that of rest under these alone.
 
 use super::conditions::conditions;
+use super::holding::roots;
 use super::path;
 use super::{Block, check, numbers, solve};
 use crate::departure::Departure;
@@ -570,12 +571,4 @@ fn added(one: [f64; 3], two: [f64; 3]) -> [f64; 3] {
 
 fn times(one: [f64; 3], by: f64) -> [f64; 3] {
     one.map(|number| number * by)
-}
-
-/// The roots of a polynomial of the second degree, its constant first.
-fn roots([c, b, a]: [f64; 3]) -> [f64; 2] {
-    let root = (b * b - 4.0 * a * c).sqrt();
-    // Without cancellation.
-    let half = -(b + root.copysign(b)) / 2.0;
-    [half / a, c / half]
 }
