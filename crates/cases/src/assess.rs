@@ -6,6 +6,7 @@ mod combination;
 mod coordinates;
 mod figures;
 pub mod ground;
+pub mod holding;
 mod json;
 mod loads;
 pub mod made;

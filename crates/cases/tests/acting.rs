@@ -42,7 +42,7 @@ fn a_table_of_goda_s_pressures_is_goda_s_answer() {
              water_density = 1030\n{extra}"
         );
         let by_goda = assess(&wave);
-        let goda = &by_goda.case.wave.as_ref().unwrap().goda;
+        let goda = &by_goda.case.goda().unwrap().goda;
         let (p1, p3, p4, pu, top) = (goda.p1, goda.p3, goda.p4, goda.pu, 7.1 + goda.h_c_star);
         assert_eq!(pu > 0.0, uplift);
         let table = format!(

@@ -120,7 +120,7 @@ fn results_of_the_sea_are_those_of_the_file() {
     assert_ne!(higher, GODA, "the example has another height");
     let file = CaseFile::parse("case", &higher).unwrap();
     let assessment = Assessment::of_file(&file).unwrap();
-    let goda = &assessment.case.wave.as_ref().unwrap().goda;
+    let goda = &assessment.case.goda().unwrap().goda;
     let names: Vec<_> = SeaResult::ALL.iter().map(|result| result.name()).collect();
     let found = answered(GODA, &[("wave.deep_water_height", 7.0)], &names);
     let expected = [goda.h_13, goda.h_max, goda.deep_water_wavelength, goda.wavelength, goda.h_b];

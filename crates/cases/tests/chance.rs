@@ -357,7 +357,7 @@ fn rotations_are_those_of_the_motion_in_time() {
     assert!(found.rotating.wave.value > 0.0, "{found:?}");
     // By hand: wave by wave of the Rayleigh law.
     let case = CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
-    let waves = case.wave.unwrap();
+    let waves = case.goda().unwrap();
     let significant = waves.goda.h_13;
     let steps = 4000;
     let (mut slide, mut over, mut turning) = (0.0, 0.0, 0.0);

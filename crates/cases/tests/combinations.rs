@@ -56,7 +56,7 @@ fn a_check_by_partial_factors_is_the_one_by_hand() {
         factors = { \"wave.thrust\" = 0.9, \"wave.uplift\" = 0.77 }\ncriteria = { SF_sliding = 1.0 }";
     let checked = assess(&goda(pianc));
     let one = &checked.all[0];
-    let goda = &checked.case_of(one).wave.as_ref().unwrap().goda;
+    let goda = &checked.case_of(one).goda().unwrap().goda;
     near(goda.force, 1_258_310.0, 4e-6);
     near(goda.uplift, 591_654.0, 1e-6);
     near(number(one, ResultName::SfSliding), 0.822_561, 1e-6);

@@ -356,7 +356,7 @@ fn first_departures_part_at_the_load_that_turns() {
 
     let text = goda("friction = { normal = { mean = 1.2, sd = 0.2 } }");
     let case = standfast_cases::CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
-    let goda = &case.wave.unwrap().goda;
+    let goda = &case.goda().unwrap().goda;
     let weight = 2318640.0;
     let turning = weight * 7.5 / (goda.force_moment + goda.uplift_moment);
     let friction = turning * goda.force / (weight - turning * goda.uplift);
@@ -446,7 +446,7 @@ fn storms_of_a_case_are_sums_over_waves() {
     let effort = Effort { points: 1 << 16, ..Effort::default() };
     let sliding = answer(&text, ChanceRequest { effort, ..ChanceRequest::default() }).sliding.unwrap();
     let case = standfast_cases::CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
-    let waves = case.wave.unwrap();
+    let waves = case.goda().unwrap();
     let (significant, largest) = (waves.goda.h_13, waves.goda.h_max);
     let level = |h: f64| (1.416 * h / significant).powi(2);
     let all = 1.0 - (-level(largest)).exp();
@@ -488,7 +488,7 @@ fn waves_that_begin_a_rotation_are_no_slides() {
     let effort = Effort { points: 1 << 12, ..Effort::default() };
     let sliding = answer(&text, ChanceRequest { effort, ..ChanceRequest::default() }).sliding.unwrap();
     let case = standfast_cases::CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
-    let waves = case.wave.unwrap();
+    let waves = case.goda().unwrap();
     // The height at which W't − M_U = M_p, by bisection; that at this friction no smaller wave slides it.
     let turns = |h: f64| {
         let heights = standfast::wave::Heights::Local { significant: waves.goda.h_13, maximum: h };

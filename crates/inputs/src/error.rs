@@ -706,6 +706,48 @@ pub enum Problem {
         /// The side.
         side: &'static str,
     },
+    /// Something that holds, or turns, a body in a problem that has no place for it.
+    #[error("{holds} is not for {what}")]
+    HoldsNot {
+        /// What does, in words.
+        holds: String,
+        /// The problem.
+        what: &'static str,
+    },
+    /// More forces that hold a body than can be looked at together.
+    #[error("{count} resistances hold the body; expected {most} at most")]
+    TooManyResistances {
+        /// Their number.
+        count: usize,
+        /// The most.
+        most: usize,
+    },
+    /// Two resistances of one name.
+    #[error("two resistances are called {name}")]
+    SameResistance {
+        /// The name.
+        name: String,
+    },
+    /// A passive soil of which it is not said how much counts.
+    #[error("the soil {name} is passive, and lacks `share`: how much of its resistance is counted")]
+    ShareMissing {
+        /// The soil.
+        name: String,
+    },
+    /// A share of the resistance of a soil that is no resistance.
+    #[error("`share` of {name} goes with state = \"passive\" only")]
+    ShareOfPush {
+        /// The soil.
+        name: String,
+    },
+    /// A key that a passive soil does not take.
+    #[error("`{}` of {name} does not go with state = \"passive\", which is for level ground beside an upright wall", key.name())]
+    NotOfPassive {
+        /// The soil.
+        name: String,
+        /// The key.
+        key: Key,
+    },
     /// A ratio beside another law of impacts.
     #[error("`ratio` goes with law = \"ratio\" only")]
     RatioOfOtherLaw,

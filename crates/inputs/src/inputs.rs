@@ -79,7 +79,7 @@ impl Value {
 /// assert_eq!(inputs.number(Key::Width), Some(1.5));
 /// # Ok::<(), standfast_inputs::CaseError>(())
 /// ```
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Inputs {
     /// In the order of their keys.
     values: Vec<(Id, Value)>,
@@ -91,6 +91,19 @@ pub struct Inputs {
     divided: Vec<Id>,
     /// Number of tables of each kind, in the order of [`Table::ALL`].
     tables: [usize; Table::ALL.len()],
+}
+
+impl Default for Inputs {
+    /// Of a file that says nothing.
+    fn default() -> Inputs {
+        Inputs {
+            values: Vec::new(),
+            decimals: Vec::new(),
+            written: Vec::new(),
+            divided: Vec::new(),
+            tables: [0; Table::ALL.len()],
+        }
+    }
 }
 
 /// The same values; in which units they are written is no matter.

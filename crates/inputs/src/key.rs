@@ -45,6 +45,10 @@ pub enum Table {
     Soil,
     /// Forces.
     Load,
+    /// Couples.
+    Moment,
+    /// Forces with a limit that hold the body.
+    Resistance,
     /// Loads that act together, and their factors.
     Combination,
     /// Criteria on the results.
@@ -81,7 +85,7 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 31] = [
+    pub const ALL: [Table; 33] = [
         Table::Top,
         Table::Body,
         Table::Part,
@@ -97,6 +101,8 @@ impl Table {
         Table::BackfillLayer,
         Table::Soil,
         Table::Load,
+        Table::Moment,
+        Table::Resistance,
         Table::Combination,
         Table::Criteria,
         Table::Motion,
@@ -189,6 +195,8 @@ impl Table {
             Table::BackfillLayer => "layer",
             Table::Soil => "soil",
             Table::Load => "load",
+            Table::Moment => "moment",
+            Table::Resistance => "resistance",
             Table::Combination => "combination",
             Table::Criteria => "criteria",
             Table::Motion => "motion",
@@ -258,6 +266,8 @@ impl Table {
             Table::BackfillLayer => "[[backfill.layer]]",
             Table::Soil => "a soil",
             Table::Load => "[[load]]",
+            Table::Moment => "[[moment]]",
+            Table::Resistance => "[[resistance]]",
             Table::Combination => "[[combination]]",
             Table::Criteria => "[criteria]",
             Table::Motion => "[motion]",
@@ -311,6 +321,10 @@ impl Table {
                 "one such table for each force; each acts alone, beside all other loads, unless it is permanent or \
                  `together = true`"
             }
+            Table::Moment => "one such table for each couple; it acts with the others as a [[load]] does",
+            Table::Resistance => {
+                "one such table for each force with a limit that holds the body, as a tie or an anchor: it is there as far as rest needs it"
+            }
             Table::Combination => {
                 "one such table for each set of loads that act together, times factors; of the loads not named, the permanent \
                  ones act as they are and the variable ones not at all; of a case with combinations these alone are answered"
@@ -353,6 +367,8 @@ impl Table {
                 | Table::Backfill
                 | Table::BackfillLayer
                 | Table::Load
+                | Table::Moment
+                | Table::Resistance
                 | Table::Combination
                 | Table::BlockLoad
         )
@@ -388,6 +404,10 @@ impl Table {
             }
             Table::BackfillLayer => {
                 "[[backfill.layer]]\nthickness = \"4 m\"\nfriction_angle_deg = 33\nunit_weight = \"18 kN/m3\""
+            }
+            Table::Moment => "[[moment]]\nname = \"gate\"\nmoment = \"120 kN m/m\"",
+            Table::Resistance => {
+                "[[resistance]]\nname = \"tie\"\nlimit = \"150 kN/m\"\ndirection = \"right\"\nelevation = \"9 m\""
             }
             Table::Combination => "[[combination]]\nname = \"storm\"\nfactors = { weight = 0.9, wave = 1.3 }",
             Table::Criteria => "[criteria]\nSF_sliding = 1.2\nSF_overturning_net = 1.2",
@@ -644,7 +664,11 @@ const FACES: Kind =
 const DIRECTIONS: Kind =
     Kind::Choice { of: &["left", "right", "down", "up"], words: "\"left\", \"right\", \"down\" or \"up\"" };
 const SIDE: Kind = Kind::Choice { of: &["left", "right"], words: "\"left\" or \"right\"" };
-const EARTH_STATES: Kind = Kind::Choice { of: &["active", "rest"], words: "\"active\" or \"rest\"" };
+const EARTH_STATES: Kind =
+    Kind::Choice { of: &["active", "rest", "passive"], words: "\"active\", \"rest\" or \"passive\"" };
+const HOLDS: Kind = Kind::Choice { of: &["right", "left", "down"], words: "\"right\", \"left\" or \"down\"" };
+const ADHESION_ON: Kind =
+    Kind::Choice { of: &["pressed", "effective"], words: "\"pressed\" or \"effective\"" };
 const PORE_WATER: Kind = Kind::Choice { of: &["free", "with-soil"], words: "\"free\" or \"with-soil\"" };
 const OPENINGS: Kind =
     Kind::Choice { of: &["steady", "always", "closed"], words: "\"steady\", \"always\" or \"closed\"" };
@@ -699,8 +723,8 @@ use Kind::{
 use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, ZeroToOne};
 use Table::{
     AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Drain, Earthquake,
-    Ground, History, Impact, Initial, Load, Motion, Part, Point, Pressure, Soil, Storm, Top, Uplift, Water,
-    Wave,
+    Ground, History, Impact, Initial, Load, Moment, Motion, Part, Point, Pressure, Resistance, Soil, Storm,
+    Top, Uplift, Water, Wave,
 };
 
 listed! {
@@ -734,6 +758,10 @@ listed! {
         .moves(Moves::Friction).gives(&[Quantity::Friction]);
     KineticFriction = key(Body, "kinetic_friction", Plain(NotNegative), "μ_k", "Coulomb friction, to slip", "0.5")
         .silent("friction to slip: that to stick").gives(&[Quantity::KineticFriction]);
+    Adhesion = key(Body, "adhesion", Measured(Dimension::Pressure, NotNegative), "c_a", "adhesion between body and base, to stick", "\"150 kPa\"")
+        .silent("adhesion between body and base: none").gives(&[Quantity::Adhesion]);
+    AdhesionOn = key(Body, "adhesion_on", ADHESION_ON, "", "part of the base that adheres: what is \"pressed\", min(B, 3 t), or the \"effective\" width, 2 t", "\"effective\"")
+        .silent("part of the base that adheres: what is pressed");
     BaseLeft = key(Body, "base_left", length(Positive), "e_l", "edge of the base left of mid-width", "\"7 m\"")
         .silent("edge of the base left of mid-width: that of the body").gives(&[Quantity::BaseLeft]);
     BaseRight = key(Body, "base_right", length(Positive), "e_r", "edge of the base right of mid-width", "\"7 m\"")
@@ -931,7 +959,7 @@ listed! {
     BackfillFace = key(Backfill, "face", SIDE, "", "the side of the body that it stands against", "\"right\"");
     BackfillTop = key(Backfill, "top", length(Positive), "H_e", "the ground at that side, above the base", "\"9 m\"")
         .silent("the ground at the side: the crest");
-    BackfillState = key(Backfill, "state", EARTH_STATES, "", "\"active\" where the body gives way, \"rest\" where it does not", "\"active\"")
+    BackfillState = key(Backfill, "state", EARTH_STATES, "", "\"active\" where the body gives way, \"rest\" where it does not, \"passive\" where it resists the body", "\"active\"")
         .silent("state of the soil: active");
     BackfillSlope = key(Backfill, "slope_deg", Plain(Finite), "β_e", "slope of the ground, rising away from the body", "10")
         .silent("slope of the ground: level");
@@ -943,6 +971,7 @@ listed! {
         .silent("water in the soil in an earthquake: moves freely");
     IncrementAt = key(Backfill, "increment_at", Plain(Increment), "η_e", "height of the increment of an earthquake, as a share of that of the soil", "0.5")
         .silent("height of the increment of an earthquake: 0.6 of the soil's");
+    BackfillShare = key(Backfill, "share", Plain(Share), "s_e", "how much of its resistance is counted, of a passive soil, which needs 5 to 10 times the movement of an active one", "0.5");
     LayerThickness = key(BackfillLayer, "thickness", length(Positive), "h_e", "its thickness at the body", "\"4 m\"");
     SoilFriction = key(Soil, "friction_angle_deg", Plain(SoilAngle), "φ_e", "angle of friction of the soil, 15° to 50°", "33");
     WallFriction = key(Soil, "wall_friction_deg", Plain(Finite), "δ_e", "angle of friction between soil and body, no more than that of the soil", "22")
@@ -976,6 +1005,27 @@ listed! {
     Together = key(Load, "together", Truth, "", "whether it acts with all other loads, rather than alone of those that do", "true")
         .silent("load: alone, an alternative to the others");
 
+    MomentName = key(Moment, "name", Text, "", "name of the couple", "\"gate\"");
+    Couple = key(Moment, "moment", Measured(Dimension::Moment, NotNegative), "M_k", "moment of the couple", "\"120 kN m/m\"");
+    MomentTowards = key(Moment, "direction", SIDE, "", "to which side it turns the body: \"left\" counter-clockwise", "\"left\"").silent("direction: left");
+    MomentPermanent = key(Moment, "permanent", Truth, "", "whether it is there all the time", "true")
+        .silent("couple: variable");
+    MomentFast = key(Moment, "fast", Truth, "", "whether it is too fast for water to follow it into a base that opens", "true")
+        .silent("couple: steady");
+    MomentTogether = key(Moment, "together", Truth, "", "whether it acts with all other loads, rather than alone of those that do", "true")
+        .silent("couple: alone, an alternative to the others");
+
+    ResistanceName = key(Resistance, "name", Text, "", "name of the resistance", "\"tie\"");
+    ResistanceLimit = key(Resistance, "limit", Measured(Dimension::Force, NotNegative), "R_h", "the most that it holds", "\"150 kN/m\"")
+        .gives(&[Quantity::Resistance]);
+    ResistanceTowards = key(Resistance, "direction", HOLDS, "", "where it holds the body to", "\"right\"");
+    ResistanceElevation = key(Resistance, "elevation", length(NotNegative), "e_h", "its height above the base", "\"9 m\"")
+        .silent("height: needed to the left and right; of one down the base");
+    ResistanceDistance = key(Resistance, "distance", length(Finite), "x_h", "its distance to the right of the corner O", "\"0.5 m\"")
+        .silent("distance: needed down; of a horizontal one mid-width");
+    ResistanceShare = key(Resistance, "share", Plain(Share), "s_h", "how much of it is counted", "0.8")
+        .silent("share of the resistance: all of it");
+
     CombinationName = key(Combination, "name", Text, "", "name of the combination", "\"storm at low water\"");
     CombinationSet = key(Combination, "set", Settings, "",
         "values of keys in this combination, before all else; what moves with them moves", "{ \"water.level\" = \"6.2 m\" }");
@@ -989,7 +1039,7 @@ listed! {
          \"wave.thrust\", \"wave.uplift\"; of two in brackets, as of what may help or harm, both are tried",
         "{ weight = 0.9, wave = 1.3, crane = [1.5, 0] }");
     CombinationResist = key(Combination, "resist", Ratios, "",
-        "what resistances are divided by: sliding and bearing", "{ sliding = 1.1, bearing = 1.4 }");
+        "what resistances are divided by: sliding, bearing, passive, or a [[resistance]] by its name", "{ sliding = 1.1, bearing = 1.4 }");
     CombinationEffects = key(Combination, "effects", Truth, "",
         "whether factors act on the effects of loads, whose resistance and eccentricity are those of the loads as they are", "true")
         .silent("factors: on the loads");

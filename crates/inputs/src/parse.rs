@@ -646,8 +646,12 @@ impl Field<'_> {
             return Err(self.wrong_type("one without control characters"));
         }
         Ok(match self.id.key {
-            Key::LoadName | Key::PressureName | Key::CombinationName | Key::PartName => match one_line(words)
-            {
+            Key::LoadName
+            | Key::PressureName
+            | Key::CombinationName
+            | Key::PartName
+            | Key::MomentName
+            | Key::ResistanceName => match one_line(words) {
                 name if name.is_empty() => return Err(self.out_of_range("a name that is not empty")),
                 name => name,
             },

@@ -34,11 +34,13 @@ mod history;
 mod loads;
 mod motion;
 mod reader;
+mod resistance;
 mod section;
 mod waves;
 
 use std::sync::Arc;
 
+use standfast::contact::holding::Adhesion;
 use standfast::contact::opening::Drain;
 use standfast::loads::{
     Action, AddedMass, BodyPoint, Earthquake, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
@@ -58,6 +60,7 @@ pub(crate) use loads::{SLACK, ends};
 pub use motion::CaseMotion;
 pub(crate) use reader::{Reader, body_of, motion_fault};
 pub use reader::{blamed, check_ranges};
+pub use resistance::Resistance;
 pub use section::OF_PARTS;
 pub use waves::{CrownWall, CrownWaves, GodaWaves, StandingWaves, WaveFormula, Waves};
 
@@ -118,8 +121,12 @@ pub struct Case<T = f64> {
     pub pressures: Vec<FacePressure<T>>,
     /// Soil beside it.
     pub soils: Vec<SoilFill>,
-    /// Forces.
+    /// Forces, and couples behind them.
     pub forces: Vec<PointForce<T>>,
+    /// Adhesion to the base, Pa.
+    pub adhesion: Option<Adhesion>,
+    /// Forces with a limit that hold it.
+    pub resistances: Vec<Resistance>,
     /// Factors between what formulas give and what acts; no file says them, but draws and tables do.
     pub biases: Biases,
     /// Loads that act together, and their factors.
@@ -200,6 +207,7 @@ impl Case {
             (None, Some(drain)) => situation.with_drain(drain),
             (None, None) => situation,
         };
+        let situation = situation.with_holding(case.holding());
         Ok(match self.effects(&situation, acting, trial) {
             Some(effects) => situation.with_effects(effects),
             None => situation,
@@ -297,22 +305,26 @@ impl<T: Scalar> Case<T> {
         let added_mass = given
             .in_table(Table::AddedMass, |given| given.added_mass(&body, water.as_ref(), wave.as_ref()))?;
         // A body on a base that moves needs no load.
-        const OTHER_LOADS: [Table; 7] = [
+        const OTHER_LOADS: [Table; 8] = [
             Table::Water,
             Table::Uplift,
             Table::Earthquake,
             Table::Wave,
             Table::Pressure,
             Table::Backfill,
+            Table::Moment,
             Table::Motion,
         ];
         if !inputs.has(Table::Load) && !OTHER_LOADS.iter().any(|table| inputs.has(*table)) {
             return Err(Fault::new(Problem::MissingTable { table: Table::Load }, Table::Top));
         }
         let every = |table| 0..inputs.count(table);
-        let forces: Vec<_> = every(Table::Load)
+        let mut forces: Vec<_> = every(Table::Load)
             .map(|index| given.force(index, &body, motion.as_mut()))
             .collect::<Result<_, _>>()?;
+        for index in every(Table::Moment) {
+            forces.push(given.couple(index)?);
+        }
         let pressures: Vec<_> =
             every(Table::Pressure).map(|index| given.pressure(index, &body)).collect::<Result<_, _>>()?;
         let table = given.water_table();
@@ -323,8 +335,11 @@ impl<T: Scalar> Case<T> {
             .map(|index| given.backfill(index, &body.rounded(), in_soil))
             .collect::<Result<_, _>>()?;
         given.no_made_name(&soils, &forces, &pressures)?;
-        let combinations = every(Table::Combination)
-            .map(|index| given.combination(index, &body.rounded(), &forces, &pressures, &soils));
+        let adhesion = given.adhesion(&body.rounded(), ground.as_ref())?;
+        let resistances = given.resistances(&body.rounded(), ground.as_ref(), &soils)?;
+        let combinations = every(Table::Combination).map(|index| {
+            given.combination(index, &body.rounded(), &forces, &pressures, &soils, &resistances)
+        });
         let combinations = combinations.collect::<Result<_, _>>()?;
         let case = Case {
             title: inputs.text(Key::Title).map(str::to_owned),
@@ -355,6 +370,8 @@ impl<T: Scalar> Case<T> {
             pressures,
             soils,
             forces,
+            adhesion,
+            resistances,
             biases: Biases::default(),
             combinations,
             criteria: Criterion::all(inputs),
@@ -466,7 +483,8 @@ impl<T: Scalar> Case<T> {
         for (index, force) in self.forces.iter().enumerate() {
             let replaced = matches!(acting, Acting::Alone(alone) if alone != index && force.acts_alone());
             if !replaced {
-                add(LoadOrigin::Force(index), vec![over_time(force.load(&self.body), &force.history)]);
+                let of = LoadOrigin::Force(index, force.of);
+                add(of, vec![over_time(force.load(&self.body), &force.history)]);
             }
         }
         loads
@@ -636,7 +654,9 @@ impl Case {
         match acting {
             Acting::All => None,
             Acting::Alone(index) => {
-                Some(self.forces[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1)))
+                let (table, place) = self.forces[index].of;
+                let unnamed = || format!("{} {}", table.name(), place + 1);
+                Some(self.forces[index].name.clone().unwrap_or_else(unnamed))
             }
             Acting::Combination(index) => {
                 let name = &self.combinations[index].name;
@@ -657,8 +677,8 @@ enum LoadOrigin {
     Pressure(usize),
     /// A soil, by its place, or something else that it makes.
     Soil(usize, Option<Made>),
-    /// A force, by its place.
-    Force(usize),
+    /// A force or a couple, by its place among all, and the table that says it.
+    Force(usize, (Table, usize)),
 }
 
 impl LoadOrigin {
@@ -669,7 +689,7 @@ impl LoadOrigin {
             LoadOrigin::Group(index) => (Table::Part, index),
             LoadOrigin::Pressure(index) => (Table::Pressure, index),
             LoadOrigin::Soil(index, _) => (Table::Backfill, index),
-            LoadOrigin::Force(index) => (Table::Load, index),
+            LoadOrigin::Force(_, of) => of,
         }
     }
 

@@ -284,8 +284,10 @@ impl Variable {
 
 /// The key of a load, a pressure or a part by its name, with its place in that of the name.
 pub(crate) fn spelled(name: &str, inputs: &Inputs) -> Option<String> {
-    const NAMED: [(Table, Key); 4] = [
+    const NAMED: [(Table, Key); 6] = [
         (Table::Load, Key::LoadName),
+        (Table::Moment, Key::MomentName),
+        (Table::Resistance, Key::ResistanceName),
         (Table::Pressure, Key::PressureName),
         (Table::Backfill, Key::BackfillName),
         (Table::Part, Key::PartName),

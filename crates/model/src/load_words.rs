@@ -22,6 +22,7 @@ pub fn load_words(load: &Load) -> String {
         LoadSource::WavePressure => "wave pressure",
         LoadSource::WaveUplift => "wave uplift",
         LoadSource::Force => "force",
+        LoadSource::Couple => "couple",
         LoadSource::Pressure => "pressure",
         _ => "load",
     };

@@ -362,6 +362,26 @@ pub enum Warning {
         /// The combination.
         combination: String,
     },
+    /// Adhesion holds more than half of what holds a body against sliding.
+    AdhesionCarries {
+        /// The situation, where there are several.
+        situation: Option<String>,
+        /// c_a A', N.
+        adhesion: f64,
+        /// All that holds, N.
+        resistance: f64,
+        /// Extent of both: a metre run or the whole body.
+        extent: Extent,
+    },
+    /// A passive soil beside a low factor.
+    PassiveWithLowFactor {
+        /// The situation, where there are several.
+        situation: Option<String>,
+        /// The soil.
+        name: String,
+        /// SF_sliding with it.
+        factor: f64,
+    },
     /// A formula that nobody here has read in its source.
     FormulaRecalled {
         /// What it gives.
@@ -429,6 +449,8 @@ impl Warning {
             Warning::OpeningHeld { .. } => "opening-held",
             Warning::DrainLost { .. } => "drain-lost",
             Warning::GivenUpliftDoesNotFollow { .. } => "given-uplift-does-not-follow",
+            Warning::AdhesionCarries { .. } => "adhesion-carries",
+            Warning::PassiveWithLowFactor { .. } => "passive-with-low-factor",
             Warning::FormulaRecalled { .. } => "formula-recalled",
             Warning::CrownWallHeight { .. } => "crown-wall-height",
             Warning::Wave(warning) => warning.name(),
@@ -459,6 +481,8 @@ impl Warning {
                 | Warning::OpeningHeld { .. }
                 | Warning::DrainLost { .. }
                 | Warning::GivenUpliftDoesNotFollow { .. }
+                | Warning::AdhesionCarries { .. }
+                | Warning::PassiveWithLowFactor { .. }
                 | Warning::FavourableLoad { .. }
                 | Warning::UpliftAwayFromPush { .. }
         )
@@ -795,6 +819,19 @@ impl fmt::Display for Warning {
                 kilopascals(*left),
                 kilopascals(*right),
                 kilopascals(*of_waves)
+            ),
+            Warning::AdhesionCarries { situation, adhesion, resistance, extent } => write!(
+                f,
+                "{}adhesion holds {} of {} against sliding: without it the body has less than half of that",
+                under(situation),
+                extent.kilonewtons(*adhesion),
+                extent.kilonewtons(*resistance)
+            ),
+            Warning::PassiveWithLowFactor { situation, name, factor } => write!(
+                f,
+                "{}the factor against sliding is {} with the passive soil {name}; 2 at least is usual where it counts, 1.5 without",
+                under(situation),
+                digits(*factor)
             ),
             Warning::FormulaRecalled { what, source } => {
                 write!(f, "{what} is by a formula that is recalled, not read: {source}")

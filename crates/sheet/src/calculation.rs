@@ -7,6 +7,7 @@ mod classical;
 mod contact;
 mod criteria;
 mod ground;
+mod holding;
 mod loads;
 mod mode;
 mod motion;
@@ -125,7 +126,7 @@ fn situation(
     acting::steps(steps, assessment, assessed);
     soil::increments(steps, case, assessed);
     loads::steps(steps, case, assessed, &components);
-    classical::steps(steps, case, assessed, &components);
+    let held = classical::steps(steps, case, assessed, &components);
     ground::steps(steps, case, inputs, assessed, &components);
     let full = &assessed.outcome.full;
     let in_air = assessed.situation.in_air().is_some();
@@ -140,12 +141,13 @@ fn situation(
             }
         }
         None if assessed.is_on_ground() => {}
+        None if assessed.outcome.held.is_some() => contact::held(steps, assessed),
         None => contact::steps(steps, &assessed.situation, &full.wrench)?,
     }
     if assessed.is_on_ground() {
         ground::decision(steps, assessed);
     }
-    motion::steps(steps, case, assessed);
+    motion::steps(steps, case, assessed, held.motion);
     path::steps(steps, assessed, &components, view);
     criteria::steps(steps, &assessment.case, assessed);
     if let Some(reduced) = full.effective.as_ref().filter(|_| !assessed.is_on_ground()) {

@@ -79,6 +79,8 @@ pub enum LoadSource {
     PoreWater,
     /// A force.
     Force,
+    /// A couple.
+    Couple,
     /// A pressure along a face, as given.
     Pressure,
     /// Anything else.

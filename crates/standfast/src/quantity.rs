@@ -92,6 +92,8 @@ worded! {
         InertiaY => "inertia m_y",
         MuS => "static friction mu_s",
         MuK => "kinetic friction mu_k",
+        Adhesion => "adhesion",
+        Resistance => "resistance",
         WrenchX => "horizontal force x",
         WrenchP => "vertical force p",
         WrenchM => "moment m",

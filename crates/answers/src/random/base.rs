@@ -12,8 +12,9 @@ use crate::case::{Foundation, Limit};
 /// The base that a foundation is under the block of a situation. On one that is elastic and bears everything the modes are those on a
 /// rigid one.
 pub(super) fn under(situation: &Situation, foundation: Option<&Foundation>) -> Result<Base, InputError> {
+    let holding = situation.reduced_holding();
     Ok(match foundation.and_then(|foundation| foundation.limit) {
-        None => Base::Rigid,
+        None => holding.map_or(Base::Rigid, Base::Held),
         Some(Limit::Strength(strength)) => Base::Crushing(strength::reduced_strength(situation, strength)?),
         Some(Limit::Ground(ground)) => Base::Failing(BearingBlock::of(ground, situation)?),
     })

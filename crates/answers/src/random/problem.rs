@@ -74,6 +74,17 @@ fn reaches(laws: &RandomVector) -> Vec<f64> {
 /// An |α| below which a number hardly matters.
 const NEGLIGIBLE: f64 = 0.02;
 
+/// Refuses adhesion on ground that fails, which no closed form has together.
+fn one_base(case: &Case) -> Result<(), Fault> {
+    match case.adhesion.filter(|_| case.gives_way()) {
+        Some(_) => {
+            let what = "the probability of a body on ground that fails";
+            Err(Fault::new(Problem::HoldsNot { holds: "`adhesion`".to_owned(), what }, Key::Adhesion))
+        }
+        None => Ok(()),
+    }
+}
+
 /// Refuses a combination whose numbers are not those of the case, where they are random; partial factors stand for chance.
 fn by_chance(case: &Case, acting: Acting, random: &[RandomInput]) -> Result<(), Fault> {
     let Acting::Combination(index) = acting else { return Ok(()) };
@@ -89,6 +100,10 @@ fn by_chance(case: &Case, acting: Acting, random: &[RandomInput]) -> Result<(), 
         if random.iter().any(|input| input.variable().is_some_and(|variable| variable.id() == change.id)) {
             return Err(Fault::new(Problem::SetAndRandom { name: change.name.clone() }, at));
         }
+    }
+    if let Some((name, _)) = combination.holds.first() {
+        let problem = Problem::PartialFactor { name: name.clone() };
+        return Err(Fault::new(problem, Id::new(Key::CombinationResist, index)));
     }
     if combination.bearing != 1.0 {
         let problem = Problem::PartialFactor { name: "bearing".to_owned() };
@@ -112,6 +127,7 @@ impl ChanceProblem {
     ) -> Result<Vec<ChanceProblem>, CaseError> {
         let wrong = |(problem, span)| file.random_error(problem, span);
         let (inputs, laws) = Resolve(Names::Case(file, &case, moving)).all(random).map_err(wrong)?;
+        one_base(&case).map_err(|fault| file.error(fault))?;
         let lines = Lines::of(&inputs, Some(&case));
         let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
         let mut unnamed = file.inputs().clone();
@@ -443,8 +459,9 @@ struct Lines {
 impl Lines {
     fn of(inputs: &[RandomInput], case: Option<&Case>) -> Lines {
         // Where water follows an opening, no wrench is linear in a load.
-        let bends = case.is_some_and(|case| case.gives_way() || case.follows_opening());
-        Lines { friction: !inputs.iter().any(RandomInput::is_kinetic_friction), loads: !bends }
+        let held = case.is_some_and(|case| !case.holding().is_empty());
+        let bends = held || case.is_some_and(|case| case.gives_way() || case.follows_opening());
+        Lines { friction: !held && !inputs.iter().any(RandomInput::is_kinetic_friction), loads: !bends }
     }
 
     /// The first along which the modes are known, of those for which this holds.

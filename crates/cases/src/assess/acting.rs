@@ -1,9 +1,10 @@
 //! Loads that act in a situation, and the others that were tried, for reading.
 
-use standfast::Verdict;
+use standfast::{Slip, Verdict};
 
 use super::{Assessed, Assessment, combination, verdict};
 use crate::case::{Acting, Case, Direction, PointForce};
+use crate::key::Table;
 use crate::layout::{self, columns, digits, paragraph, row};
 
 /// One line for each situation, the worst first.
@@ -25,6 +26,7 @@ pub(super) fn summary(assessment: &Assessment) -> String {
         if let Acting::Alone(index) = assessed.acting {
             let PointForce { magnitude, direction, elevation, distance, .. } = &case.forces[index];
             let at = match (direction, distance) {
+                (Direction::Turning(_), _) => "couple".to_owned(),
                 (Direction::Sideways(_), _) | (_, None) => digits(*elevation),
                 (_, Some(distance)) => format!("{} from O", digits(*distance)),
             };
@@ -56,7 +58,11 @@ fn results(assessed: &Assessed) -> Vec<String> {
 pub fn situation_title(assessment: &Assessment, assessed: &Assessed) -> Option<String> {
     let (what, index, name) = match assessed.acting {
         Acting::All => return None,
-        Acting::Alone(index) => ("Load", index, &assessment.case.forces[index].name),
+        Acting::Alone(index) => {
+            let force = &assessment.case.forces[index];
+            let what = if force.of.0 == Table::Moment { "Moment" } else { "Load" };
+            (what, force.of.1, &force.name)
+        }
         Acting::Combination(index) => ("Combination", index, &assessment.case.combinations[index].name),
     };
     let number = if assessment.all.len() > 1 { format!(" {}", index + 1) } else { String::new() };
@@ -88,6 +94,10 @@ pub(super) fn heading(assessment: &Assessment, assessed: &Assessed) -> String {
 }
 
 fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
+    if let Direction::Turning(side) = force.direction {
+        let way = if side == Slip::Left { "↺ counter-clockwise" } else { "↻ clockwise" };
+        return vec![row!["couple M", format!("{} {way}", case.extent.kilonewton_metres(force.magnitude))]];
+    }
     let (arrow, towards) = match force.direction.word() {
         "left" => ("←", "to the left"),
         "right" => ("→", "to the right"),

@@ -3,7 +3,7 @@
 use standfast::loads::Reduced;
 use standfast::{Bearing, ClassicalActions, GrossOverturning, Outcome, Stability};
 
-use super::Assessed;
+use super::{Assessed, holding};
 use crate::layout::{self, columns, digits, paragraph, row};
 
 /// Reason why there is no bearing pressure, in words; `None` where there is one.
@@ -42,9 +42,14 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
     let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { layout::factor(factor) };
     let gross = gross(assessed);
-    let goda = if gross.is_some() { "(W' t − M_U)/M_p, net" } else { "(W' t − M_U)/M_p" };
+    let goda = match (holding::holds_moments(assessed), gross.is_some()) {
+        (true, true) => "(W' t − M_U + M_R)/M_p, net",
+        (true, false) => "(W' t − M_U + M_R)/M_p",
+        (false, true) => "(W' t − M_U)/M_p, net",
+        (false, false) => "(W' t − M_U)/M_p",
+    };
     let mut rows = vec![
-        row!["sliding", "μ(W' − U)/P", factor(sliding)],
+        row!["sliding", holding::sliding_formula(assessed), factor(sliding)],
         row!["overturning", goda, factor(overturning_about_heel)],
     ];
     if overturning_about_toe.is_finite() && !full.is_lifted() {

@@ -6,6 +6,7 @@ use standfast_model::case::{ChangeBy, Combination, InputChange, Trial};
 use super::Assessed;
 use crate::case::{Acting, Case};
 use crate::couple::Variable;
+use crate::key::Key;
 use crate::layout::digits;
 
 /// The factors of a combination, as they are given.
@@ -59,10 +60,13 @@ pub fn changes(case: &Case, index: usize) -> Vec<(&'static str, String)> {
                 format!("tan {name} / {}{}", digits(*by), becomes(change))
             }
             ChangeBy::Material(by) => format!("{name} / {}{}", digits(*by), becomes(change)),
+            // Friction and adhesion are divided by one number.
+            ChangeBy::Resistance(_) if change.id.key != Key::Friction => continue,
             ChangeBy::Resistance(by) => format!("{name} / {}", digits(*by)),
         };
         tell(change.by.key().name(), words);
     }
+    combination.holds.iter().for_each(|(name, by)| tell("resist", format!("{name} / {}", digits(*by))));
     if combination.bearing != 1.0 {
         tell("resist", format!("bearing / {}", digits(combination.bearing)));
     }

@@ -20,9 +20,15 @@ const NO_POINT_ON_GROUND: &str =
 const OPENED: &str = "No k–μ diagram for this load: the body moves, and the water that stands under it then is another than at rest. \
     Solved as a general contact problem, each mode with the water of its own contact.";
 
+/// Reason why a load has no point in the report's diagram where more than friction holds the body.
+const HELD: &str = "No k–μ diagram: the diagram knows no adhesion and no force with a limit. Solved as a general contact problem, with what holds \
+    the body.";
+
 /// Reason why a load has no point in the report's diagram.
 pub fn no_point(assessed: &Assessed) -> &'static str {
-    if opening::told(assessed).is_some() && assessed.situation.body().is_uniform() {
+    if assessed.outcome.held.is_some() {
+        HELD
+    } else if opening::told(assessed).is_some() && assessed.situation.body().is_uniform() {
         OPENED
     } else {
         NO_POINT

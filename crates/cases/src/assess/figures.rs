@@ -72,8 +72,9 @@ pub(super) fn of(
         }
         // In air the load factor is k, and the k–μ diagram shows the path.
         // Where water follows an opening, it is another for every load factor.
-        let opens = assessed.situation.opens_up_to(up_to);
-        if assessed.rises() && assessed.situation.in_air().is_none() && !opens {
+        // Nor does the plane know what holds a body beside friction.
+        let bends = assessed.situation.opens_up_to(up_to) || assessed.outcome.held.is_some();
+        if assessed.rises() && assessed.situation.in_air().is_none() && !bends {
             figures.push(path(assessment, assessed, &suffix, up_to)?);
         }
         figures.extend(rotation(assessment, assessed, &suffix)?);

@@ -11,11 +11,13 @@ use standfast::ground::impact::EventFound;
 use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
+use super::holding::{AdhesionEntry, ResistanceEntry};
 use super::made::{MadeLoad, made_loads};
 use super::opening::BaseOpeningEntry;
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck, combination};
-use crate::case::{Acting, Case, ChangeBy, GodaWaves, PointForce};
+use crate::case::{Acting, Case, ChangeBy, Direction, GodaWaves, PointForce};
 use crate::json::{CheckEntry, SCHEMA, number_or_word, written};
+use crate::key::Key;
 use crate::point::{PointDocument, RelationDocument};
 use crate::results::{self, ResultName, ResultValue, SeaResult};
 use crate::summary::Summary;
@@ -120,6 +122,12 @@ struct Situation<'a> {
     /// Water under a base that opens.
     #[serde(skip_serializing_if = "Option::is_none")]
     base_opening: Option<BaseOpeningEntry>,
+    /// What the base adheres with, where it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    adhesion: Option<AdhesionEntry>,
+    /// Forces with a limit, where there are some.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    resistances: Vec<ResistanceEntry>,
     /// Loads that the program makes and that act.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     made_loads: Vec<MadeLoad>,
@@ -198,8 +206,12 @@ impl Serialize for Ground<'_> {
 #[derive(Serialize)]
 struct Force<'a> {
     name: Option<&'a str>,
-    force: f64,
-    elevation: f64,
+    /// Null of a couple.
+    force: Option<f64>,
+    /// Of a couple.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    moment: Option<f64>,
+    elevation: Option<f64>,
     /// To the right of O; null at mid-width.
     distance: Option<f64>,
     direction: &'static str,
@@ -480,6 +492,8 @@ impl<'a> Situation<'a> {
                 })
                 .collect(),
             base_opening: BaseOpeningEntry::of(assessed),
+            adhesion: AdhesionEntry::of(case, assessed),
+            resistances: ResistanceEntry::all(case, assessed),
             made_loads: made_loads(case.under(assessed.acting), assessed),
             path: assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
             // The report's ground is rigid.
@@ -498,10 +512,13 @@ impl<'a> Situation<'a> {
 
 impl<'a> Force<'a> {
     fn of(force: &'a PointForce) -> Force<'a> {
+        let couple = matches!(force.direction, Direction::Turning(_));
+        let (magnitude, elevation) = (Some(force.magnitude), Some(force.elevation));
         Force {
             name: force.name.as_deref(),
-            force: force.magnitude,
-            elevation: force.elevation,
+            force: magnitude.filter(|_| !couple),
+            moment: magnitude.filter(|_| couple),
+            elevation: elevation.filter(|_| !couple),
             distance: force.distance,
             direction: force.direction.word(),
             lever: force.lever.as_deref(),
@@ -525,10 +542,13 @@ impl<'a> Combination<'a> {
                 ChangeBy::Set(text) => (&mut set, NamedValue::Words(text.trim_matches(['"', '\'']))),
                 ChangeBy::Scale(by) => (&mut scale, NamedValue::Number(*by)),
                 ChangeBy::Material(by) => (&mut materials, NamedValue::Number(*by)),
+                ChangeBy::Resistance(_) if change.id.key != Key::Friction => continue,
                 ChangeBy::Resistance(by) => (&mut resist, NamedValue::Number(*by)),
             };
             to.push((Cow::Borrowed(change.name.as_str()), value));
         }
+        let holds = combination.holds.iter();
+        resist.extend(holds.map(|(name, by)| (Cow::Borrowed(name.as_str()), NamedValue::Number(*by))));
         if combination.bearing != 1.0 {
             resist.push((Cow::Borrowed("bearing"), NamedValue::Number(combination.bearing)));
         }

@@ -142,6 +142,8 @@ fn of_soil(case: &Case, assessed: &Assessed, index: usize, fill: &SoilFill) -> V
     let formula = match soil.state {
         EarthState::Active => "coulomb",
         EarthState::AtRest => "jaky",
+        // What resists is no load.
+        EarthState::Passive => return Vec::new(),
     };
     let mut loads = vec![load(&fill.name, formula, &pressure.soil, still())];
     if !pressure.surcharge.is_empty() {
@@ -161,10 +163,7 @@ fn of_soil(case: &Case, assessed: &Assessed, index: usize, fill: &SoilFill) -> V
             }
         };
         let coefficients = still().into_iter().zip(&increment.coefficients).map(of).collect();
-        let formula = match soil.state {
-            EarthState::Active => "mononobe-okabe",
-            EarthState::AtRest => "wood",
-        };
+        let formula = if soil.state == EarthState::AtRest { "wood" } else { "mononobe-okabe" };
         loads.push(load(fill.made(Made::Earthquake), formula, &increment.points, coefficients));
         if let Some([force, elevation]) = increment.pore_water {
             let mut pore = load(&fill.pore_water(), "westergaard", &[], Vec::new());

@@ -5,7 +5,7 @@ mod under;
 use standfast::loads::{Action, Face, Load, LoadId, LoadSource, PressureAt};
 use standfast::section::{Part, Vertex, WaterTable};
 use standfast::wave::WavePhase;
-use standfast::{BaseEdges, InputError, Situation};
+use standfast::{BaseEdges, Body, InputError, Situation, Slip};
 use standfast_figures::{
     Arrow, Backfill, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
 };
@@ -13,8 +13,10 @@ use standfast_figures::{
 use standfast_model::load_words;
 
 use super::Assessment;
+use super::holding;
 use crate::case::{
-    Acting, Case, GodaWaves, Limit, Made, SoilFill, StandingWaves, Trial, WaveFormula, Waves, soil_of,
+    Acting, Case, Direction, GodaWaves, Limit, Made, PointForce, Resistance, SoilFill, StandingWaves, Trial,
+    WaveFormula, Waves, soil_of,
 };
 use crate::layout::digits;
 use crate::units::Extent;
@@ -93,6 +95,9 @@ pub(super) fn with_section<T>(
             pressures.extend(pressed(extent, &situation, load));
         }
     }
+    // Behind the loads, of which each arrow is one.
+    arrows.extend(case.resistances.iter().map(|resistance| held(extent, &case.body, resistance)));
+    notes.extend(case.forces.iter().filter_map(|force| couple(extent, force)));
     let section = Section {
         title: case.title.as_deref().unwrap_or_default(),
         parts: &parts(case),
@@ -342,6 +347,7 @@ fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
             ((centre.0 + force.at[0], centre.1 + force.at[1]), false)
         }
         Action::Force { at, .. } => ((at.x, at.y), load.source == LoadSource::Buoyancy),
+        Action::Resultant(_) if load.source == LoadSource::Couple => return None,
         _ => (centre, true),
     };
     placed(extent, situation, load, at, is_inside)
@@ -396,6 +402,35 @@ fn placed(
         label: extent.kilonewtons(size.abs()),
         words,
     })
+}
+
+/// A force with a limit, as much as it holds.
+fn held(extent: Extent, body: &Body, resistance: &Resistance) -> Arrow {
+    let size = resistance.counted();
+    let left = body.base_edges().left;
+    let (towards, x) = match resistance.direction {
+        Direction::Sideways(side) => {
+            ((side.sign(), 0.0), resistance.distance.map_or(0.0, |distance| distance - left))
+        }
+        _ => ((0.0, -1.0), resistance.distance.unwrap_or(left) - left),
+    };
+    let most = extent.kilonewtons(size);
+    Arrow {
+        at: (x, resistance.elevation),
+        towards,
+        is_inside: false,
+        size,
+        label: format!("≤ {most}"),
+        words: format!("{}, holds up to {most} {}", resistance.name, holding::place(resistance)),
+    }
+}
+
+/// A couple in words, which is not drawn.
+fn couple(extent: Extent, force: &PointForce) -> Option<String> {
+    let Direction::Turning(side) = force.direction else { return None };
+    let name = force.name.as_deref().unwrap_or("couple");
+    let way = if side == Slip::Left { "counter-clockwise" } else { "clockwise" };
+    Some(format!("Not drawn: {name}, a couple of {} {way}.", extent.kilonewton_metres(force.magnitude)))
 }
 
 fn notes(case: &Case) -> Vec<String> {

@@ -11,14 +11,17 @@ pub fn formula(fill: &SoilFill) -> &'static str {
     match fill.soil.state {
         EarthState::Active => "Coulomb's wedge, as in UFC 3-220-20 (2025), chapter 4",
         EarthState::AtRest => "Jaky's formula, as in UFC 3-220-20 (2025), chapter 4",
+        EarthState::Passive => {
+            "Rankine, with friction on the wall a log spiral, as in UFC 3-220-20 (2025), equation 4-12"
+        }
     }
 }
 
 /// The same of what an earthquake adds.
 pub fn formula_of_increment(fill: &SoilFill) -> &'static str {
     match fill.soil.state {
-        EarthState::Active => "Mononobe and Okabe, as in UFC 3-220-20 (2025), equations 4-15 to 4-22",
         EarthState::AtRest => "Wood, of a wall that does not yield, as in UFC 3-220-20 (2025), equation 4-18",
+        _ => "Mononobe and Okabe, as in UFC 3-220-20 (2025), equations 4-15 to 4-22",
     }
 }
 
@@ -48,6 +51,7 @@ fn one(case: &Case, fill: &SoilFill) -> String {
     let state = match soil.state {
         EarthState::Active => "active",
         EarthState::AtRest => "at rest",
+        EarthState::Passive => "passive",
     };
     let mut text = paragraph(&format!("Soil: {name}, at the {}, {state}", side(soil.face)), 0);
     let slope = if soil.slope_deg == 0.0 {
@@ -72,7 +76,7 @@ fn one(case: &Case, fill: &SoilFill) -> String {
             _ => format!("{} to {} m", digits(upper), digits(lower)),
         };
         rows.push(row![heading, layer_words(layer, of.k)]);
-        if layer.soil.cohesion > 0.0 {
+        if layer.soil.cohesion > 0.0 && !fill.is_passive() {
             let words = format!("c = {} kPa, K_c = {}", digits(layer.soil.cohesion / 1e3), digits(of.k_c));
             rows.push(row!["", words]);
         }
@@ -81,7 +85,7 @@ fn one(case: &Case, fill: &SoilFill) -> String {
     for (place, words) in diagram(&pressure.soil).into_iter().enumerate() {
         rows.push(row![if place == 0 { "pressure" } else { "" }, words]);
     }
-    rows.push(row!["pushes", of(&pressure.soil)]);
+    rows.push(row![if fill.is_passive() { "resists" } else { "pushes" }, of(&pressure.soil)]);
     if !pressure.surcharge.is_empty() {
         let words =
             format!("{} kPa on the ground: {}", digits(soil.surcharge / 1e3), of(&pressure.surcharge));

@@ -6,7 +6,7 @@ use standfast::Mode;
 
 use super::{
     AnyCheck, Assessed, Assessment, AssessmentView, GOVERNING, acting, checks, combination, coordinates,
-    ground, loads, opening, sea, soil, verdict,
+    ground, holding, loads, opening, sea, soil, verdict,
 };
 use crate::case::Case;
 use crate::describe::{self, Scale};
@@ -151,6 +151,7 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     text += "\nSafety factors and bearing pressure\n";
     text += &checks::factors(assessed);
     text += &opening::render(assessed);
+    text += &holding::render(case, assessed);
     text += &ground::render(under, assessed);
 
     text += "\nVerdict\n";

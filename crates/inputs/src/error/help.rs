@@ -120,6 +120,17 @@ impl Problem {
             Problem::SineOnSprings { .. } => "give it by its points".into(),
             Problem::Record { help, .. } => (*help)?.into(),
             Problem::ByOtherWaves { .. } => "say how long the thrust lasts, for example duration = \"0.4 s\"".into(),
+            Problem::HoldsNot { .. } => "leave one of both out".into(),
+            Problem::TooManyResistances { .. } => "add up those that act at one place".into(),
+            Problem::SameResistance { .. } => "call each otherwise".into(),
+            Problem::ShareMissing { .. } => {
+                "a passive soil moves 5 to 10 times as far as an active one before it resists with all; for example share = 0.5".into()
+            }
+            Problem::ShareOfPush { .. } => "leave it out".into(),
+            Problem::NotOfPassive { key: Key::BackfillSurcharge, .. } => {
+                "what stands on the ground may be gone: leave it out, or give the soil as a [[resistance]]".into()
+            }
+            Problem::NotOfPassive { .. } => "give it as a [[resistance]], with a limit of your own".into(),
             Problem::NotOfFormula { takes, formula, .. } => format!("\"{formula}\" has {}", each_once(takes).join(", ")),
             Problem::ByWavesShape { .. } => "shape = \"triangle\"".into(),
             Problem::HeldShaking => {

@@ -81,15 +81,22 @@ impl SoilFill {
         format!("{}, pore water", self.name)
     }
 
+    /// True if it resists the body, rather than loads it.
+    pub fn is_passive(&self) -> bool {
+        self.soil.state == EarthState::Passive
+    }
+
     /// Names of what it makes that a combination may name.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        let loads = !self.is_passive();
         let surcharge = (self.soil.surcharge > 0.0).then(|| self.made(Made::Surcharge));
-        [Some(&*self.name), surcharge, Some(self.made(Made::Earthquake))].into_iter().flatten()
+        let names = [Some(&*self.name), surcharge, Some(self.made(Made::Earthquake))];
+        names.into_iter().flatten().filter(move |_| loads)
     }
 
     /// What an acceleration of the base adds; `None` where it moves the body away from the soil, or the soil does not hold.
     pub fn increment(&self, earthquake: &Earthquake, gravity: f64) -> Option<EarthIncrement> {
-        let shaking = shaking(self.soil.face, earthquake, gravity)?;
+        let shaking = shaking(self.soil.face, earthquake, gravity).filter(|_| !self.is_passive())?;
         self.soil.increment(self.water, shaking).ok()
     }
 
@@ -113,6 +120,9 @@ impl SoilFill {
             loads.into_iter().map(|load| Load { permanent: false, ..load }).collect()
         };
         let mut loads: Vec<(LoadOrigin, Load)> = Vec::new();
+        if self.is_passive() {
+            return loads;
+        }
         let mut add = |of: LoadOrigin, more: Vec<Load>| loads.extend(more.into_iter().map(|load| (of, load)));
         add(LoadOrigin::Soil(index, None), named(soil.loads(&pressure.soil), &self.name));
         if !pressure.surcharge.is_empty() {
@@ -180,6 +190,7 @@ impl Reader<'_> {
             top,
             state: match self.inputs.choice(id(Key::BackfillState)) {
                 Some("rest") => EarthState::AtRest,
+                Some("passive") => EarthState::Passive,
                 _ => EarthState::Active,
             },
             slope_deg: number(Key::BackfillSlope).unwrap_or(0.0),
@@ -193,32 +204,44 @@ impl Reader<'_> {
             increment_at: number(Key::IncrementAt).unwrap_or(0.6),
         };
         self.stands(index, &soil, water)?;
+        if soil.state != EarthState::Passive && number(Key::BackfillShare).is_some() {
+            return Err(Fault::new(Problem::ShareOfPush { name }, id(Key::BackfillShare)));
+        }
         let made = Made::ALL.map(|made| format!("{name}.{}", made.name()));
         let pressure = soil.pressure(water);
         Ok(SoilFill { name, made, soil, water, pressure })
     }
 
-    /// No load is called as the program calls what it makes of a soil.
+    /// No load is called as the program calls what it makes of a soil, or as what holds the body.
     pub(super) fn no_made_name(
         &self,
         soils: &[SoilFill],
         forces: &[PointForce<impl Scalar>],
         pressures: &[FacePressure<impl Scalar>],
     ) -> Result<(), Fault> {
-        let made = |name: &Option<String>| {
-            let is_it = |name: &String| soils.iter().any(|soil| soil.made.contains(name));
-            name.clone().filter(is_it)
-        };
-        let of_forces = forces.iter().enumerate();
-        let of_forces =
-            of_forces.filter_map(|(index, force)| Some((made(&force.name)?, Id::new(Key::LoadName, index))));
+        let of_forces = forces.iter().map(|force| {
+            let key = if force.of.0 == Table::Load { Key::LoadName } else { Key::MomentName };
+            (&force.name, Id::new(key, force.of.1))
+        });
         let of_pressures = pressures.iter().enumerate();
-        let of_pressures = of_pressures
-            .filter_map(|(index, pressure)| Some((made(&pressure.name)?, Id::new(Key::PressureName, index))));
-        match of_forces.chain(of_pressures).next() {
-            Some((name, id)) => Err(Fault::new(Problem::MadeName { name }, id)),
-            None => Ok(()),
+        let of_pressures =
+            of_pressures.map(|(index, pressure)| (&pressure.name, Id::new(Key::PressureName, index)));
+        let resistances =
+            (0..self.inputs.count(Table::Resistance)).map(|index| Id::new(Key::ResistanceName, index));
+        let resistances: Vec<(&str, Id)> =
+            resistances.filter_map(|id| Some((self.inputs.text(id)?, id))).collect();
+        let named = of_forces.chain(of_pressures).filter_map(|(name, id)| Some((name.as_deref()?, id)));
+        for (name, id) in named.chain(resistances.iter().copied()) {
+            if soils.iter().any(|soil| soil.made.iter().any(|made| made == name)) {
+                return Err(Fault::new(Problem::MadeName { name: name.to_owned() }, id));
+            }
+            let soil = soils.iter().any(|soil| soil.name == name);
+            let held = id.key != Key::ResistanceName && resistances.iter().any(|(other, _)| *other == name);
+            if held || soil && id.key == Key::ResistanceName {
+                return Err(Fault::new(Problem::SameName { name: name.to_owned() }, id));
+            }
         }
+        Ok(())
     }
 
     /// The layers of a soil as high as `height`: its own keys, or its tables of layers.

@@ -39,6 +39,9 @@ pub(super) struct Filled {
     pub(super) changes: Vec<InputChange>,
     pub(super) sliding: Option<f64>,
     pub(super) bearing: Option<f64>,
+    /// Of passive soils, and of other forces with a limit.
+    pub(super) passive: Option<f64>,
+    pub(super) ties: Option<f64>,
     pub(super) criteria: Vec<Criterion>,
 }
 
@@ -52,7 +55,8 @@ struct Set {
     ground: Option<[LoadFactor; 2]>,
     /// On tan φ, c and friction, and on strengths that are not drained.
     materials: [f64; 2],
-    resist: [Option<f64>; 2],
+    /// Sliding, bearing, passive soil, ties.
+    resist: [Option<f64>; 4],
     criteria: &'static [(Key, f64)],
 }
 
@@ -63,7 +67,7 @@ const PLAIN: Set = Set {
     variable: One(1.0),
     ground: None,
     materials: [1.0; 2],
-    resist: [None; 2],
+    resist: [None; 4],
     criteria: &[],
 };
 
@@ -79,7 +83,7 @@ fn set(code: &str) -> Set {
         "EN1997-DA2" => Set {
             permanent: Pair([1.35, 1.0]),
             variable: Pair([1.5, 0.0]),
-            resist: [Some(1.1), Some(1.4)],
+            resist: [Some(1.1), Some(1.4), Some(1.4), None],
             criteria: SAFE,
             ..PLAIN
         },
@@ -102,6 +106,7 @@ fn set(code: &str) -> Set {
             permanent: Pair([1.0, 0.9]),
             variable: Pair([1.5, 0.0]),
             materials: M2,
+            resist: [None, None, None, Some(1.4)],
             criteria: &[(Key::LeastUplift, 1.0)],
             ..PLAIN
         },
@@ -197,13 +202,14 @@ fn of_pianc(options: &Options<'_>) -> Result<[f64; 2], Fault> {
     Ok(PIANC[2 * shallow + tests][sigma][p_f])
 }
 
-/// What a code fills in of a combination, by its place, of a case with these loads on a base so wide.
+/// What a code fills in of a combination, by its place, of a case with these loads on a base so wide, that a passive soil may hold.
 pub(super) fn filled(
     inputs: &Inputs,
     code: &'static str,
     index: usize,
     loads: Vec<NamedLoad>,
     base: f64,
+    passive: bool,
 ) -> Result<Filled, Fault> {
     let at = Id::new(Key::CombinationOptions, index);
     let options = Options { given: inputs.settings(at).unwrap_or_default(), at };
@@ -255,12 +261,17 @@ pub(super) fn filled(
             };
             let most = base / if rock == 1 { 4.0 } else { 6.0 };
             criteria.extend(Criterion::of(Key::GreatestEccentricity, &Value::Number(most)));
+            // A passive soil asks for more.
+            if passive {
+                criteria.extend(Criterion::of(Key::LeastSliding, &Value::Number(2.0)));
+            }
         }
         _ => options.only(&[])?,
     }
     let of = |id: &Id| inputs.number(*id).is_some();
     let divided = |id: Id, by: f64| (by != 1.0).then(|| change(id, ChangeBy::Material(by)));
     changes.extend(divided(Key::Friction.into(), friction));
+    changes.extend(Some(Id::from(Key::Adhesion)).filter(of).and_then(|id| divided(id, set.materials[0])));
     let soils = (0..inputs.count(Table::Backfill)).flat_map(|soil| {
         let keys = [Key::SoilFriction, Key::SoilCohesion, Key::SoilAdhesion];
         keys.map(move |key| Id::of(Table::Backfill, soil, key))
@@ -271,7 +282,9 @@ pub(super) fn filled(
     changes.extend(drained.filter_map(|id| divided(id, set.materials[0])));
     let strength = Some(Id::from(Key::Strength)).filter(of);
     changes.extend(strength.and_then(|id| divided(id, set.materials[1])));
-    criteria
-        .extend(set.criteria.iter().filter_map(|(key, bound)| Criterion::of(*key, &Value::Number(*bound))));
-    Ok(Filled { code, factors, changes, sliding: set.resist[0], bearing: set.resist[1], criteria })
+    let of_set = set.criteria.iter().filter_map(|(key, bound)| Criterion::of(*key, &Value::Number(*bound)));
+    let of_set = of_set.filter(|criterion| criteria.iter().all(|other| other.key != criterion.key));
+    criteria.extend(of_set.collect::<Vec<_>>());
+    let [sliding, bearing, passive, ties] = set.resist;
+    Ok(Filled { code, factors, changes, sliding, bearing, passive, ties, criteria })
 }

@@ -16,7 +16,7 @@ use super::code::{CodeLoad, NamedLoad, filled};
 use super::loads::{FacePressure, PointForce};
 use super::reader::Reader;
 use super::waves::keys_of_others;
-use super::{Acting, Case, LoadOrigin, Made, SoilFill};
+use super::{Acting, Case, LoadOrigin, Made, Resistance, SoilFill};
 use crate::couple::{Variable, spelled, vary};
 use crate::criteria::Criterion;
 use crate::digits::decimal;
@@ -37,6 +37,8 @@ pub struct Combination {
     pub changes: Vec<InputChange>,
     /// Divisor of the resistance of the ground.
     pub bearing: f64,
+    /// Divisors of forces with a limit, by their names.
+    pub holds: Vec<(String, f64)>,
     /// Criteria in place of those of the case.
     pub criteria: Option<Vec<Criterion>>,
     /// Set of a code that filled in what it does not write.
@@ -127,8 +129,8 @@ impl Case {
 
     /// The case of a combination, by its place; `None` where it is that of all.
     fn changed(&self, index: usize) -> Result<Option<Arc<Case>>, Fault> {
-        let Combination { changes, bearing, .. } = &self.combinations[index];
-        if changes.is_empty() && *bearing == 1.0 {
+        let Combination { changes, bearing, holds, .. } = &self.combinations[index];
+        if changes.is_empty() && *bearing == 1.0 && holds.is_empty() {
             return Ok(None);
         }
         let name = || self.acting_name(Acting::Combination(index)).unwrap_or_default();
@@ -154,6 +156,10 @@ impl Case {
         }
         let mut case = changed.map_or_else(|| self.clone(), |(_, case)| case);
         case.ground = case.ground.map(|ground| ground.divided(*bearing));
+        for resistance in &mut case.resistances {
+            let by = holds.iter().find(|(name, _)| *name == resistance.name);
+            resistance.divisor = by.map_or(1.0, |(_, by)| *by);
+        }
         Ok(Some(Arc::new(case)))
     }
 
@@ -311,7 +317,7 @@ impl<T: Scalar> Case<T> {
                 let shaken = if made == Made::Earthquake { Table::Earthquake.in_combination() } else { None };
                 (Some(self.soils[index].made(made)), shaken)
             }
-            LoadOrigin::Force(index) => (None, self.forces[index].name.as_deref()),
+            LoadOrigin::Force(index, _) => (None, self.forces[index].name.as_deref()),
         };
         [part, whole].map(|name| name.map(Cow::from)).into_iter().flatten()
     }
@@ -328,6 +334,11 @@ impl<T: Scalar> Case<T> {
         groups
     }
 }
+
+/// Names of resistances that a combination may divide.
+const SLIDING: &str = "sliding";
+const BEARING: &str = "bearing";
+const PASSIVE: &str = "passive";
 
 /// What stands before the name of a group of parts in that of its weight.
 const WEIGHT_OF: &str = "weight.";
@@ -372,7 +383,8 @@ impl ChangeBy {
 }
 
 /// What `materials` divides: of an angle the tangent.
-const STRENGTHS: [Key; 10] = [
+const STRENGTHS: [Key; 11] = [
+    Key::Adhesion,
     Key::Friction,
     Key::KineticFriction,
     Key::Strength,
@@ -385,9 +397,17 @@ const STRENGTHS: [Key; 10] = [
     Key::SoilAdhesion,
 ];
 
-/// The divisor of the resistance to sliding as a change of the inputs.
-fn of_sliding(by: f64) -> InputChange {
-    InputChange { id: Key::Friction.into(), name: "sliding".to_owned(), by: ChangeBy::Resistance(by) }
+/// The divisor of the resistance to sliding as a change of an input.
+fn of_sliding(id: Id, by: f64) -> InputChange {
+    InputChange { id, name: SLIDING.to_owned(), by: ChangeBy::Resistance(by) }
+}
+
+/// What a combination divides resistances by.
+struct Resisting {
+    sliding: Option<f64>,
+    bearing: Option<f64>,
+    /// Forces with a limit, by their names.
+    holds: Vec<(String, f64)>,
 }
 
 /// A strength after a partial factor.
@@ -407,12 +427,14 @@ impl Reader<'_> {
         forces: &[PointForce<impl Scalar>],
         pressures: &[FacePressure<impl Scalar>],
         soils: &[SoilFill],
+        resistances: &[Resistance],
     ) -> Result<Combination, Fault> {
         let id = |key| Id::new(key, index);
         let filled = match self.inputs.choice(id(Key::CombinationCode)) {
             Some(code) => {
                 let loads = self.named_loads(index, forces, pressures, soils)?;
-                Some(filled(self.inputs, code, index, loads, body.base_width())?)
+                let passive = resistances.iter().any(Resistance::is_passive);
+                Some(filled(self.inputs, code, index, loads, body.base_width(), passive)?)
             }
             None => None,
         };
@@ -454,7 +476,7 @@ impl Reader<'_> {
         if let Some(name) = name.clone().filter(|name| (0..index).any(|index| earlier(index) == Some(name))) {
             return Err(Fault::new(Problem::SameCombination { name }, id(Key::CombinationName)));
         }
-        let (resistances, bearing) = self.resistances(index)?;
+        let Resisting { sliding, bearing, holds } = self.resisting(index, resistances)?;
         let mut changes = self.changes(index)?;
         let mut factors = factors.to_vec();
         let effects = self.inputs.truth(id(Key::CombinationEffects)).unwrap_or(false);
@@ -463,12 +485,14 @@ impl Reader<'_> {
             factors: Vec::new(),
             changes: Vec::new(),
             bearing: bearing.unwrap_or(1.0),
+            holds: Vec::new(),
             criteria: self.own_criteria(index)?,
             code: None,
             unanswered: Vec::new(),
             effects,
         };
-        let mut sliding = resistances;
+        let mut sliding = sliding;
+        let mut holds = holds;
         if let Some(filled) = filled {
             // What is written goes before what the code fills in.
             let is_new = |(name, _): &(String, LoadFactor)| factors.iter().all(|(known, _)| known != name);
@@ -479,7 +503,12 @@ impl Reader<'_> {
             };
             let new: Vec<_> = filled.changes.into_iter().filter(is_new).collect();
             changes.extend(new);
-            sliding = sliding.or(filled.sliding.map(of_sliding));
+            sliding = sliding.or(filled.sliding);
+            for resistance in resistances {
+                let by = if resistance.is_passive() { filled.passive } else { filled.ties };
+                let is_new = holds.iter().all(|(name, _)| *name != resistance.name);
+                holds.extend(by.filter(|by| is_new && *by != 1.0).map(|by| (resistance.name.clone(), by)));
+            }
             let has_bearing = self.has_bearing();
             combination.bearing = bearing.or(filled.bearing.filter(|_| has_bearing)).unwrap_or(1.0);
             combination.code = Some(filled.code);
@@ -494,8 +523,10 @@ impl Reader<'_> {
                 (combination.criteria, combination.unanswered) = (Some(answered), unanswered);
             }
         }
-        changes.extend(sliding);
-        let combination = Combination { factors, changes, ..combination };
+        let keys = [Key::Friction, Key::Adhesion].map(Id::from);
+        let keys = keys.into_iter().filter(|id| self.inputs.number(*id).is_some());
+        changes.extend(sliding.into_iter().flat_map(|by| keys.clone().map(move |id| of_sliding(id, by))));
+        let combination = Combination { factors, changes, holds, ..combination };
         match combination.pairs() {
             count if count > PAIRS => Err(Fault::new(Problem::TooManyPairs { count }, id(Key::LoadFactors))),
             _ => Ok(combination),
@@ -581,23 +612,31 @@ impl Reader<'_> {
         })
     }
 
-    /// What a combination divides resistances by: the friction, as a change of the inputs, and the divisor of what the ground bears.
-    fn resistances(&self, index: usize) -> Result<(Option<InputChange>, Option<f64>), Fault> {
-        const NAMES: [&str; 2] = ["sliding", "bearing"];
+    /// What a combination divides resistances by.
+    fn resisting(&self, index: usize, resistances: &[Resistance]) -> Result<Resisting, Fault> {
         let id = Id::new(Key::CombinationResist, index);
         let ratios = self.inputs.ratios(id).unwrap_or_default();
+        let mut names = vec![SLIDING, BEARING];
+        names.extend(resistances.iter().any(Resistance::is_passive).then_some(PASSIVE));
+        names.extend(resistances.iter().map(|resistance| resistance.name.as_str()));
         for (place, (name, _)) in ratios.iter().enumerate() {
             let at = Place::Element(id, place);
-            if !NAMES.contains(&name.as_str()) {
-                let names = NAMES.map(str::to_owned).to_vec();
+            if !names.contains(&name.as_str()) {
+                let names = names.iter().map(|name| (*name).to_owned()).collect();
                 return Err(Fault::new(Problem::UnknownResistance { name: name.clone(), names }, at));
             }
-            if name == "bearing" && !self.has_bearing() {
+            if name == BEARING && !self.has_bearing() {
                 return Err(Fault::new(Problem::NoBearing, at));
             }
         }
-        let of = |name| ratios.iter().find(|(known, _)| known == name).map(|(_, ratio)| *ratio);
-        Ok((of("sliding").map(of_sliding), of("bearing")))
+        let of = |name: &str| ratios.iter().find(|(known, _)| known == name).map(|(_, ratio)| *ratio);
+        // The more precise name goes before.
+        let by = |resistance: &Resistance| {
+            of(&resistance.name).or_else(|| of(PASSIVE).filter(|_| resistance.is_passive()))
+        };
+        let holds =
+            resistances.iter().filter_map(|resistance| Some((resistance.name.clone(), by(resistance)?)));
+        Ok(Resisting { sliding: of(SLIDING), bearing: of(BEARING), holds: holds.collect() })
     }
 
     /// True if what the base bears has a limit.
@@ -631,14 +670,13 @@ impl Reader<'_> {
         if has(Table::Earthquake) {
             loads.push(load("earthquake", CodeLoad::ThroughGround));
         }
-        for soil in soils {
+        for soil in soils.iter().filter(|soil| !soil.is_passive()) {
             loads.push(load(&soil.name, CodeLoad::Ground));
             if soil.soil.surcharge > 0.0 {
                 loads.push(load(soil.made(Made::Surcharge), CodeLoad::ThroughGround));
             }
         }
-        let named = forces.iter().map(|force| (&force.name, force.permanent)).enumerate();
-        let named = named.map(|(place, of)| (Table::Load, place, of));
+        let named = forces.iter().map(|force| (force.of.0, force.of.1, (&force.name, force.permanent)));
         let pressed = pressures.iter().map(|pressure| (&pressure.name, pressure.permanent)).enumerate();
         let pressed = pressed.map(|(place, of)| (Table::Pressure, place, of));
         for (table, place, (name, permanent)) in named.chain(pressed) {

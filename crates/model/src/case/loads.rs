@@ -1,7 +1,9 @@
 //! Pressures along faces, forces at points, and which of them act together.
 
-use standfast::loads::{BodyPoint, Face, HorizontalForce, Load, PressureAt, PressureDiagram};
-use standfast::{Body, History, InputError, Quantity, Scalar, Slip};
+use standfast::loads::{
+    Action, BodyPoint, Face, HorizontalForce, Load, LoadKind, LoadSource, PressureAt, PressureDiagram,
+};
+use standfast::{Body, History, InputError, Quantity, Scalar, Slip, Wrench};
 
 use super::history::HistoryOf;
 use super::motion::CaseMotion;
@@ -26,18 +28,20 @@ pub struct FacePressure<T = f64> {
     pub is_fast: bool,
 }
 
-/// A force at a point of the body.
+/// A force at a point of the body, or a couple.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointForce<T = f64> {
     /// Its name.
     pub name: Option<String>,
-    /// N per metre run.
+    /// The table that says it, and its place among these.
+    pub of: (Table, usize),
+    /// N per metre run; of a couple N·m.
     pub magnitude: T,
     /// Its direction.
     pub direction: Direction,
-    /// Above the base, m.
+    /// Above the base, m; 0 of a couple.
     pub elevation: T,
-    /// To the right of O, m; `None` at mid-width.
+    /// To the right of O, m; `None` at mid-width, and of a couple.
     pub distance: Option<T>,
     /// What it stands on, where that may be beside or above the body.
     pub lever: Option<String>,
@@ -60,6 +64,8 @@ pub enum Direction {
     Down,
     /// Against the weight.
     Up,
+    /// A couple that turns the body to a side: counter-clockwise to the left.
+    Turning(Slip),
 }
 
 impl<T: Scalar> FacePressure<T> {
@@ -87,16 +93,21 @@ impl<T: Scalar> PointForce<T> {
         let at =
             BodyPoint { x: self.distance.as_ref().map_or_else(zero, from_middle), y: self.elevation.clone() };
         let magnitude = self.magnitude.clone();
+        let (permanent, is_fast) = (self.permanent, self.is_fast);
         let (right, up) = match self.direction {
+            Direction::Turning(side) => {
+                let turns = Wrench { x: zero(), p: zero(), m: T::of(-side.sign()) * magnitude };
+                let load = Load::variable(LoadSource::Couple, LoadKind::Horizontal, Action::Resultant(turns));
+                return Load { permanent, is_fast, name: self.name.clone(), ..load };
+            }
             Direction::Sideways(side) => (T::of(side.sign()) * magnitude, zero()),
             Direction::Down => (zero(), -magnitude),
             Direction::Up => (zero(), magnitude),
         };
-        let (permanent, is_fast) = (self.permanent, self.is_fast);
         let load = Load { permanent, is_fast, name: self.name.clone(), ..Load::force(at, right, up) };
         match self.direction {
             // Without a magnitude it is still a push.
-            Direction::Sideways(_) => Load { kind: standfast::loads::LoadKind::Horizontal, ..load },
+            Direction::Sideways(_) => Load { kind: LoadKind::Horizontal, ..load },
             _ => load,
         }
     }
@@ -106,8 +117,8 @@ impl Direction {
     /// As in a case file.
     pub fn word(self) -> &'static str {
         match self {
-            Direction::Sideways(Slip::Left) => "left",
-            Direction::Sideways(Slip::Right) => "right",
+            Direction::Sideways(Slip::Left) | Direction::Turning(Slip::Left) => "left",
+            Direction::Sideways(Slip::Right) | Direction::Turning(Slip::Right) => "right",
             Direction::Down => "down",
             Direction::Up => "up",
         }
@@ -165,6 +176,7 @@ impl Reader<'_> {
         let history = self.taken(history, motion, Table::LoadHistory, index)?;
         Ok(PointForce {
             name: self.inputs.text(id(Key::LoadName)).map(str::to_owned),
+            of: (Table::Load, index),
             magnitude,
             direction,
             elevation,
@@ -174,6 +186,33 @@ impl Reader<'_> {
             together: truth(Key::Together),
             is_fast: truth(Key::LoadFast) || history.is_some(),
             history,
+        })
+    }
+
+    /// A couple.
+    pub(super) fn couple<T: Scalar>(&self, index: usize) -> Result<PointForce<T>, Fault> {
+        let id = |key| Id::new(key, index);
+        if let Some(what) = self.in_time_words() {
+            let problem = Problem::HoldsNot { holds: "a [[moment]]".to_owned(), what };
+            return Err(Fault::new(problem, Place::Table(Table::Moment, index)));
+        }
+        let side = match self.inputs.choice(id(Key::MomentTowards)) {
+            Some("right") => Slip::Right,
+            _ => Slip::Left,
+        };
+        let truth = |key| self.inputs.truth(id(key)).unwrap_or(false);
+        Ok(PointForce {
+            name: self.inputs.text(id(Key::MomentName)).map(str::to_owned),
+            of: (Table::Moment, index),
+            magnitude: self.inputs.scalar(id(Key::Couple)).ok_or_else(|| self.missing(Key::Couple, index))?,
+            direction: Direction::Turning(side),
+            elevation: T::of(0.0),
+            distance: None,
+            lever: None,
+            permanent: truth(Key::MomentPermanent),
+            together: truth(Key::MomentTogether),
+            is_fast: truth(Key::MomentFast),
+            history: None,
         })
     }
 

@@ -4,13 +4,14 @@ use std::fmt;
 
 use standfast::contact::opening::OpeningState;
 use standfast::loads::Face;
+use standfast::loads::earth::EarthState;
 use standfast::wave::Heights;
-use standfast::{BaseEdges, BaseOpening, Situation, Slip};
+use standfast::{BaseEdges, BaseOpening, Outcome, Situation, Slip};
 
 use super::Warning;
 use crate::case::{
-    Acting, Case, CrownWaves, Direction, FacePressure, GodaWaves, Made, Trial, WaveFormula, Weight, said_by,
-    tables_of_layers,
+    Acting, Case, CrownWaves, Direction, FacePressure, GodaWaves, Made, Resistance, SoilFill, Trial,
+    WaveFormula, Weight, said_by, tables_of_layers,
 };
 use crate::criteria::Bound;
 use crate::error::Place;
@@ -155,6 +156,8 @@ impl Case {
         warnings.extend(self.beside());
         warnings.extend(self.unanswered());
         warnings.extend(self.opened());
+        warnings.extend(self.held());
+        warnings.extend(self.recalled());
         warnings.extend(self.uplifted());
         warnings.extend(self.favourable());
         warnings.extend(self.asked());
@@ -171,24 +174,25 @@ impl Case {
         let left = self.body.base_edges().left - self.body.width() / 2.0;
         let right = left + self.body.width();
         let beside_body = |distance: f64| (left - distance).max(distance - right);
-        let off = self.forces.iter().enumerate().filter_map(|(index, force)| {
+        let off = self.forces.iter().filter_map(|force| {
             let lever = force.lever.clone()?;
             let above = force.elevation - self.body.height();
             let beside = force.distance.map_or(0.0, beside_body);
             let [above, beside] = [above, beside].map(|by| if by > SLACK { by } else { 0.0 });
-            let id = Id::new(Key::LoadLever, index);
+            let id = Id::new(Key::LoadLever, force.of.1);
             (above > 0.0 || beside > 0.0).then_some(Warning::LoadOffTheBody { id, lever, above, beside })
         });
-        let on_body = self.forces.iter().enumerate().filter(|(_, force)| force.lever.is_none());
-        let beside = on_body.filter_map(|(index, force)| {
+        let on_body = self.forces.iter().filter(|force| force.lever.is_none());
+        let beside = on_body.filter_map(|force| {
             let distance = force.distance.filter(|_| !matches!(force.direction, Direction::Sideways(_)))?;
             let beside = beside_body(distance);
-            let id = Id::new(Key::LoadDistance, index);
+            let id = Id::new(Key::LoadDistance, force.of.1);
             (beside > SLACK).then_some(Warning::LoadBesideBody { id, distance, beside })
         });
         let mut warnings: Vec<Warning> = beside.chain(off).collect();
         let weight = self.body.mass() * self.gravity;
-        for (index, force) in self.forces.iter().enumerate() {
+        let forces = self.forces.iter().filter(|force| !matches!(force.direction, Direction::Turning(_)));
+        for (index, force) in forces.enumerate() {
             let (force, share) = (force.magnitude, force.magnitude / weight);
             if force > 0.0 && share < FORCE {
                 warnings.push(Warning::SmallForce { index, force, share });
@@ -366,6 +370,73 @@ impl Case {
         warnings
     }
 
+    /// About formulas that nobody here has read in their source.
+    fn recalled(&self) -> Vec<Warning> {
+        let standing = self.wave.as_ref().filter(|wave| matches!(wave.formula, WaveFormula::Sainflou(_)));
+        let rests_on_slope =
+            |fill: &SoilFill| fill.soil.state == EarthState::AtRest && fill.soil.slope_deg != 0.0;
+        let all = [
+            (
+                standing.is_some_and(|wave| wave.uplift() != 0.0),
+                "the uplift of standing waves, which falls to nothing at the heel,",
+                "Sainflou",
+            ),
+            (
+                self.drain.is_some(),
+                "what drains take of the pressure under the base",
+                "EM 1110-2-2200 (1995)",
+            ),
+            (
+                self.soils.iter().any(rests_on_slope),
+                "the pressure at rest of soil under a slope",
+                "EN 1997-1:2004, 9.5.2",
+            ),
+        ];
+        let all = all.into_iter().filter(|(is_there, ..)| *is_there);
+        all.map(|(_, what, source)| Warning::FormulaRecalled { what, source }).collect()
+    }
+
+    /// About adhesion that carries most, and passive soils beside low factors, in the situation of each set of loads where they are worst.
+    fn held(&self) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        if self.adhesion.is_none() && self.resistances.is_empty() {
+            return warnings;
+        }
+        let all = self.acting();
+        for acting in all.iter().copied() {
+            let case = self.under(acting);
+            let trials = self.trials(acting).into_iter();
+            let outcomes = trials.filter_map(|trial| self.situation(acting, trial).ok()?.outcome().ok());
+            let least =
+                |one: &Outcome, two: &Outcome| one.stability.sliding.total_cmp(&two.stability.sliding);
+            let Some(outcome) = outcomes.min_by(least) else { continue };
+            let Some(held) = outcome.held else { continue };
+            let situation = self.acting_name(acting).filter(|_| all.len() > 1);
+            let friction = case.friction * outcome.full.wrench.p;
+            let resistance = friction + held.adhesion + held.against;
+            if held.adhesion > 0.5 * resistance {
+                let (situation, extent) = (situation.clone(), self.extent);
+                warnings.push(Warning::AdhesionCarries {
+                    situation,
+                    adhesion: held.adhesion,
+                    resistance,
+                    extent,
+                });
+            }
+            let factor = outcome.stability.sliding;
+            let push = outcome.full.wrench.x;
+            let against = |resistance: &&Resistance| match resistance.direction {
+                Direction::Sideways(side) => resistance.is_passive() && side.sign() * push < 0.0,
+                _ => false,
+            };
+            if let Some(soil) = case.resistances.iter().find(against).filter(|_| factor < 2.0) {
+                let name = soil.name.clone();
+                warnings.push(Warning::PassiveWithLowFactor { situation, name, factor });
+            }
+        }
+        warnings
+    }
+
     /// About uplift that is greater on the side away from the push, under every set of loads.
     fn uplifted(&self) -> Option<Warning> {
         let uplift = self.uplift.as_ref()?;
@@ -397,7 +468,9 @@ impl Case {
             let full = situation.at(1.0).ok().map(|full| full.wrench);
             let loads = situation.loads().iter().filter(|load| !load.permanent);
             loads.filter_map(move |load| {
-                let Place::Table(table @ (Table::Load | Table::Pressure), index) = said_by(load.id) else {
+                let Place::Table(table @ (Table::Load | Table::Moment | Table::Pressure), index) =
+                    said_by(load.id)
+                else {
                     return None;
                 };
                 let (own, full) = (situation.wrench_of(load), full?);
@@ -602,10 +675,6 @@ impl Case {
                     warnings.push(Warning::WaveAngle { degrees: sea.angle_deg });
                 }
             }
-            WaveFormula::Sainflou(_) if wave.uplift() != 0.0 => warnings.push(Warning::FormulaRecalled {
-                what: "the uplift of standing waves, which falls to nothing at the heel,",
-                source: "Sainflou",
-            }),
             WaveFormula::Sainflou(_) => {}
             WaveFormula::Crown(CrownWaves { wall, .. }) => {
                 let (wall, body) = (wall.height(), self.body.height());

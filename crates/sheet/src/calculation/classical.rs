@@ -7,6 +7,7 @@ use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case};
 
 use super::balance;
+use super::holding::{self, HeldTerms};
 use super::loads::{grouped, parts, sum};
 use crate::measured::{FACTOR, KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
 use crate::steps::SheetSteps;
@@ -14,12 +15,22 @@ use crate::steps::SheetSteps;
 /// Value that common practice asks of both safety factors.
 pub const TARGET: f64 = 1.2;
 
-pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components: &[Component]) {
+pub(super) fn steps(
+    steps: &mut SheetSteps,
+    case: &Case,
+    assessed: &Assessed,
+    components: &[Component],
+) -> HeldTerms {
     steps.heading("Classical checks");
     actions(steps, &assessed.outcome.actions, components);
-    factors(steps, case, assessed, components);
-    margins(steps, assessed);
-    pressure(steps, assessed);
+    let held = holding::steps(steps, case, assessed);
+    if assessed.outcome.held.is_some() {
+        steps.heading("Factors, margins, pressure on the base");
+    }
+    factors(steps, case, assessed, components, &held);
+    margins(steps, assessed, &held);
+    pressure(steps, assessed, &held);
+    held
 }
 
 /// The sum of a part of the loads of some kinds, as a formula.
@@ -93,7 +104,13 @@ fn actions(steps: &mut SheetSteps, actions: &ClassicalActions, components: &[Com
     steps.add(about, "", ["M_p", &formula], force_moment, MOMENT, "M_p");
 }
 
-fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components: &[Component]) {
+fn factors(
+    steps: &mut SheetSteps,
+    case: &Case,
+    assessed: &Assessed,
+    components: &[Component],
+    held: &HeldTerms,
+) {
     if assessed.outcome.full.is_lifted() {
         return steps.note("Nothing presses the body on its base: safety factors mean nothing.");
     }
@@ -101,18 +118,22 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
     let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
     let ClassicalActions { force, force_moment, .. } = assessed.outcome.actions;
     let about = "Safety against sliding";
+    let resists = match held.sliding.as_str() {
+        "" => "μ (W' − U)".to_owned(),
+        more => format!("(μ (W' − U){more})"),
+    };
     if let Some(effects) = assessed.situation.effects() {
         effects_of(steps, case, assessed, components, "P_d", 0, effects.x.abs());
-        steps.add(about, "", ["SF_sliding", "μ (W' − U)/P_d"], sliding, FACTOR, "SF_sliding");
+        steps.add(about, "", ["SF_sliding", &format!("{resists}/P_d")], sliding, FACTOR, "SF_sliding");
     } else if force > 0.0 {
-        steps.add(about, "", ["SF_sliding", "μ (W' − U)/P"], sliding, FACTOR, "SF_sliding");
+        steps.add(about, "", ["SF_sliding", &format!("{resists}/P")], sliding, FACTOR, "SF_sliding");
     } else {
         steps.told(about, "SF_sliding", sliding, FACTOR, "no horizontal force acts", "SF_sliding");
     }
-    let heel = ["SF_heel", "(W' t − M_U)/M_p"];
+    let heel = ["SF_heel", &format!("(W' t − M_U{})/M_p", held.heel)];
     let about = "Safety against overturning, about the heel";
     overturning(steps, about, heel, overturning_about_heel, force_moment > 0.0, "SF_overturning_heel");
-    let toe = ["SF_toe", "(W' (B_c − t) − U B_c + M_U)/(−M_p)"];
+    let toe = ["SF_toe", &format!("(W' (B_c − t) − U B_c + M_U{})/(−M_p)", held.toe)];
     let about = "The same about the other corner, the toe";
     overturning(steps, about, toe, overturning_about_toe, force_moment < 0.0, "SF_overturning_toe");
     let about = "The lesser of both";
@@ -132,7 +153,7 @@ fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components:
         }
         formula => steps.add(about, "", [key, formula], stability.overturning(), FACTOR, key),
     }
-    gross(steps, assessed, components);
+    gross(steps, assessed, components, held);
     balance::steps(steps, case, assessed, components);
     // That is practice for breakwaters.
     if !case.criteria_of(assessed.acting).is_empty() || case.goda().is_none() {
@@ -178,23 +199,30 @@ pub(super) fn effects_of(
 }
 
 /// Shows the margins of the inequalities of rest.
-fn margins(steps: &mut SheetSteps, assessed: &Assessed) {
+fn margins(steps: &mut SheetSteps, assessed: &Assessed, held: &HeldTerms) {
     let margins = assessed.outcome.margins;
     let Margins { sliding, overturning_about_heel: heel, overturning_about_toe: toe } = margins;
     let about = "What friction leaves of the horizontal force; rest needs 0 or more, as of the next two";
     let against = if assessed.situation.effects().is_some() { "P_d" } else { "P" };
-    let formula = format!("μ (W' − U) − {against}");
+    let formula = format!("μ (W' − U){} − {against}", held.sliding);
     steps.add(about, "", ["Z_sliding", &formula], sliding, KILONEWTON, "margin_sliding");
     let about = "Moment that presses the body on its base, about the heel";
-    steps.add(about, "", ["Z_heel", "W' t − M_U − M_p"], heel, MOMENT, "margin_overturning_heel");
-    let formula = ["Z_toe", "W' (B_c − t) − U B_c + M_U + M_p"];
+    steps.add(
+        about,
+        "",
+        ["Z_heel", &format!("W' t − M_U − M_p{}", held.heel)],
+        heel,
+        MOMENT,
+        "margin_overturning_heel",
+    );
+    let formula = ["Z_toe", &format!("W' (B_c − t) − U B_c + M_U + M_p{}", held.toe)];
     steps.add("The same about the toe", "", formula, toe, MOMENT, "margin_overturning_toe");
     let formula = ["Z_overturning", "min(Z_heel, Z_toe)"];
     steps.add("The lesser of both", "", formula, margins.overturning(), MOMENT, "margin_overturning");
 }
 
 /// The factor by gross moments, where water presses under the base.
-fn gross(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component]) {
+fn gross(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component], held: &HeldTerms) {
     let Outcome { actions, gross, .. } = &assessed.outcome;
     let key = "SF_overturning_gross";
     let about = "Safety against overturning by gross moments";
@@ -229,7 +257,26 @@ fn gross(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component]) 
     let corner = if gross.is_about_heel() { "heel" } else { "toe" };
     let about = format!("{about}, about the {corner}");
     let formula = checks::gross_formula(gross, actions.uplift);
-    steps.add(&about, "", [key, formula], gross.overturning(), FACTOR, key);
+    let more = if gross.is_about_heel() { held.heel } else { held.toe };
+    let formula = with_numerator(formula, more);
+    steps.add(&about, "", [key, &formula], gross.overturning(), FACTOR, key);
+}
+
+/// A fraction with more in its numerator.
+fn with_numerator(formula: &str, more: &str) -> String {
+    let mut depth = 0;
+    let slash = formula.char_indices().find(|(_, letter)| {
+        depth += match letter {
+            '(' => 1,
+            ')' => -1,
+            _ => 0,
+        };
+        *letter == '/' && depth == 0
+    });
+    match slash.filter(|_| !more.is_empty()) {
+        Some((at, _)) => format!("({}{more}){}", &formula[..at], &formula[at..]),
+        None => formula.to_owned(),
+    }
 }
 
 /// A factor against overturning about a corner; `pushed` says whether a force turns the body about it.
@@ -250,12 +297,13 @@ fn overturning(
     steps.told(about, formula[0], factor, FACTOR, words, key);
 }
 
-fn pressure(steps: &mut SheetSteps, assessed: &Assessed) {
+fn pressure(steps: &mut SheetSteps, assessed: &Assessed, held: &HeldTerms) {
     let stability = &assessed.outcome.stability;
     let Stability { resultant_arm, bearing, .. } = *stability;
     let base = assessed.situation.body().base_width();
     if let Some(arm) = resultant_arm {
-        let formula = ["t_e", "(W' t − M_U − M_p)/(W' − U)"];
+        let formula = format!("(W' t − M_U − M_p{})/(W' − U{})", held.resultant, held.pressing);
+        let formula = ["t_e", formula.as_str()];
         steps.add("Resultant of all loads, from the heel", "", formula, arm, METRE, "resultant_arm");
     }
     let Bearing::Pressed { heel, toe, contact, share } = bearing else {
@@ -278,7 +326,10 @@ fn pressure(steps: &mut SheetSteps, assessed: &Assessed) {
     let BearingFormulas { about, heel: of_heel, toe: of_toe, contact: of_contact, share: of_share } =
         match plan {
             Plan::Circle => circle(steps, (heel, toe), whole, resultant_arm.unwrap_or_default(), base),
-            _ => rectangle((heel, toe), whole, if assessed.extent == Extent::Whole { " L_b" } else { "" }),
+            _ => {
+                let long = if assessed.extent == Extent::Whole { " L_b" } else { "" };
+                rectangle((heel, toe), whole, &format!("(W' − U{})", held.pressing), long)
+            }
         };
     let about = format!("Bearing pressure at the heel, {about}");
     steps.add(&about, "", ["p_heel", &of_heel], heel, KILOPASCAL, "heel_pressure");
@@ -302,9 +353,9 @@ struct BearingFormulas {
     share: &'static str,
 }
 
-/// On a rectangle, `long` behind its width where it has a length.
-fn rectangle((heel, toe): (f64, f64), whole: bool, long: &str) -> BearingFormulas {
-    let near = |arm: &str| (format!("2 (W' − U)/(3 {arm}{long})"), format!("3 {arm}"));
+/// On a rectangle, under what presses, `long` behind its width where it has a length.
+fn rectangle((heel, toe): (f64, f64), whole: bool, pressing: &str, long: &str) -> BearingFormulas {
+    let near = |arm: &str| (format!("2 {pressing}/(3 {arm}{long})"), format!("3 {arm}"));
     let share = "l_c/B_c";
     if toe == 0.0 && !whole {
         let (heel, contact) = near("t_e");
@@ -316,7 +367,7 @@ fn rectangle((heel, toe): (f64, f64), whole: bool, long: &str) -> BearingFormula
         let about = "for `t_e` > `2 B_c÷3`: pressed near the toe only";
         return BearingFormulas { about, heel: "0".to_owned(), toe, contact, share };
     }
-    let mean = if long.is_empty() { "(W' − U)/B_c".to_owned() } else { format!("(W' − U)/(B_c{long})") };
+    let mean = if long.is_empty() { format!("{pressing}/B_c") } else { format!("{pressing}/(B_c{long})") };
     BearingFormulas {
         about: "for `t_e` from `B_c÷3` to `2 B_c÷3`: the whole base is pressed",
         heel: format!("{mean} (4 − 6 t_e/B_c)"),

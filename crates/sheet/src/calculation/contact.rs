@@ -3,6 +3,7 @@
 use standfast::contact::Block;
 use standfast::relation::Relation;
 use standfast::{InputError, Situation, Wrench};
+use standfast_cases::Assessed;
 
 use crate::measured::{Measured, NONE};
 use crate::steps::{SheetStep, SheetSteps};
@@ -48,6 +49,41 @@ pub(super) fn steps(steps: &mut SheetSteps, situation: &Situation, total: &Wrenc
     Ok(())
 }
 
+/// The conditions of the mode of a body that more than friction holds.
+pub(super) fn held(steps: &mut SheetSteps, assessed: &Assessed) {
+    steps.heading("Mode of response: the general contact problem, with what holds the body");
+    steps.note(
+        "The report's k–μ diagram knows no adhesion and no force that gives way. Every mode is tried with every state of the resistances: one whose \
+         point the motion drives against it acts in full, one whose point gives way does not act. Rest takes as much as it needs. Forces are in \
+         m g, lengths in B, accelerations in g: `φ_x` and `φ_y` are the reactions of the base, `ζ` is where `φ_y` acts, right of the \
+         centre of mass.",
+    );
+    let situation = &assessed.situation;
+    let Block { b1, b2, .. } = situation.reduced_block().0;
+    for (name, value) in [("r_1", b1), ("r_2", b2)] {
+        steps.know(name, value, NONE);
+    }
+    let response = &assessed.outcome.full;
+    let Some((mode, motion)) = assessed.mode().zip(response.motion) else {
+        return steps.note("No mode is consistent.");
+    };
+    steps.know("φ_y", motion.f_y / (situation.body().mass() * situation.gravity()), NONE);
+    let held = assessed.outcome.held.filter(|held| held.adhesion > 0.0);
+    if let Some(held) = held {
+        let result = Measured::of(held.adhesion / (situation.body().mass() * situation.gravity()), NONE);
+        let about = "What adheres in these units";
+        steps.step(&SheetStep { about, reference: "", name: "χ", formula: "C_a/(m g)", result, key: "" });
+    }
+    steps.heading(&format!("Consistent: the body {} ({mode})", mode.words()));
+    for relation in situation.explain(response) {
+        steps.relation(&reduced(relation));
+    }
+    let others = response.others().to_string();
+    if !others.is_empty() {
+        steps.note(&format!("Consistent as well, and not the one reported: {others}."));
+    }
+}
+
 /// A condition of the contact problem in the symbols of its units; the library's are those of any units.
 fn reduced(relation: Relation) -> Relation {
     let symbol = |text: &'static str| match text {
@@ -59,6 +95,7 @@ fn reduced(relation: Relation) -> Relation {
         "ÿ_O" => "ÿ_O/g",
         "ÿ_O'" => "ÿ_O'/g",
         "μ_s f_y" => "μ φ_y",
+        "μ_s f_y + c_a A'" => "μ φ_y + χ",
         "−b_1" => "−r_1",
         "b_2" => "r_2",
         other => other,

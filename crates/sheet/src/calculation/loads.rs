@@ -4,7 +4,8 @@ use maud::{Markup, html};
 use standfast::loads::{Action, Earthquake, Face, Load, LoadSource, PressureAt, PressureDiagram};
 use standfast::{Body, Plan, Wrench};
 use standfast_cases::assess::{Component, left_out, share};
-use standfast_cases::case::{FacePressure, PointForce, Weight};
+use standfast_cases::case::{FacePressure, PointForce, WaveFormula, Weight};
+use standfast_cases::key::Table;
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case, Key};
 
@@ -250,6 +251,10 @@ fn given(steps: &mut SheetSteps, case: &Case, load: &Load) {
                 steps.know("a_v", earthquake.vertical(), ACCELERATION);
             }
         }
+        LoadSource::Couple => {
+            let size = case_couple(load).abs();
+            steps.know_input(&couple_symbol(case, load), size, MOMENT);
+        }
         LoadSource::Force => {
             if let Action::Force { at, right, up } = load.action {
                 let [force, elevation, distance] = force_symbols(case, load);
@@ -291,14 +296,39 @@ fn along(body: &Body, extent: Extent) -> PlanFactor {
 
 /// The symbols of a force, its elevation and its distance from O.
 pub(super) fn force_symbols(case: &Case, load: &Load) -> [String; 3] {
-    let forces = &case.forces;
-    let is_it = |force: &PointForce| {
+    let forces: Vec<_> = case.forces.iter().filter(|force| force.of.0 == Table::Load).collect();
+    let is_it = |force: &&PointForce| {
         let other = force.load(&case.body);
         other.name == load.name && other.action == load.action && other.permanent == load.permanent
     };
     let index = forces.iter().position(is_it).unwrap_or_default();
     [Key::Force, Key::Elevation, Key::LoadDistance]
         .map(|key| numbered(key.info().symbol, index, forces.len()))
+}
+
+/// The moment of a couple, counter-clockwise, before any factor.
+fn case_couple(load: &Load) -> f64 {
+    match load.action {
+        Action::Resultant(Wrench { m, .. }) => m,
+        _ => 0.0,
+    }
+}
+
+/// The symbol of a couple.
+pub(super) fn couple_symbol(case: &Case, load: &Load) -> String {
+    let couples: Vec<_> = case.forces.iter().filter(|force| force.of.0 == Table::Moment).collect();
+    let is_it =
+        |couple: &&PointForce| couple.name == load.name && couple.load(&case.body).action == load.action;
+    let index = couples.iter().position(is_it).unwrap_or_default();
+    numbered(Key::Couple.info().symbol, index, couples.len())
+}
+
+/// The width of a crown wall that waves press under.
+fn wall_base(case: &Case) -> Option<f64> {
+    match &case.wave.as_ref()?.formula {
+        WaveFormula::Crown(waves) => Some(waves.wave.uplift_width),
+        _ => None,
+    }
 }
 
 /// X, V and M of a load as formulas; a part that it does not have is none.
@@ -369,7 +399,15 @@ fn formulas(
             [way(!turned(Earthquake::horizontal), "m_a a_h"), None, Some(moment_of_x("z_a"))]
         }
         LoadSource::WavePressure => [less("P_w"), None, some("(M_w − P_w y_C)")],
+        // Under a crown wall that is narrower than the base, from the seaward edge.
+        LoadSource::WaveUplift if wall_base(case).is_some() => {
+            let moment = format!("{factor}p_u/2 B_w (B_c − B_w/3) + {v} b_1");
+            [None, less("p_u/2 B_w"), Some(moment)]
+        }
         LoadSource::WaveUplift => [None, less("p_u/2 B_c"), Some(format!("{factor}p_u/3 B_c^2 + {v} b_1"))],
+        LoadSource::Couple => {
+            [None, None, way(component.wrench.m < 0.0, &couple_symbol(case, &component.load))]
+        }
         LoadSource::Force => match component.load.action {
             Action::Force { up, .. } if up != 0.0 => {
                 [None, way(up > 0.0, &force), Some(moment_of_v(&distance))]

@@ -51,7 +51,7 @@ fn table(case: &Case, motion: &Motion) -> Result<(Markup, Vec<Row>), SheetFault>
 }
 
 /// The motion under the full load.
-pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) {
+pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, held: [&str; 3]) {
     let Some(motion) = assessed.motion() else { return };
     let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = *motion;
     let rests = [x_ddot, y_ddot, theta_ddot] == [0.0; 3];
@@ -78,13 +78,14 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) {
     ] {
         steps.know(name, value, unit);
     }
-    vertical(steps, motion);
-    horizontal(steps, case, assessed, motion);
-    rotation(steps, assessed, motion);
+    let [x, v, m] = held;
+    vertical(steps, motion, v);
+    horizontal(steps, case, assessed, motion, x);
+    rotation(steps, assessed, motion, m);
 }
 
 /// Shows the reaction along the base: from friction if the body slips, from balance if it does not accelerate.
-fn horizontal(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, motion: &Motion) {
+fn horizontal(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, motion: &Motion, held: &str) {
     let Motion { x_ddot, f_x, .. } = *motion;
     let about = "Along the base";
     match assessed.mode().and_then(|mode| mode.slip()) {
@@ -95,28 +96,34 @@ fn horizontal(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, motion: 
             steps.add("Coulomb friction, against the slip", "", ["f_x", &formula], f_x, KILONEWTON, "");
         }
         _ if x_ddot == 0.0 && f_x != 0.0 => {
-            steps.add(about, "", ["f_x", "−X"], f_x, KILONEWTON, "");
+            let formula = if held.is_empty() { "−X".to_owned() } else { format!("−(X{held})") };
+            steps.add(about, "", ["f_x", &formula], f_x, KILONEWTON, "");
         }
         _ => {}
     }
     if x_ddot != 0.0 {
-        let force = if f_x != 0.0 { "(X + f_x)" } else { "X" };
+        let force = match (f_x != 0.0, held.is_empty()) {
+            (true, _) => format!("(X{held} + f_x)"),
+            (false, true) => "X".to_owned(),
+            (false, false) => format!("(X{held})"),
+        };
         let mass = if case.added_mass.mass() > 0.0 { "(m + m_a)" } else { "m" };
         steps.add(about, "", ["ẍ", &format!("{force}/{mass}")], x_ddot, ACCELERATION, "");
     }
 }
 
-fn vertical(steps: &mut SheetSteps, motion: &Motion) {
+fn vertical(steps: &mut SheetSteps, motion: &Motion, held: &str) {
     let Motion { y_ddot, f_y, .. } = *motion;
     if y_ddot != 0.0 {
-        let formula = if f_y != 0.0 { "(f_y − V)/m" } else { "−V/m" };
-        steps.add("Upwards", "", ["ÿ", formula], y_ddot, ACCELERATION, "");
+        let load = if held.is_empty() { "V".to_owned() } else { format!("(V{held})") };
+        let formula = if f_y != 0.0 { format!("(f_y − {load})/m") } else { format!("−{load}/m") };
+        steps.add("Upwards", "", ["ÿ", &formula], y_ddot, ACCELERATION, "");
     } else if f_y != 0.0 {
-        steps.add("Upwards", "", ["f_y", "V"], f_y, KILONEWTON, "");
+        steps.add("Upwards", "", ["f_y", &format!("V{held}")], f_y, KILONEWTON, "");
     }
 }
 
-fn rotation(steps: &mut SheetSteps, assessed: &Assessed, motion: &Motion) {
+fn rotation(steps: &mut SheetSteps, assessed: &Assessed, motion: &Motion, held: &str) {
     let Motion { theta_ddot, f_x, f_y, xi, .. } = *motion;
     let lever = if f_x != 0.0 { " + y_C f_x" } else { "" };
     if f_y != 0.0 {
@@ -143,7 +150,7 @@ fn rotation(steps: &mut SheetSteps, assessed: &Assessed, motion: &Motion) {
                 steps.add(about, "", ["ξ", formula], xi, METRE, "");
             }
             None if theta_ddot == 0.0 && xi != 0.0 => {
-                let formula = format!("−(M{lever})/f_y");
+                let formula = format!("−(M{held}{lever})/f_y");
                 steps.add("Moments about the centre of mass", "", ["ξ", &formula], xi, METRE, "");
             }
             None => {}
@@ -151,7 +158,7 @@ fn rotation(steps: &mut SheetSteps, assessed: &Assessed, motion: &Motion) {
     }
     if theta_ddot != 0.0 {
         let reaction = if f_y != 0.0 { " + ξ f_y" } else { "" };
-        let formula = format!("(M{lever}{reaction})/I");
+        let formula = format!("(M{held}{lever}{reaction})/I");
         let about = "Moments about the centre of mass";
         steps.add(about, "", ["θ\u{308}", &formula], theta_ddot, ROTATION, "");
     }

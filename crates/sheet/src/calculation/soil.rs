@@ -90,6 +90,11 @@ fn one(steps: &mut SheetSteps, case: &Case, index: usize) {
             let about = "The same of its cohesion";
             steps.add(about, "EN 1997-1, annex C", [&of_layer("K_c"), &formula], coefficients.k_c, NONE, "");
         }
+        if of.cohesion > 0.0 && soil.state == EarthState::Passive {
+            let about = "The same of its cohesion, which adds to the pressure";
+            let formula = format!("−2 sqrt({k})");
+            steps.add(about, "Rankine", [&of_layer("K_c"), &formula], coefficients.k_c, NONE, "");
+        }
     }
     if let Some(water) = water.filter(|water| water.level > 0.0) {
         match &case.water {
@@ -121,6 +126,13 @@ fn coefficient(symbols: &SoilSymbols<'_>, layer: usize, turned: Option<&str>) ->
     let (φ, δ) = (of_layer("φ_e"), of_layer("δ_e"));
     let has = |angle: f64, name: &str| if angle == 0.0 { None } else { Some(symbols.own(name)) };
     let (β, θ) = (has(soil.slope_deg, "β_e"), has(soil.batter_deg, "θ_e"));
+    if soil.state == EarthState::Passive {
+        let of_rankine = format!("((1 + sin({φ}))/(1 − sin({φ})))");
+        return match soil.layers[layer].soil.wall_friction_deg {
+            0.0 => of_rankine,
+            _ => format!("{of_rankine}^(1 + 1.443 {δ}/{φ} sin({φ}))"),
+        };
+    }
     if soil.state == EarthState::AtRest {
         let slope = β.map_or(String::new(), |β| format!(" (1 + sin({β}))"));
         return format!("(1 − sin({φ})) {}^(sin({φ})){slope}", of_layer("OCR"));
@@ -322,6 +334,8 @@ pub(super) fn increments(steps: &mut SheetSteps, case: &Case, assessed: &Assesse
         let (force, drag) = (symbols.own("ΔP_e"), symbols.own("ΔT_e"));
         let about = "What it adds, against the upright";
         match soil.state {
+            // What resists stays what it is.
+            EarthState::Passive => return,
             EarthState::AtRest => {
                 let words = "k_h γ H², γ the mean over the height, saturated below water";
                 steps.told(about, &force, increment.force, KILONEWTON, words, "");

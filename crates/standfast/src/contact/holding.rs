@@ -13,12 +13,13 @@
 //! wrenches, the zeros of the points' accelerations, and for adhesion the roots of quadratics, (|X| − μP)P = 3c_a T.
 
 use super::conditions::Rotation;
-use super::{Block, motion, numbers, path, rotation, solve};
+use super::{Block, motion, numbers, path, rotation, solve, with_friction};
 use crate::departure::Departure;
 use crate::error::{InputError, LARGEST};
 use crate::mode::{Corner, Mode, Modes, Slip};
 use crate::motion::Motion;
 use crate::neighbour::Neighbour;
+use crate::span::Span;
 use crate::stage::Stage;
 use crate::verdict::{Decision, Verdict};
 use crate::wrench::Wrench;
@@ -430,6 +431,27 @@ impl Holding {
     ) -> Result<Departure, InputError> {
         let begin = self.decide(block, permanent)?.verdict;
         Departure::along(begin, self.stages(block, permanent, variable)?.into_iter().map(Ok))
+    }
+
+    /// The spans of friction from zero without end, found by bisection; beyond `up_to`, or ten where that is infinite, none is looked for.
+    ///
+    /// # Errors
+    /// As [`solve`].
+    pub fn friction_spans(
+        &self,
+        block: &Block,
+        wrench: &Wrench,
+        up_to: f64,
+    ) -> Result<Vec<Span>, InputError> {
+        const PARTS: u32 = 200;
+        let last = up_to.min(10.0);
+        let ends = (1..=PARTS).map(|part| last * f64::from(part) / f64::from(PARTS)).collect();
+        let stages = stages_between(ends, |μ| self.decide(&with_friction(block, μ), wrench))?;
+        let spans = stages.into_iter().enumerate().map(|(boundary, stage)| {
+            let Stage { from, to, verdict, modes } = stage;
+            Span { from, to, verdict, modes, boundary }
+        });
+        Ok(spans.collect())
     }
 
     /// The load factors at which anything may change.

@@ -2,6 +2,7 @@
 
 use super::bearing::BearingBlock;
 use super::strength;
+use crate::contact::holding::Holding;
 use crate::contact::{self, Block, departure, friction, path};
 use crate::departure::{Departure, DepartureSpan};
 use crate::error::InputError;
@@ -18,6 +19,8 @@ pub enum Base {
     Crushing(f64),
     /// The ground under it can fail.
     Failing(BearingBlock),
+    /// It bears everything, and more than friction holds the body on it.
+    Held(Holding),
 }
 
 impl Base {
@@ -32,6 +35,7 @@ impl Base {
             Base::Crushing(strength) => strength::solve(block, wrench, *strength)
                 .map(|found| Decision { verdict: found.verdict(), modes: found.modes }),
             Base::Failing(ground) => ground.decide(block, wrench),
+            Base::Held(holding) => holding.decide(block, wrench),
         }
     }
 
@@ -47,6 +51,7 @@ impl Base {
             Base::Rigid => friction::spans_up_to(block, wrench, up_to),
             Base::Crushing(strength) => strength::friction_spans(block, wrench, *strength, up_to),
             Base::Failing(ground) => ground.friction_spans(block, wrench, up_to),
+            Base::Held(holding) => holding.friction_spans(block, wrench, up_to),
         }
     }
 
@@ -61,6 +66,7 @@ impl Base {
             Base::Rigid => path::departure(block, permanent, variable),
             Base::Crushing(strength) => strength::departure(block, permanent, variable, *strength),
             Base::Failing(ground) => ground.departure(block, permanent, variable),
+            Base::Held(holding) => holding.departure(block, permanent, variable),
         }
     }
 
@@ -75,6 +81,7 @@ impl Base {
     ) -> Result<Option<Vec<DepartureSpan>>, InputError> {
         let spans = match self {
             Base::Rigid => departure::by_friction(block, permanent, variable),
+            Base::Held(_) => return Ok(None),
             _ if block.mu_k != block.mu_s => return Ok(None),
             Base::Crushing(strength) => {
                 strength::departure_spans(block, permanent, variable, *strength, up_to)

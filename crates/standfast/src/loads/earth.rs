@@ -9,6 +9,9 @@
 //! e(z) = max(0, K σ'(z) + K q cos θ cos β/cos(θ−β) − c K_c)             K_c = min(2√(K(1 + a/c)), 2.56√K)
 //! ```
 //!
+//! K_p = tan²(45° + φ/2), to the power 1 + 1.443 (δ/φ) sin φ with friction on an upright wall beside level ground (a log spiral, fitted): of the
+//! passive state e = K_p σ' + 2c√K_p, a resistance against the wall.
+//!
 //! z counts downwards from the ground where it meets the wall, σ' = Σγ Δz with γ above the water and γ_sat − γ_w below it, q is the
 //! surcharge per horizontal metre, c cohesion and a adhesion. Per metre of height e cos(θ+δ) presses on the wall and e sin(θ+δ) drags it
 //! down, linear from point to point, with a step where the soil changes. Water in the soil is a load of its own.
@@ -74,6 +77,8 @@ pub enum EarthState {
     Active,
     /// The wall does not move.
     AtRest,
+    /// The wall is driven into it: the most that it resists with.
+    Passive,
 }
 
 /// Movement of the water in a soil that is shaken.
@@ -140,9 +145,9 @@ pub struct EarthPoint {
 /// Coefficients of a layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EarthCoefficients {
-    /// K, or K_0.
+    /// K, K_0 or K_p.
     pub k: f64,
-    /// K_c, of its cohesion; zero where it has none, and at rest.
+    /// K_c, of its cohesion; zero where it has none, and at rest; below zero in the passive state, where cohesion adds.
     pub k_c: f64,
 }
 
@@ -200,6 +205,13 @@ pub fn at_rest(φ: f64, β: f64, ocr: f64) -> f64 {
     (1.0 - sin) * ocr.powf(sin) * (1.0 + β.to_radians().sin())
 }
 
+/// K_p of the passive state beside an upright wall and level ground; angles in degrees.
+pub fn passive(φ: f64, δ: f64) -> f64 {
+    let sin = φ.to_radians().sin();
+    let of_rankine = (45.0 + φ / 2.0).to_radians().tan().powi(2);
+    of_rankine.powf(1.0 + 1.443 * (δ / φ) * sin)
+}
+
 /// K_c, of cohesion `c` with adhesion `a`, beside `k`.
 pub fn of_cohesion(k: f64, c: f64, a: f64) -> f64 {
     if c == 0.0 { 0.0 } else { (2.0 * (k * (1.0 + a / c)).sqrt()).min(2.56 * k.sqrt()) }
@@ -232,6 +244,11 @@ impl Backfill {
             EarthState::AtRest => {
                 let k = at_rest(soil.friction_angle_deg, self.slope_deg, soil.ocr);
                 EarthCoefficients { k, k_c: 0.0 }
+            }
+            // What holds together resists the more.
+            EarthState::Passive => {
+                let k = passive(soil.friction_angle_deg, soil.wall_friction_deg);
+                EarthCoefficients { k, k_c: -2.0 * k.sqrt() }
             }
         };
         self.layers.iter().map(of).collect()
@@ -282,7 +299,7 @@ impl Backfill {
         let [β, θ] = [self.slope_deg, self.batter_deg].map(f64::to_radians);
         match self.state {
             EarthState::Active => self.surcharge * (θ.cos() * β.cos() / (θ - β).cos()),
-            EarthState::AtRest => self.surcharge,
+            EarthState::AtRest | EarthState::Passive => self.surcharge,
         }
     }
 
@@ -306,7 +323,11 @@ impl Backfill {
             shares.sort_by(f64::total_cmp);
             shares.dedup();
             let along = |[upper, lower]: [f64; 2], share: f64| upper + (lower - upper) * share;
-            let angle = (self.batter_deg + stretch.soil.wall_friction_deg).to_radians();
+            // What a passive soil resists with is taken along the base alone.
+            let angle = match self.state {
+                EarthState::Passive => 0.0,
+                _ => (self.batter_deg + stretch.soil.wall_friction_deg).to_radians(),
+            };
             for share in shares {
                 let soil = along(of_soil, share).max(0.0);
                 let point = |e: f64| EarthPoint {
@@ -378,6 +399,8 @@ impl Backfill {
                 force = k_h * stretches.iter().map(weight).sum::<f64>() * height;
                 at = 0.6;
             }
+            // It stays what it is.
+            EarthState::Passive => {}
         }
         let point = |elevation: f64, share: f64| EarthPoint {
             elevation,

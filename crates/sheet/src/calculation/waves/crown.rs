@@ -62,7 +62,13 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
             let formula = ["p_m", "ρ g max(R − A_c, 0)"];
             add(steps, "Pressure at the crest of the armour", formula, terms.pm, KILOPASCAL);
             let formula = ["y_r", "max(R − A_c, 0) sin(ε)/(sin(α_a) cos(α_a − ε))"];
-            add(steps, "Height of the wedge of run-up; `α_a` is the slope’s angle, `ε` 15°", formula, terms.y, METRE);
+            add(
+                steps,
+                "Height of the wedge of run-up; `α_a` is the slope’s angle, `ε` 15°",
+                formula,
+                terms.y,
+                METRE,
+            );
             add(
                 steps,
                 "Half of it acts, no higher than the wall",
@@ -99,6 +105,8 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
             add(steps, "Horizontal force", formula, wave.force, KILONEWTON);
             let about = "Half the height of the wall, at which it is taken to act; the formula gives none";
             add(steps, about, ["e_w", "H_w/2"], wave.elevation, METRE);
+            let moment = wave.force * wave.elevation;
+            add(steps, "Its moment about the base", ["M_w", "P_w e_w"], moment, MOMENT);
             let formula = ["U_w", "0.4 ρ g B_w max(z − 0.75 A_c, 0) max(1 − sqrt(F_b/A_c), 0)"];
             add(steps, "Uplift", formula, wave.uplift, KILONEWTON);
             let about = "As a triangle, from the seaward edge to nothing";
