@@ -211,7 +211,7 @@ fn slips_are_refused_or_warned_of() {
             "`slope_deg` of sand is 33°; expected less than the angle of friction of its soil, 33°",
         ),
         ("surcharge = \"20 kPa\"", "top = 12", "`top` is above the crest of the body, which is 11 m high"),
-        ("surcharge = \"20 kPa\"", "state = \"passive\"", "expected \"active\" or \"rest\""),
+        ("surcharge = \"20 kPa\"", "state = \"asleep\"", "expected \"active\", \"rest\" or \"passive\""),
         ("surcharge = \"20 kPa\"", "batter_deg = 40", "expected an angle from -20 to 30 degrees"),
         (
             "surcharge = \"20 kPa\"",

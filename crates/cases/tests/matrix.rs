@@ -23,7 +23,7 @@ fn file(text: &str) -> CaseFile {
 }
 
 /// Cases that have every number between them.
-const CASES: [&str; 17] = [
+const CASES: [&str; 22] = [
     "gravity = 9.8\n[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\nkinetic_friction = 0.35\nbase_left = 1.9\n\
      base_right = 1.8\ncentroid_offset = 0.1\ncentroid_height = 2.9\nmoment_of_inertia = 2e5\n[uplift]\nleft = 1e3\n\
      right = 2e3\n[[load]]\nforce = 60e3\nelevation = 4\n[[load]]\nname = \"crane\"\nforce = 9e3\ndirection = \"down\"\n\
@@ -49,6 +49,17 @@ const CASES: [&str; 17] = [
     "[body]\nwidth = 7\nheight = 9\nmass = 130e3\nfriction = 0.6\n[[backfill]]\nface = \"left\"\nstate = \"rest\"\n\
      [[backfill.layer]]\nthickness = 4\nfriction_angle_deg = 33\nunit_weight = 18e3\n[[backfill.layer]]\nthickness = 5\n\
      friction_angle_deg = 30\nunit_weight = 17e3\nocr = 2\n",
+    "[body]\nwidth = 16\nheight = 17\nmass = 598e3\nfriction = 0.6\n[water]\nlevel = 11\ndensity = 1030\n[wave]\nformula = \"sainflou\"\n\
+     height = 4.5\nphase = \"crest\"\nperiod = 9\nwater_depth = 14\nstill_water = 11\ncrest_height = 6\nwater_density = 1030\n",
+    "[body]\nwidth = 8\nheight = 3.5\nmass = 66e3\nfriction = 0.6\n[wave]\nformula = \"pedersen\"\nH13 = 4\nperiod = 8.6\nwater_density = 1025\n\
+     armour_slope = 2\narmour_crest = 4\narmour_width = 5\nprotected_height = 2\nfree_height = 1.5\nvolume_share = 0.9\n",
+    "[body]\nwidth = 8\nheight = 3.5\nmass = 66e3\nfriction = 0.6\n[wave]\nformula = \"van-gent\"\nH13 = 4\nperiod = 10\nwater_density = 1025\n\
+     angle_deg = 10\narmour_slope = 2\narmour_crest = 4\nwall_height = 3.4\nwall_base = 7\nbase_freeboard = 1.5\nroughness = 0.45\n",
+    "[body]\nwidth = 6\nheight = 10\nmass = 122e3\nfriction = 0.5\nadhesion = 20e3\n[[load]]\nforce = 590e3\nelevation = 7\ntogether = true\n\
+     [[moment]]\nmoment = 90e3\ntogether = true\n[[resistance]]\nlimit = 180e3\ndirection = \"right\"\nelevation = 9\nshare = 0.9\n",
+    "[body]\nwidth = 6\nheight = 10\nmass = 122e3\nfriction = 0.5\n[[load]]\nforce = 590e3\nelevation = 7\n[[resistance]]\nlimit = 300e3\n\
+     direction = \"down\"\ndistance = 5.5\n[[backfill]]\nname = \"toe\"\nface = \"left\"\ntop = 2\nstate = \"passive\"\nshare = 0.5\n\
+     friction_angle_deg = 33\nunit_weight = 19e3\n",
     "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\n[ground]\nlaw = \"envelope\"\ncentric_resistance = 2e6\nt_h = 0.5\nt_m = 0.4\n\
      C = 0.2\n[[load]]\nforce = 60e3\nelevation = 4\n",
     "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.7\n[ground]\nstrength = 1e6\nstiffness = 5e7\n\
@@ -56,7 +67,7 @@ const CASES: [&str; 17] = [
      history = { shape = \"church-roof\", start = 0.1, rise = 0.05, impact_duration = 0.2, tail = 0.4, duration = 0.5, peak = 1.1 }\n",
     "[body]\nfriction = 0.5\n[[part]]\nleft = 0\nwidth = 4\nbottom = 0\nheight = 3\ndensity = 2400\ndensity_below_water = 2500\n\
      [water]\nlevel = 2\ndensity = 1000\n[[load]]\nforce = 60e3\nelevation = 2\n",
-    "[body]\nwidth_scale = 1.1\nfriction = 0.5\n[[part]]\nleft = 0\nwidth = 4\nbottom = 0\nheight = 1\ndensity = 2400\n[[part]]\nleft = 1\n\
+    "[body]\nwidth_scale = 1.1\nfriction = 0.5\n[[part]]\nleft = 0\nwidth = 4\nbottom = 0\nheight = 1\nunit_weight = 24e3\n[[part]]\nleft = 1\n\
      width = 2\nbottom = 1\nheight = 3\ntop_left = 1.2\ntop_width = 1.5\ndensity = 2300\n[[load]]\nforce = 60e3\nelevation = 3\n",
     "[body]\nwidth = 2\nheight = 3\nmass = 30e3\nfriction = 0.3\n[[load]]\nforce = 110e3\nelevation = 1.6\n\
      history = { shape = \"sine\", start = 0.1, peak = 1.1, angular_frequency = 3, phase = 0.2, duration = 0.9 }\n\

@@ -79,7 +79,7 @@ fn drains_tailwater_and_load_factors() {
     let lost = wall(5.0, 0.7, "drain = { distance = 4.4, efficiency = 0.5 }", &ice(20e3));
     six(of(&lost).0, 3.01574);
     let names: Vec<_> = file(&lost).case().unwrap().warnings().iter().map(|one| one.name()).collect();
-    assert_eq!(names, ["base-opens", "drain-lost"]);
+    assert_eq!(names, ["base-opens", "drain-lost", "formula-recalled"]);
     let crane = "[[load]]\nforce = 60e3\ndirection = \"down\"\ndistance = 1.5\ntogether = true\n";
     for (loads, opens, slides, tips) in
         [(ice(60e3), 0.213231, 2.20945, 4.12769), (ice(60e3) + crane, 0.196829, 3.33591, 5.08024)]

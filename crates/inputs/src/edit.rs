@@ -7,6 +7,7 @@ pub(crate) mod random;
 
 use std::ops::Range as Span;
 
+use crate::datum::level_unit;
 use crate::digits::decimal;
 use crate::key::{Id, Kind};
 use crate::parse::CaseText;
@@ -119,6 +120,9 @@ impl CaseText {
 
     /// A number in a unit of the key's, in SI units; `None` if the unit is not one of its.
     pub fn in_si(&self, id: Id, number: f64, unit: &str) -> Option<f64> {
+        if let Some((unit, name)) = level_unit(unit) {
+            return self.inputs().frame().from_level(id.key, unit.in_si(number), name).ok();
+        }
         match self.inputs().dimension(id) {
             Some(_) => Some(self.inputs().unit_named(id, unit)?.in_si(number)),
             None => unit.is_empty().then_some(number),
@@ -127,6 +131,9 @@ impl CaseText {
 
     /// An SI value in a unit of the key's; `None` if the unit is not one of its.
     pub fn from_si(&self, id: Id, si: f64, unit: &str) -> Option<f64> {
+        if let Some((unit, name)) = level_unit(unit) {
+            return Some(unit.of_si(self.inputs().frame().to_level(id.key, si, name)?));
+        }
         match self.inputs().dimension(id) {
             Some(_) => Some(self.inputs().unit_named(id, unit)?.of_si(si)),
             None => unit.is_empty().then_some(si),

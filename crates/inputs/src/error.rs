@@ -10,6 +10,7 @@ use standfast::{HistoryError, InputError};
 use standfast_motion::MotionError;
 use thiserror::Error;
 
+use crate::datum::LevelFault;
 use crate::digits::shortened;
 use crate::key::{Id, Key, Table};
 use crate::random::RandomProblem;
@@ -518,6 +519,18 @@ pub enum Problem {
         /// The error of the history.
         error: HistoryError,
     },
+    /// A level that cannot be read.
+    #[error("{}", level(*key, written, fault))]
+    Level {
+        /// The key.
+        key: Key,
+        /// The level as it is written.
+        written: String,
+        /// Name of its datum.
+        name: String,
+        /// The reason.
+        fault: LevelFault,
+    },
     /// A file that a history names and that cannot be read.
     #[error("cannot read {name}: {why}")]
     Unread {
@@ -817,6 +830,21 @@ fn without_body(table: Table) -> &'static str {
         Table::Block => "a [block] has no first instant to assess: its motion is followed in time",
         Table::Point => "a [point] has no body and no loads: it is answered with its random numbers",
         _ => "the case has a [storm] and no [body]: it is answered with its random numbers",
+    }
+}
+
+/// Reason why a level cannot be read.
+fn level(key: Key, written: &str, fault: &LevelFault) -> String {
+    let name = key.name();
+    match fault {
+        LevelFault::NoDatum => format!("`{name}` is {written}, a level, and the file has no datum"),
+        LevelFault::Other(datum) => format!("`{name}` is {written}; the datum of the file is {datum}"),
+        LevelFault::NoLevel => format!("`{name}` is {written}, a level, and it is a length of the body"),
+        LevelFault::NoSea => {
+            format!(
+                "`{name}` is {written}, a level, and the file does not say how high the sea stands above the base"
+            )
+        }
     }
 }
 

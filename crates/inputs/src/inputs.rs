@@ -4,6 +4,7 @@ use standfast::{Ball, Modes, Scalar};
 
 use std::sync::Arc;
 
+use crate::datum::{Datum, Frame};
 use crate::key::{Id, Key, Kind, Table};
 use crate::record::RecordFile;
 use crate::units::{Dimension, Extent, GRAVITY_UNIT, ShownUnit, split_text};
@@ -378,6 +379,21 @@ impl Inputs {
         dimension(id.into(), self.units())
     }
 
+    /// Zero of its levels.
+    pub fn datum(&self) -> Option<Datum<'_>> {
+        Some(Datum { name: self.text(Key::DatumName)?, base: self.number(Key::DatumBase)? })
+    }
+
+    /// The sea above the base, m, where it says so.
+    pub fn sea(&self) -> Option<f64> {
+        SEA.into_iter().find_map(|key| self.number(key))
+    }
+
+    /// What texts of its numbers are read against.
+    pub fn frame(&self) -> Frame<'_> {
+        Frame { units: self.units(), datum: self.datum(), sea: self.sea() }
+    }
+
     /// Extent of its numbers with units; `None` of a body in pure numbers, which have no units.
     pub fn units(&self) -> Option<Extent> {
         (!self.has(Table::Block)).then(|| self.extent())
@@ -396,6 +412,9 @@ impl Inputs {
         self.values.iter().filter_map(|(id, _)| Some((*id, self.number(*id)?)))
     }
 }
+
+/// Keys that say how high the sea stands above the base.
+pub(crate) const SEA: [Key; 4] = [Key::StillWaterLevel, Key::Level, Key::WaterRight, Key::BaseDepth];
 
 /// Dimension of the numbers under a key in a case with such units.
 pub fn dimension(id: Id, units: Option<Extent>) -> Option<Dimension> {

@@ -17,6 +17,8 @@ use crate::units::Dimension;
 pub enum Table {
     /// The top of the file, above all tables.
     Top,
+    /// Zero of the levels.
+    Datum,
     /// The body and its friction.
     Body,
     /// A part that the body is made of.
@@ -85,8 +87,9 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 33] = [
+    pub const ALL: [Table; 34] = [
         Table::Top,
+        Table::Datum,
         Table::Body,
         Table::Part,
         Table::Ground,
@@ -181,6 +184,7 @@ impl Table {
     pub fn name(self) -> &'static str {
         match self {
             Table::Top => "",
+            Table::Datum => "datum",
             Table::Body => "body",
             Table::Part => "part",
             Table::Ground => "ground",
@@ -252,6 +256,7 @@ impl Table {
     pub fn header(self) -> &'static str {
         match self {
             Table::Top => "the case file",
+            Table::Datum => "`datum`",
             Table::Body => "[body]",
             Table::Part => "[[part]]",
             Table::Ground => "[ground]",
@@ -291,6 +296,9 @@ impl Table {
     pub fn words(self) -> &'static str {
         match self {
             Table::Top => "above all tables",
+            Table::Datum => {
+                "zero of the levels, with which a height or a depth may be written as a level: \"+4.10 mCD\""
+            }
             Table::Body => "the body and its friction",
             Table::Part => {
                 "one such table for each part of the section: a rectangle or trapezoid, or a polygon; parts touch, and a cavity \
@@ -385,6 +393,7 @@ impl Table {
     /// Lines of a file that have the table right.
     pub fn example(self) -> &'static str {
         match self {
+            Table::Datum => "datum = { base = \"-8.20 m\", name = \"CD\" }",
             Table::Body => {
                 "[body]\nwidth = \"15 m\"\nheight = \"12 m\"\ndensity = \"2.1 t/m3\"\nfriction = 0.6"
             }
@@ -722,9 +731,9 @@ use Kind::{
 };
 use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, ZeroToOne};
 use Table::{
-    AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Drain, Earthquake,
-    Ground, History, Impact, Initial, Load, Moment, Motion, Part, Point, Pressure, Resistance, Soil, Storm,
-    Top, Uplift, Water, Wave,
+    AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Datum, Drain,
+    Earthquake, Ground, History, Impact, Initial, Load, Moment, Motion, Part, Point, Pressure, Resistance,
+    Soil, Storm, Top, Uplift, Water, Wave,
 };
 
 listed! {
@@ -741,6 +750,9 @@ listed! {
     Checker = key(Top, "checker", Text, "", "who checks it", "\"N. Okafor\"");
     Gravity = key(Top, "gravity", Measured(Dimension::Acceleration, Positive), "g", "acceleration of gravity", "\"9.81 m/s2\"")
         .silent("acceleration of gravity: 9.81 m/s²").gives(&[Quantity::Gravity]);
+
+    DatumBase = key(Datum, "base", length(Finite), "z_0", "level of the base", "\"-8.20 m\"");
+    DatumName = key(Datum, "name", Text, "", "name of the datum, as it stands behind the unit of a level", "\"CD\"");
 
     Width = key(Body, "width", length(Positive), "w", "width of the body", "\"15 m\"")
         .moves(Moves::Width).gives(&[Quantity::Width]);
@@ -799,6 +811,8 @@ listed! {
     PartY = key(Part, "y", List(Dimension::Length), "", "the same corners above the base", "[0, 0, \"3 m\"]")
         .gives(&[Quantity::PartCorner]);
     PartDensity = key(Part, "density", Measured(Dimension::Density, NotNegative), "ρ_p", "density; 0 for a cavity", "\"2400 kg/m3\"")
+        .gives(&[Quantity::Density]);
+    PartUnitWeight = key(Part, "unit_weight", Measured(Dimension::UnitWeight, NotNegative), "γ_p", "unit weight, in place of the density; 0 for a cavity", "\"24 kN/m3\"")
         .gives(&[Quantity::Density]);
     PartDensityBelow = key(Part, "density_below_water", Measured(Dimension::Density, NotNegative), "ρ_pw", "density under still water, its water with it", "\"2100 kg/m3\"")
         .silent("density under still water: the same as above it").gives(&[Quantity::Density]);

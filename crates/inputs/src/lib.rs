@@ -20,6 +20,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod datum;
 mod differences;
 pub mod digits;
 mod edit;

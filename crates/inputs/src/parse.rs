@@ -13,10 +13,11 @@ use standfast::{Ball, Modes};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::datum::{Datum, Frame, LevelFault, level_unit, split_level};
 use crate::digits::shortened;
 use crate::edit::random::line_of;
 use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
-use crate::inputs::{Inputs, LoadFactor, Value, dimension};
+use crate::inputs::{Inputs, LoadFactor, SEA, Value, dimension};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::random::{self, RANDOM, Random, RandomProblem, RandomRecord};
 use crate::record::{ReadFile, RecordFile};
@@ -32,6 +33,9 @@ pub struct CaseText {
     entries: Vec<Entry>,
     headers: BTreeMap<(Table, usize), Span<usize>>,
     units: Option<Extent>,
+    /// Name of the datum, the level of the base, and the sea above the base, where the file has them.
+    datum: Option<(String, f64)>,
+    sea: Option<f64>,
     random: Option<Random>,
     /// The files that [random] names, as they were read.
     beside: BTreeMap<String, Arc<RecordFile>>,
@@ -153,6 +157,8 @@ impl CaseText {
             entries: Vec::new(),
             headers: BTreeMap::new(),
             units: Some(Extent::PerMetre),
+            datum: None,
+            sea: None,
             random: None,
             beside: BTreeMap::new(),
         };
@@ -272,6 +278,8 @@ impl CaseText {
         let top = document.get_ref();
         self.headers.insert((Table::Top, 0), document.span());
         self.units = units(top);
+        self.datum = datum(text, top)?;
+        self.sea = sea(text, top, self.frame())?;
         self.read_table(text, top, Table::Top, 0)?;
         if let Some(value) = top.get(RANDOM) {
             let read = random::read(value);
@@ -279,6 +287,12 @@ impl CaseText {
                 Some(read.map_err(|(problem, span)| PlacedProblem { problem: problem.into(), span })?);
         }
         Ok(())
+    }
+
+    /// What its numbers are read against.
+    fn frame(&self) -> Frame<'_> {
+        let datum = self.datum.as_ref().map(|(name, base)| Datum { name, base: *base });
+        Frame { units: self.units, datum, sea: self.sea }
     }
 
     fn read_tables(
@@ -323,7 +337,9 @@ impl CaseText {
         for (name, value) in found.iter() {
             let Some(key) = Key::find(table, name.get_ref()) else { continue };
             let id = Id::of(table, index, key);
-            let field = Field { id, value, text, units: self.units };
+            let datum = self.datum.clone();
+            let datum = datum.as_ref().map(|(name, base)| Datum { name, base: *base });
+            let field = Field { id, value, text, frame: Frame { units: self.units, datum, sea: self.sea } };
             match key.info().kind {
                 Kind::OneOf(count, range) => {
                     let keys = table.keys().filter(|other| other.entry() == key.entry());
@@ -380,6 +396,50 @@ fn units(top: &DeTable<'_>) -> Option<Extent> {
     let has = |key: Key| body.and_then(|body| body.get(key.name()));
     let cylinder = has(Key::Shape).is_some_and(|shape| shape.get_ref().as_str() == Some("cylinder"));
     Some(if has(Key::Length).is_some() || cylinder { Extent::Whole } else { Extent::PerMetre })
+}
+
+/// The datum of a document, on which its levels depend wherever they stand: its name, and the level of the base.
+fn datum(text: &str, top: &DeTable<'_>) -> Result<Option<(String, f64)>, PlacedProblem> {
+    let Some(value) = top.get(Table::Datum.name()) else { return Ok(None) };
+    let table = as_table(value, Table::Datum, "a table with `base` and `name`, in braces")?;
+    only(table, Table::Datum)?;
+    let field = |key: Key| {
+        let missing = Problem::MissingKey { table: Table::Datum, key };
+        let found = table.get(key.name());
+        let found = found.ok_or(PlacedProblem { problem: missing, span: value.span() })?;
+        Field { id: key.into(), value: found, text, frame: Some(Extent::PerMetre).into() }
+            .value(key.info().kind)
+    };
+    let (Value::Number(base), Value::Text(name)) = (field(Key::DatumBase)?, field(Key::DatumName)?) else {
+        return Ok(None);
+    };
+    match level_unit(&format!("m{name}")) {
+        Some((_, found)) if found == name => Ok(Some((name, base))),
+        _ => {
+            let expected =
+                "a name that stands behind a unit: a capital letter first, then letters and digits";
+            let problem = Problem::OutOfRange { key: Key::DatumName, written: shortened(&name), expected };
+            let span = table.get(Key::DatumName.name()).map_or_else(|| value.span(), Spanned::span);
+            Err(PlacedProblem { problem, span })
+        }
+    }
+}
+
+/// The sea of a document above the base, where it says so. A level that cannot be read is told at once; what else is wrong with it, where it
+/// is read.
+fn sea(text: &str, top: &DeTable<'_>, frame: Frame<'_>) -> Result<Option<f64>, PlacedProblem> {
+    for key in SEA {
+        let id = Id::from(key);
+        let table = top.get(id.table.name()).and_then(|table| table.get_ref().as_table());
+        let Some(value) = table.and_then(|table| table.get(key.name())) else { continue };
+        match (Field { id, value, text, frame }).value(key.info().kind) {
+            Ok(Value::Number(level)) => return Ok(Some(level)),
+            Err(PlacedProblem { problem: Problem::Level { fault: LevelFault::NoSea, .. }, .. }) => {}
+            Err(problem @ PlacedProblem { problem: Problem::Level { .. }, .. }) => return Err(problem),
+            _ => {}
+        }
+    }
+    Ok(None)
 }
 
 /// Words in one line, as names stand in tables.
@@ -462,7 +522,7 @@ struct Field<'a> {
     id: Id,
     value: &'a Spanned<DeValue<'a>>,
     text: &'a str,
-    units: Option<Extent>,
+    frame: Frame<'a>,
 }
 
 impl Field<'_> {
@@ -666,7 +726,7 @@ impl Field<'_> {
     }
 
     fn dimension(&self) -> Option<Dimension> {
-        dimension(self.id, self.units)
+        dimension(self.id, self.frame.units)
     }
 
     /// Refuses an acceleration without unit, which one would take for g and another for m/s²; zero is zero in both.
@@ -684,17 +744,31 @@ impl Field<'_> {
 
     /// A number with its unit.
     fn measured(&self) -> Result<f64, PlacedProblem> {
-        let kind = match self.units {
+        let kind = match self.frame.units {
             None => Kind::Plain(Range::Finite),
             Some(_) => self.id.key.info().kind,
         };
         let (Some(text), Some(dimension)) = (self.value.get_ref().as_str(), self.dimension()) else {
             return Err(self.wrong_type(expected_type(kind)));
         };
+        if let Some(length) = self.level(text) {
+            return length;
+        }
         dimension.parse(text).map_err(|error| {
             let written = self.written(self.value);
             self.problem(Problem::Unit { key: self.id.key, dimension: Some(dimension), written, error })
         })
+    }
+
+    /// The length that a level is; `None` of a text that is none.
+    fn level(&self, text: &str) -> Option<Result<f64, PlacedProblem>> {
+        let is_length = self.dimension() == Some(Dimension::Length);
+        let (number, unit, name) = split_level(text).filter(|_| is_length)?;
+        let length = self.frame.from_level(self.id.key, unit.in_si(number), name);
+        Some(length.map_err(|fault| {
+            let (key, written) = (self.id.key, self.written(self.value));
+            self.problem(Problem::Level { key, written, name: name.to_owned(), fault })
+        }))
     }
 
     /// The decimals of the numbers, by their places in a list, that have more digits than an f64 can say.
@@ -714,6 +788,9 @@ impl Field<'_> {
             DeValue::Integer(integer) if integer.radix() == 10 => (integer.as_str(), 0),
             DeValue::Float(float) => (float.as_str(), 0),
             DeValue::String(text) => {
+                if self.level(text).is_some() {
+                    return None;
+                }
                 let unit = self.dimension().and_then(|dimension| dimension.split(text).ok());
                 (split_text(text.trim())?.0, unit.map_or(Some(0), |(_, unit)| unit.power())?)
             }

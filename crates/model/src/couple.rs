@@ -102,7 +102,7 @@ impl Variable {
     /// The numbers of a case that can be varied.
     pub fn all(inputs: &Inputs) -> impl Iterator<Item = Id> {
         let varied = |id: &Id| {
-            let apart = matches!(id.table, Table::Criteria | Table::Storm | Table::Point);
+            let apart = matches!(id.table, Table::Criteria | Table::Storm | Table::Point | Table::Datum);
             id.key.info().range().is_some() && !apart
         };
         inputs.numbers().map(|(id, _)| id).filter(varied)
@@ -190,7 +190,7 @@ impl Variable {
             Kind::Reached => Kind::Reached,
             _ => Kind::Plain(Range::Finite),
         };
-        Ok(match read(Id { key, ..self.id }, kind, self.units, text)? {
+        Ok(match read(Id { key, ..self.id }, kind, inputs.frame(), text)? {
             Value::InGravity(share) => share * inputs.gravity(),
             Value::Number(number) => number,
             // A word may stand in place of a number, but is none to be varied.

@@ -193,8 +193,8 @@ fn is_free(id: Id) -> bool {
     use Key::{
         BlockGravity, BuoyantWeight, CaissonWidth, EnvelopeCoupling, EnvelopeHorizontal, EnvelopeMoment,
         Gravity, HistoryStart, KineticFriction, Lambda1, Lambda2, Lambda3, MomentOfInertia, MuImpact, MuK,
-        PartDensity, PartDensityBelow, Phase, RecordStep, SeaBottomSlope, TMax, TurnDeg, WaterDensity,
-        WaterDepth, WaterMass, WaveWaterDensity, WeightArm,
+        PartDensity, PartDensityBelow, PartUnitWeight, Phase, RecordStep, SeaBottomSlope, TMax, TurnDeg,
+        WaterDensity, WaterDepth, WaterMass, WaveWaterDensity, WeightArm,
     };
     let bound = matches!(
         id.key,
@@ -224,7 +224,7 @@ fn is_free(id: Id) -> bool {
             | Phase
             | RecordStep
     );
-    !bound && (id.table != Table::Part || matches!(id.key, PartDensity | PartDensityBelow))
+    !bound && (id.table != Table::Part || matches!(id.key, PartDensity | PartDensityBelow | PartUnitWeight))
 }
 
 /// Values of a search, from the present one outwards.

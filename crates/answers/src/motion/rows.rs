@@ -226,7 +226,7 @@ impl MotionRows {
                     words.push((*id, Value::Record(self.record(cell, file).map_err(wrong)?)));
                 }
                 Varied::Word(id) => {
-                    let value = read(*id, id.key.info().kind, self.inputs.units(), cell);
+                    let value = read(*id, id.key.info().kind, self.inputs.frame(), cell);
                     words.push((*id, value.map_err(|problem| wrong(problem.to_string()))?));
                 }
             }

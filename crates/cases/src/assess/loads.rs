@@ -4,9 +4,10 @@ use standfast::loads::Load;
 use standfast::{Plan, Wrench};
 
 use super::{Assessed, Component};
-use crate::case::{Case, Weight};
+use crate::case::{Case, Waves, Weight};
 use crate::layout::{columns, digits, row};
 use crate::units::Extent;
+use standfast_inputs::datum::Datum;
 
 /// Note on the effect that added mass leaves out.
 const ADDED_MASS: &str = "Added mass resists the horizontal acceleration of the centre of mass. Its own height, which couples sway and \
@@ -77,10 +78,31 @@ pub(super) fn body(case: &Case) -> String {
         };
         rows.push(row!["still water", format!("{levels} above the base; {} kg/m³", digits(water.density()))]);
     }
+    if let Some(datum) = case.inputs().datum() {
+        rows.push(row!["levels", levels(case, &datum)]);
+    }
     if case.water.is_some() || case.weight != Weight::Total {
         rows.push(row!["weight counted as", case.weight_words()]);
     }
     columns(&rows, 2, &[])
+}
+
+/// Levels of the base, the crest, the water and the ground.
+fn levels(case: &Case, datum: &Datum<'_>) -> String {
+    let mut named = vec![("base".to_owned(), 0.0), ("crest".to_owned(), case.body.height())];
+    if let Some(water) = &case.water {
+        match water.left() == water.right() {
+            true => named.push(("still water".to_owned(), water.right())),
+            false => {
+                named.extend([("water left".to_owned(), water.left()), ("right".to_owned(), water.right())])
+            }
+        }
+    } else if let Some(sea) = case.wave.as_ref().and_then(Waves::still_water) {
+        named.push(("still water".to_owned(), sea));
+    }
+    named.extend(case.soils.iter().map(|fill| (fill.name.clone(), fill.soil.top)));
+    let words = named.into_iter().map(|(name, elevation)| format!("{name} {}", datum.written(elevation)));
+    words.collect::<Vec<_>>().join(", ")
 }
 
 /// The parts of the body: of each its density, dry and wet.

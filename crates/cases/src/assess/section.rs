@@ -257,7 +257,10 @@ fn levels(case: &Case) -> Vec<Level> {
             up if up > 0.0 => "+",
             _ => "−",
         };
-        Level { side, elevation, label: format!("{name} {sign}{}", metres(elevation.abs())), is_water }
+        let datum =
+            case.inputs().datum().map_or(String::new(), |datum| format!(", {}", datum.written(elevation)));
+        let label = format!("{name} {sign}{}{datum}", metres(elevation.abs()));
+        Level { side, elevation, label, is_water }
     };
     let mut levels =
         vec![level(Side::Left, case.body.height(), "crest", false), level(Side::Left, 0.0, "base", false)];

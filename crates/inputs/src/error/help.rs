@@ -5,6 +5,7 @@ use standfast::section::{SectionError, Vertex};
 use standfast_motion::MotionError;
 
 use super::Problem;
+use crate::datum::LevelFault;
 use crate::digits::{digits, plain};
 use crate::inputs::GRAVITY;
 use crate::key::MOTION_CRITERIA;
@@ -131,6 +132,14 @@ impl Problem {
                 "what stands on the ground may be gone: leave it out, or give the soil as a [[resistance]]".into()
             }
             Problem::NotOfPassive { .. } => "give it as a [[resistance]], with a limit of your own".into(),
+            Problem::Level { name, fault: LevelFault::NoDatum, .. } => {
+                format!("add, above all tables, datum = {{ base = \"-8.20 m\", name = \"{name}\" }}, with the level of the base")
+            }
+            Problem::Level { fault: LevelFault::Other(datum), .. } => format!("write the level with {datum}, for example \"+4.10 m{datum}\""),
+            Problem::Level { fault: LevelFault::NoLevel, .. } => "write its length".into(),
+            Problem::Level { fault: LevelFault::NoSea, .. } => {
+                "add level to [water], or still_water to [wave], above the base or as a level".into()
+            }
             Problem::NotOfFormula { takes, formula, .. } => format!("\"{formula}\" has {}", each_once(takes).join(", ")),
             Problem::ByWavesShape { .. } => "shape = \"triangle\"".into(),
             Problem::HeldShaking => {

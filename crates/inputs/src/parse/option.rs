@@ -6,23 +6,25 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::{Field, PlacedProblem};
+use crate::datum::Frame;
 use crate::digits::shortened;
 use crate::error::Problem;
 use crate::inputs::{Value, dimension};
 use crate::key::{Id, Kind};
-use crate::units::{Extent, UnitError};
+use crate::units::UnitError;
 
-/// The value that `written` says for a key that takes `kind` in a case with such units: a number, a text or a list as in a file, but that a text may
+/// The value that `written` says for a key that takes `kind` in a case with such units and levels: a number, a text or a list as in a file, but that a text may
 /// stand without its quotes, which a command line takes away.
-pub fn read(id: Id, kind: Kind, units: Option<Extent>, written: &str) -> Result<Value, Problem> {
+pub fn read<'a>(id: Id, kind: Kind, frame: impl Into<Frame<'a>>, written: &str) -> Result<Value, Problem> {
+    let frame = frame.into();
     let parsed = DeValue::parse(written).ok();
     let text = Spanned::new(0..written.len(), DeValue::String(Cow::Borrowed(written)));
     let value = parsed.as_ref().unwrap_or(&text);
-    Field { id, value, text: written, units }.value(kind).map_err(|PlacedProblem { problem, .. }| {
+    Field { id, value, text: written, frame }.value(kind).map_err(|PlacedProblem { problem, .. }| {
         match problem {
             // Two numbers to the one, a decimal to the other.
             Problem::WrongType { .. } if written.replace(',', ".").parse::<f64>().is_ok() => {
-                let dimension = dimension(id, units);
+                let dimension = dimension(id, frame.units);
                 Problem::Unit {
                     key: id.key,
                     dimension,
@@ -40,6 +42,7 @@ mod tests {
     use super::*;
     use crate::key::Key;
     use crate::parse::CaseText;
+    use crate::units::Extent;
 
     /// Texts say the same in a file, in quotes where they are not numbers, and at an option.
     #[test]

@@ -590,7 +590,9 @@ impl Reader<'_> {
         }
         let spelled = spelled(name, self.inputs);
         let name = spelled.as_deref().unwrap_or(name);
-        let apart = |table: &Table| !matches!(table, Table::Top | Table::Combination | Table::Criteria);
+        let apart = |table: &Table| {
+            !matches!(table, Table::Top | Table::Datum | Table::Combination | Table::Criteria)
+        };
         let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table)).filter(apart);
         let mut keys = tables.flat_map(|table| {
             let indices = self.inputs.indices(table).into_iter();
@@ -726,7 +728,7 @@ fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs
                 let is_word = words_for(change.id).contains(&unquoted);
                 let is_number = change.id.key.info().range().is_some() && present.is_some() && !is_word;
                 if !is_number {
-                    let value = read(change.id, kind, inputs.units(), text);
+                    let value = read(change.id, kind, inputs.frame(), text);
                     others.push((change.id, value.map_err(|problem| (place, problem))?));
                     continue;
                 }

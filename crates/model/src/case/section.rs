@@ -144,7 +144,15 @@ impl Reader<'_> {
     fn part(&self, index: usize) -> Result<Part, Fault> {
         let at = |key| Id::new(key, index);
         let density =
-            self.inputs.number(at(Key::PartDensity)).ok_or_else(|| self.missing(Key::PartDensity, index))?;
+            match (self.inputs.number(at(Key::PartDensity)), self.inputs.number(at(Key::PartUnitWeight))) {
+                (Some(density), None) => density,
+                (None, Some(weight)) => weight / self.inputs.gravity(),
+                (None, None) => return Err(self.missing(Key::PartDensity, index)),
+                (Some(_), Some(_)) => {
+                    let (one, two) = (Key::PartUnitWeight, Key::PartDensity);
+                    return Err(Fault::new(Problem::Both { one, two }, at(one)).and(at(two)));
+                }
+            };
         let below = self.inputs.number(at(Key::PartDensityBelow)).unwrap_or(density);
         let scale = self.number(Key::WidthScale).unwrap_or(1.0);
         let mut outline = self.outline(index)?;

@@ -29,7 +29,10 @@ pub struct Waves {
 }
 
 /// What waves amount to by a formula.
-#[expect(clippy::large_enum_variant, reason = "a case has one, and the largest is the one that tables vary by the million")]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a case has one, and the largest is the one that tables vary by the million"
+)]
 #[derive(Debug, Clone, PartialEq)]
 pub enum WaveFormula {
     /// Goda's.

@@ -3,9 +3,9 @@
 use standfast::section::PartMass;
 use standfast::{BaseEdges, Body, Plan, Section};
 use standfast_cases::units::Extent;
-use standfast_cases::{Case, Inputs, Key};
+use standfast_cases::{Case, Id, Inputs, Key};
 
-use crate::measured::{ACCELERATION, AREA, DENSITY, INERTIA, KILONEWTON, MASS, METRE, NONE};
+use crate::measured::{ACCELERATION, AREA, DENSITY, INERTIA, KILONEWTON, MASS, METRE, NONE, UNIT_WEIGHT};
 use crate::steps::SheetSteps;
 use crate::symbols::numbered;
 
@@ -83,7 +83,15 @@ fn of_parts(steps: &mut SheetSteps, case: &Case, section: &Section) {
             if *wet == 0.0 { "" } else { " above still water" },
         );
         steps.told(&about, &of("A"), *dry, AREA, "of its outline", "");
-        steps.know(&dry_density, part.density(), DENSITY);
+        match case.inputs().number(Id::new(Key::PartUnitWeight, i)) {
+            Some(weight) => {
+                let symbol = numbered(Key::PartUnitWeight.info().symbol, i, masses.len());
+                steps.know_input(&symbol, weight, UNIT_WEIGHT);
+                let formula = [dry_density.as_str(), &format!("{symbol}/g")];
+                steps.add("Its density", "", formula, part.density(), DENSITY, "");
+            }
+            None => steps.know(&dry_density, part.density(), DENSITY),
+        }
         let formula = if *wet == 0.0 {
             format!("{dry_density} A_{n}{long}")
         } else {

@@ -247,19 +247,30 @@ impl Holding {
         super::check(block, wrench)?;
         let needed = self.needed(block, wrench)?;
         let mut found: Vec<(Mode, [f64; MOST])> = needed.iter().map(|forces| (Mode::Rest, *forces)).collect();
-        for mode in Mode::ALL.into_iter().filter(|mode| *mode != Mode::Rest) {
-            for states in self.states() {
-                if let Some(forces) = self.kept_on_base(block, mode, &states, wrench) {
-                    found.push((mode, forces));
-                    break;
+        for states in self.states() {
+            let is_new =
+                |found: &[(Mode, [f64; MOST])], mode: Mode| found.iter().all(|(known, _)| *known != mode);
+            if !states.contains(&State::Between) {
+                // What is consistent under forces that are given, of which the motion has to agree with them.
+                let forces = self.full(&states);
+                let plain = solve(block, &self.held(wrench, &forces))?;
+                for mode in plain.modes.iter().filter(|mode| *mode != Mode::Rest) {
+                    let agrees = plain.motion(mode).is_some_and(|motion| self.moves_so(&states, &motion));
+                    if agrees && is_new(&found, mode) {
+                        found.push((mode, forces));
+                    }
                 }
-                let Some([forces, _]) = self.forces(block, mode, &states, wrench, &Wrench::ZERO) else {
+                continue;
+            }
+            for mode in Mode::ALL.into_iter().filter(|mode| *mode != Mode::Rest) {
+                if !is_new(&found, mode) {
                     continue;
-                };
-                if self.agrees(block, mode, &states, wrench, &forces)? {
-                    found.push((mode, forces));
-                    break;
                 }
+                let kept = match self.kept_on_base(block, mode, &states, wrench) {
+                    Some(forces) => Some(forces),
+                    None => self.kept_in_place(block, mode, &states, wrench)?,
+                };
+                found.extend(kept.map(|forces| (mode, forces)));
             }
         }
         let modes: Modes = found.iter().map(|(mode, _)| *mode).collect();
@@ -319,81 +330,72 @@ impl Holding {
         agrees.then_some(full)
     }
 
-    /// The forces in a mode and their states under `start` and `slope`, linear in both; `None` where no force keeps a point in its place.
-    fn forces(
-        &self,
-        block: &Block,
-        mode: Mode,
-        states: &[State; MOST],
-        start: &Wrench,
-        slope: &Wrench,
-    ) -> Option<[[f64; MOST]; 2]> {
-        let mut forces = [[0.0; MOST]; 2];
-        let kept: Vec<(usize, &Hold)> =
-            self.holds().enumerate().filter(|(place, _)| states[*place] == State::Between).collect();
-        for (place, hold) in self.holds().enumerate() {
-            if states[place] == State::Full {
-                forces[0][place] = hold.limit;
-            }
+    /// The forces that are known by their states: those that act in full.
+    fn full(&self, states: &[State; MOST]) -> [f64; MOST] {
+        let mut forces = [0.0; MOST];
+        for (place, hold) in self.holds().enumerate().filter(|(place, _)| states[*place] == State::Full) {
+            forces[place] = hold.limit;
         }
-        if kept.is_empty() {
-            return Some(forces);
-        }
-        let along = |wrench: &Wrench| -> Vec<f64> {
-            let motion = raw(block, mode, wrench);
-            kept.iter().map(|(_, hold)| hold.along(&motion)).collect()
-        };
-        let columns: Vec<Vec<f64>> = kept.iter().map(|(_, hold)| along(&hold.unit())).collect();
-        for (which, wrench) in [self.held(start, &forces[0]), *slope].iter().enumerate() {
-            let constant = along(wrench);
-            let rows: Vec<Constraint> = (0..kept.len())
-                .map(|row| Constraint {
-                    constant: constant[row],
-                    factors: columns.iter().map(|column| column[row]).collect(),
-                    size: 0.0,
-                })
-                .collect();
-            let found = meeting(&rows.iter().collect::<Vec<_>>())?;
-            for ((place, _), force) in kept.iter().zip(found) {
-                forces[which][*place] = force;
-            }
-        }
-        Some(forces)
+        forces
     }
 
-    /// True if a mode begins with these forces, and its motion is what puts them in their states.
-    fn agrees(
+    /// True if a motion puts the forces in their states, but for those whose point stays.
+    fn moves_so(&self, states: &[State; MOST], motion: &Motion) -> bool {
+        let size = motion.x_ddot.abs() + motion.y_ddot.abs() + motion.theta_ddot.abs();
+        self.holds().zip(states).all(|(hold, state)| {
+            let along = hold.along(motion);
+            let nothing = 1e-12 * size * (1.0 + hold.at[0].abs() + hold.at[1].abs());
+            match state {
+                State::Slack => along >= -nothing,
+                State::Full => along < -nothing,
+                State::Between => true,
+            }
+        })
+    }
+
+    /// The forces of a mode that keep points in their places while the body moves; `None` where none do. With one freedom to move, a point
+    /// that stays leaves none.
+    fn kept_in_place(
         &self,
         block: &Block,
         mode: Mode,
         states: &[State; MOST],
         wrench: &Wrench,
-        forces: &[f64; MOST],
-    ) -> Result<bool, InputError> {
-        let held = self.held(wrench, forces);
+    ) -> Result<Option<[f64; MOST]>, InputError> {
+        let turns_and_slips = mode.corner().is_some() && mode.slip().is_some();
+        if !turns_and_slips && mode != Mode::Flight {
+            return Ok(None);
+        }
+        let mut forces = self.full(states);
+        let kept: Vec<(usize, &Hold)> =
+            self.holds().enumerate().filter(|(place, _)| states[*place] == State::Between).collect();
+        let along = |wrench: &Wrench| -> Vec<f64> {
+            let motion = raw(block, mode, wrench);
+            kept.iter().map(|(_, hold)| hold.along(&motion)).collect()
+        };
+        let columns: Vec<Vec<f64>> = kept.iter().map(|(_, hold)| along(&hold.unit())).collect();
+        let constant = along(&self.held(wrench, &forces));
+        let row = |row: usize| Constraint {
+            constant: constant[row],
+            factors: columns.iter().map(|column| column[row]).collect(),
+            size: 0.0,
+        };
+        let rows: Vec<Constraint> = (0..kept.len()).map(row).collect();
+        let Some(found) = meeting(&rows.iter().collect::<Vec<_>>()) else { return Ok(None) };
+        for ((place, hold), force) in kept.iter().zip(found) {
+            if !(force > 0.0 && force < hold.limit) {
+                return Ok(None);
+            }
+            forces[*place] = force;
+        }
+        let held = self.held(wrench, &forces);
         let motion = raw(block, mode, &held);
         // Where a point that stays leaves no rotation, that is the edge of a mode without.
-        if states.contains(&State::Between) {
-            let turns = |wrench: &Wrench| raw(block, mode, wrench).theta_ddot.abs();
-            let forces: f64 = self.holds().map(|hold| hold.limit * turns(&hold.unit())).sum();
-            if motion.theta_ddot.abs() <= 1e-9 * (turns(wrench) + forces) {
-                return Ok(false);
-            }
-        }
-        let size = motion.x_ddot.abs() + motion.y_ddot.abs() + motion.theta_ddot.abs();
-        for (place, hold) in self.holds().enumerate() {
-            let along = hold.along(&motion);
-            let nothing = 1e-12 * size * (1.0 + hold.at[0].abs() + hold.at[1].abs());
-            let agrees = match states[place] {
-                State::Slack => along >= -nothing,
-                State::Full => along < -nothing,
-                State::Between => forces[place] > 0.0 && forces[place] < hold.limit,
-            };
-            if !agrees {
-                return Ok(false);
-            }
-        }
-        Ok(solve(block, &held)?.modes.contains(mode))
+        let turns = |wrench: &Wrench| raw(block, mode, wrench).theta_ddot.abs();
+        let of_forces: f64 = self.holds().map(|hold| hold.limit * turns(&hold.unit())).sum();
+        let turns = motion.theta_ddot.abs() > 1e-9 * (turns(wrench) + of_forces);
+        let agrees = turns && self.moves_so(states, &motion) && solve(block, &held)?.modes.contains(mode);
+        Ok(agrees.then_some(forces))
     }
 
     /// The decision under a wrench.
@@ -454,39 +456,16 @@ impl Holding {
         Ok(spans.collect())
     }
 
-    /// The load factors at which anything may change.
+    /// The load factors at which anything may change, but for those at which a point begins to stay in its place while the body moves.
     fn events(&self, block: &Block, permanent: &Wrench, variable: &Wrench) -> Vec<f64> {
         let mut events = Vec::new();
-        for states in self.states() {
-            let moving = Mode::ALL.into_iter().filter(|mode| *mode != Mode::Rest);
-            let fixed = !states.contains(&State::Between);
-            for mode in moving {
-                let Some([start, slope]) = self.forces(block, mode, &states, permanent, variable) else {
-                    continue;
-                };
-                let (from, by) = (self.held(permanent, &start), self.held(variable, &slope));
-                let [one, two] = [&from, &by].map(|wrench| raw(block, mode, wrench));
-                for (place, hold) in self.holds().enumerate() {
-                    match states[place] {
-                        State::Between => {
-                            events.push(-start[place] / slope[place]);
-                            events.push((hold.limit - start[place]) / slope[place]);
-                        }
-                        _ => events.push(-hold.along(&one) / hold.along(&two)),
-                    }
-                }
-                if !fixed {
-                    events.extend(path::crossings(block, &from, &by));
-                }
-            }
-            if fixed {
-                let mut full = [0.0; MOST];
-                for (place, hold) in self.holds().enumerate() {
-                    full[place] = if states[place] == State::Full { hold.limit } else { 0.0 };
-                }
-                let from = self.held(permanent, &full);
-                events.extend(path::crossings(block, &from, variable));
-                events.extend(self.stick_ends(block, &from, variable));
+        for states in self.states().filter(|states| !states.contains(&State::Between)) {
+            let from = self.held(permanent, &self.full(&states));
+            events.extend(path::crossings(block, &from, variable));
+            events.extend(self.stick_ends(block, &from, variable));
+            for mode in Mode::ALL.into_iter().filter(|mode| *mode != Mode::Rest) {
+                let [one, two] = [&from, variable].map(|wrench| raw(block, mode, wrench));
+                events.extend(self.holds().map(|hold| -hold.along(&one) / hold.along(&two)));
             }
         }
         events.extend(self.ends_of_rest(block, permanent, variable));
@@ -518,7 +497,7 @@ impl Holding {
     }
 }
 
-/// The stages between load factors at which a decision may change; within each, changes that were not foreseen are found by bisection.
+/// The stages between load factors at which a decision may change. Where one changes beside them after all, the place is found by bisection.
 ///
 /// # Errors
 /// As `decide`.
@@ -526,43 +505,39 @@ pub(crate) fn stages_between(
     mut ends: Vec<f64>,
     decide: impl Fn(f64) -> Result<Decision, InputError>,
 ) -> Result<Vec<Stage>, InputError> {
-    /// Places in each stretch at which it is looked for a change.
-    const LOOKS: u32 = 4;
     ends.retain(|end| end.is_finite() && *end > 0.0 && *end < LARGEST / 4.0);
     ends.sort_by(f64::total_cmp);
     ends.dedup_by(|later, earlier| *later - *earlier <= 1e-13 * *later);
-    let mut more = Vec::new();
-    let mut from = 0.0;
-    for &to in &ends {
-        let at = |look: u32| from + (to - from) * (f64::from(look) + 0.5) / f64::from(LOOKS);
-        let looks = (0..LOOKS).map(|look| Ok((at(look), decide(at(look))?)));
-        let looks: Vec<(f64, Decision)> = looks.collect::<Result<_, InputError>>()?;
-        for pair in looks.windows(2) {
-            let [(mut low, before), (mut high, after)] = [pair[0], pair[1]];
-            if before == after {
-                continue;
-            }
-            for _ in 0..60 {
-                let middle = low + (high - low) / 2.0;
-                if decide(middle)? == before { low = middle } else { high = middle }
-            }
-            more.push(high);
-        }
-        from = to;
-    }
-    ends.extend(more);
-    ends.sort_by(f64::total_cmp);
     ends.push(f64::INFINITY);
     let mut stages = Vec::new();
     let mut from = 0.0;
+    let mut before: Option<(f64, Decision)> = None;
     for to in ends {
         let inside = match to {
             f64::INFINITY if from == 0.0 => 1.0,
             f64::INFINITY => 2.0 * from,
             to => from + (to - from) / 2.0,
         };
-        let Decision { verdict, modes } = decide(inside)?;
-        Stage { from, to, verdict, modes }.join(&mut stages);
+        let here = decide(inside)?;
+        let mut begin = from;
+        if let Some((earlier, was)) = before.filter(|(_, was)| *was != here) {
+            // Nearly always at the end between both.
+            let [below, above] =
+                [from * (1.0 - 1e-9), from * (1.0 + 1e-9)].map(|at| at.clamp(earlier, inside));
+            let is_there = decide(below)? == was && decide(above)? == here;
+            let (mut low, mut high) = (earlier, inside);
+            for _ in 0..if is_there { 0 } else { 60 } {
+                let middle = low + (high - low) / 2.0;
+                if decide(middle)? == was { low = middle } else { high = middle }
+            }
+            begin = if is_there { from } else { high };
+            if let Some(last) = stages.last_mut() {
+                let last: &mut Stage = last;
+                last.to = begin;
+            }
+        }
+        Stage { from: begin, to, verdict: here.verdict, modes: here.modes }.join(&mut stages);
+        before = Some((inside, here));
         from = to;
     }
     Ok(stages)
