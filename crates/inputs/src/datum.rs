@@ -120,7 +120,7 @@ pub(crate) fn level_unit(unit: &str) -> Option<(ShownUnit, &str)> {
 
 impl Frame<'_> {
     /// The length that a level, m, is under a key.
-    pub(crate) fn from_level(&self, key: Key, level: f64, name: &str) -> Result<f64, LevelFault> {
+    pub(crate) fn length_at(&self, key: Key, level: f64, name: &str) -> Result<f64, LevelFault> {
         let datum = self.datum.ok_or(LevelFault::NoDatum)?;
         if datum.name != name {
             return Err(LevelFault::Other(datum.name.to_owned()));
@@ -134,8 +134,8 @@ impl Frame<'_> {
         }))
     }
 
-    /// The level, m, that a length is under a key; the inverse of `from_level`.
-    pub(crate) fn to_level(&self, key: Key, length: f64, name: &str) -> Option<f64> {
+    /// The level, m, that a length is under a key; the inverse of `length_at`.
+    pub(crate) fn level_at(&self, key: Key, length: f64, name: &str) -> Option<f64> {
         let datum = self.datum.filter(|datum| datum.name == name)?;
         Some(decimal(
             datum.base
@@ -176,13 +176,13 @@ mod tests {
             (Key::WaterDepth, -11.0, 15.1),
             (Key::CrestHeight, 7.6, 3.5),
         ] {
-            assert_eq!(frame.from_level(key, level, "CD"), Ok(length));
-            assert_eq!(frame.to_level(key, length, "CD"), Some(level));
+            assert_eq!(frame.length_at(key, level, "CD"), Ok(length));
+            assert_eq!(frame.level_at(key, length, "CD"), Some(level));
         }
-        assert_eq!(frame.from_level(Key::Width, 1.0, "CD"), Err(LevelFault::NoLevel));
-        assert_eq!(frame.from_level(Key::Level, 1.0, "NN"), Err(LevelFault::Other("CD".to_owned())));
+        assert_eq!(frame.length_at(Key::Width, 1.0, "CD"), Err(LevelFault::NoLevel));
+        assert_eq!(frame.length_at(Key::Level, 1.0, "NN"), Err(LevelFault::Other("CD".to_owned())));
         let dry = Frame { sea: None, ..frame };
-        assert_eq!(dry.from_level(Key::WaterDepth, 1.0, "CD"), Err(LevelFault::NoSea));
+        assert_eq!(dry.length_at(Key::WaterDepth, 1.0, "CD"), Err(LevelFault::NoSea));
         assert_eq!(frame.datum.unwrap().written(8.2), "±0 mCD");
         assert_eq!(frame.datum.unwrap().written(1.2), "−7 mCD");
     }

@@ -121,7 +121,7 @@ impl CaseText {
     /// A number in a unit of the key's, in SI units; `None` if the unit is not one of its.
     pub fn in_si(&self, id: Id, number: f64, unit: &str) -> Option<f64> {
         if let Some((unit, name)) = level_unit(unit) {
-            return self.inputs().frame().from_level(id.key, unit.in_si(number), name).ok();
+            return self.inputs().frame().length_at(id.key, unit.in_si(number), name).ok();
         }
         match self.inputs().dimension(id) {
             Some(_) => Some(self.inputs().unit_named(id, unit)?.in_si(number)),
@@ -132,7 +132,7 @@ impl CaseText {
     /// An SI value in a unit of the key's; `None` if the unit is not one of its.
     pub fn from_si(&self, id: Id, si: f64, unit: &str) -> Option<f64> {
         if let Some((unit, name)) = level_unit(unit) {
-            return Some(unit.of_si(self.inputs().frame().to_level(id.key, si, name)?));
+            return Some(unit.of_si(self.inputs().frame().level_at(id.key, si, name)?));
         }
         match self.inputs().dimension(id) {
             Some(_) => Some(self.inputs().unit_named(id, unit)?.of_si(si)),

@@ -764,7 +764,7 @@ impl Field<'_> {
     fn level(&self, text: &str) -> Option<Result<f64, PlacedProblem>> {
         let is_length = self.dimension() == Some(Dimension::Length);
         let (number, unit, name) = split_level(text).filter(|_| is_length)?;
-        let length = self.frame.from_level(self.id.key, unit.in_si(number), name);
+        let length = self.frame.length_at(self.id.key, unit.in_si(number), name);
         Some(length.map_err(|fault| {
             let (key, written) = (self.id.key, self.written(self.value));
             self.problem(Problem::Level { key, written, name: name.to_owned(), fault })
