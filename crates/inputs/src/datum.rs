@@ -87,8 +87,8 @@ impl From<Option<Extent>> for Frame<'_> {
 /// Reason why a text is no level of a key.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LevelFault {
-    /// The file has no datum.
-    NoDatum,
+    /// The file has no datum; the level has this one.
+    NoDatum(String),
     /// It has one of another name.
     Other(String),
     /// The key is a length between points of the body.
@@ -121,7 +121,7 @@ pub(crate) fn level_unit(unit: &str) -> Option<(ShownUnit, &str)> {
 impl Frame<'_> {
     /// The length that a level, m, is under a key.
     pub(crate) fn length_at(&self, key: Key, level: f64, name: &str) -> Result<f64, LevelFault> {
-        let datum = self.datum.ok_or(LevelFault::NoDatum)?;
+        let datum = self.datum.ok_or_else(|| LevelFault::NoDatum(name.to_owned()))?;
         if datum.name != name {
             return Err(LevelFault::Other(datum.name.to_owned()));
         }

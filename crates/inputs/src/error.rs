@@ -526,8 +526,6 @@ pub enum Problem {
         key: Key,
         /// The level as it is written.
         written: String,
-        /// Name of its datum.
-        name: String,
         /// The reason.
         fault: LevelFault,
     },
@@ -837,7 +835,7 @@ fn without_body(table: Table) -> &'static str {
 fn level(key: Key, written: &str, fault: &LevelFault) -> String {
     let name = key.name();
     match fault {
-        LevelFault::NoDatum => format!("`{name}` is {written}, a level, and the file has no datum"),
+        LevelFault::NoDatum(_) => format!("`{name}` is {written}, a level, and the file has no datum"),
         LevelFault::Other(datum) => format!("`{name}` is {written}; the datum of the file is {datum}"),
         LevelFault::NoLevel => format!("`{name}` is {written}, a level, and it is a length of the body"),
         LevelFault::NoSea => {

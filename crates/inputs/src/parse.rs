@@ -767,7 +767,7 @@ impl Field<'_> {
         let length = self.frame.length_at(self.id.key, unit.in_si(number), name);
         Some(length.map_err(|fault| {
             let (key, written) = (self.id.key, self.written(self.value));
-            self.problem(Problem::Level { key, written, name: name.to_owned(), fault })
+            self.problem(Problem::Level { key, written, fault })
         }))
     }
 

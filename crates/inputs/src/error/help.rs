@@ -132,7 +132,7 @@ impl Problem {
                 "what stands on the ground may be gone: leave it out, or give the soil as a [[resistance]]".into()
             }
             Problem::NotOfPassive { .. } => "give it as a [[resistance]], with a limit of your own".into(),
-            Problem::Level { name, fault: LevelFault::NoDatum, .. } => {
+            Problem::Level { fault: LevelFault::NoDatum(name), .. } => {
                 format!("add, above all tables, datum = {{ base = \"-8.20 m\", name = \"{name}\" }}, with the level of the base")
             }
             Problem::Level { fault: LevelFault::Other(datum), .. } => format!("write the level with {datum}, for example \"+4.10 m{datum}\""),
