@@ -36,9 +36,9 @@ pub fn place(resistance: &Resistance) -> String {
     match (resistance.direction, resistance.distance) {
         (Direction::Sideways(_), _) | (_, None) => {
             let side = resistance.direction.word();
-            format!("to the {side}, {} m above the base", digits(resistance.elevation))
+            format!("to the {side} at {} m", digits(resistance.elevation))
         }
-        (_, Some(distance)) => format!("down, {} m from O", digits(distance)),
+        (_, Some(distance)) => format!("down at {} m from O", digits(distance)),
     }
 }
 
@@ -62,7 +62,8 @@ pub(super) fn render(case: &Case, assessed: &Assessed) -> String {
     let mut text = "\nHeld beside friction\n".to_owned() + &columns(&rows, 2, &[]);
     if !resistances.is_empty() {
         let counts = "A resistance is there as far as rest needs it. It counts in full in the factors: against sliding where it acts against the \
-                      push, against overturning and for the pressure on the base where rest needs it.";
+                      push, against overturning and for the pressure on the base where rest needs it. The reactions at rest are those with the least \
+                      that it needs.";
         text += &paragraph(counts, 2);
     }
     if assessed.outcome.full.modes.contains(Mode::Rest)
