@@ -75,7 +75,46 @@ def random_case(seed: int) -> str:
         criteria += [f"eccentricity = {width / 6}", 'modes_not = ["RO", "SRO-"]']
         lines += ["[criteria]", *n.sample(criteria, n.randint(1, len(criteria)))]
     text = on_ground("\n".join(lines) + "\n", width, height, random.Random(-10_000 - seed))
-    return of_a_kind(text, width, height, random.Random(-1 - seed))
+    text = of_a_kind(text, width, height, random.Random(-1 - seed))
+    return beside_and_held(text, width, height, random.Random(-20_000 - seed))
+
+
+def beside_and_held(text: str, width: float, height: float, n: random.Random) -> str:
+    """Some cases with soil beside them, a couple, adhesion or resistances, standing waves, or levels of a chart."""
+    kind = n.choice(["soil", "couple", "ties", "adhesion", "passive", "levels", *["plain"] * 6])
+    weight = 2.2e4 * width * height
+    soil = f"friction_angle_deg = {n.uniform(20, 45)}\nunit_weight = {n.uniform(16e3, 20e3)}\nunit_weight_saturated = {n.uniform(19e3, 22e3)}\n"
+    side = n.choice(["left", "right"])
+    if kind == "levels":
+        base = round(n.uniform(-20, 5), 2)
+        level = re.compile(r"^(level|left|right|elevation) = ([0-9.]+)$", re.MULTILINE)
+        in_water = text.split("[water]")[-1].split("[")[0] if "[water]" in text else ""
+        leveled = level.sub(lambda found: f'{found[1]} = "{float(found[2]) + base} mCD"', in_water)
+        text = text.replace(in_water, leveled) if in_water else text
+        return f'datum = {{ base = {base}, name = "CD" }}\n{text}'
+    if kind == "plain" or "cylinder" in text or "history" in text:
+        return text
+    if kind == "soil" and "[added_mass]" not in text:
+        surcharge = n.choice(["", f"surcharge = {n.uniform(5e3, 3e4)}\n"])
+        more = n.choice(["", f"wall_friction_deg = {n.uniform(0, 13)}\n", 'state = "rest"\n', f"cohesion = {n.uniform(0, 9e3)}\n"])
+        return f'{text}[[backfill]]\nname = "sand"\nface = "{side}"\ntop = {n.uniform(0.3, 1) * height}\n{soil}{more}{surcharge}'
+    if kind == "couple":
+        lines = f'[[moment]]\nname = "gate"\nmoment = {n.uniform(0, 0.3) * weight * width}\ndirection = "{side}"\n'
+        return text + lines + n.choice(["together = true\n", "permanent = true\n", ""])
+    if kind == "adhesion" and "strength" not in text:
+        on = n.choice(["", 'adhesion_on = "effective"\n'])
+        return text.replace("[body]\n", f"[body]\nadhesion = {10 ** n.uniform(3, 5.3)}\n{on}", 1)
+    if kind == "ties" and "[ground]" not in text:
+        for i in range(n.choice([1, 1, 2])):
+            place = n.choice(
+                [f'direction = "{side}"\nelevation = {n.uniform(0, 1) * height}\n', f'direction = "down"\ndistance = {n.uniform(0, width)}\n']
+            )
+            text += f'[[resistance]]\nname = "tie {i}"\nlimit = {10 ** n.uniform(-2, 0) * weight}\nshare = {n.uniform(0.3, 1)}\n{place}'
+        return text
+    if kind == "passive" and "[ground]" not in text and "[added_mass]" not in text:
+        toe = f'[[backfill]]\nname = "toe"\nface = "{side}"\ntop = {n.uniform(0.1, 0.3) * height}\nstate = "passive"\n'
+        return f"{text}{toe}share = {n.uniform(0.2, 1)}\n{soil}"
+    return text
 
 
 def on_ground(text: str, width: float, height: float, n: random.Random) -> str:

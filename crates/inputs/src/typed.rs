@@ -70,7 +70,7 @@ pub fn typed(text: &str, units: TypedUnits) -> Result<Typed, String> {
 ///
 /// # Errors
 /// As [`typed`].
-pub(crate) fn number_and_rest(text: &str) -> Result<(f64, &str), String> {
+pub fn number_and_rest(text: &str) -> Result<(f64, &str), String> {
     let (number, rest) = text.split_at(end_of_number(text));
     let value = value(number.trim()).map_err(|fault| fault.sentence(number.trim(), text))?;
     Ok((value, rest))

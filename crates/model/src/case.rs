@@ -62,7 +62,7 @@ pub(crate) use reader::{Reader, body_of, motion_fault};
 pub use reader::{blamed, check_ranges};
 pub use resistance::Resistance;
 pub use section::OF_PARTS;
-pub use waves::{CrownWall, CrownWaves, GodaWaves, StandingWaves, WaveFormula, Waves};
+pub use waves::{CrownWall, CrownWaves, GodaWaves, StandingWaves, WaveFormula, Waves, goes_with_waves};
 
 use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::case::{Bias, OF_PARTS};
+use crate::case::{Bias, OF_PARTS, goes_with_waves};
 use crate::couple::{Unknown, Variable};
 use crate::explained::Explained;
 use crate::inputs::Inputs;
@@ -340,7 +340,8 @@ fn silent(inputs: &Inputs) -> impl Iterator<Item = Id> {
         let taken =
             (info.silent.is_some() || matches!(info.kind, Kind::OneOf(..))) && info.moves == Moves::Alone;
         // Of parts, centre, inertia and base follow.
-        let taken = taken && !(inputs.has(Table::Part) && OF_PARTS.contains(key));
+        let taken =
+            taken && !(inputs.has(Table::Part) && OF_PARTS.contains(key)) && goes_with_waves(inputs, *key);
         info.range().is_some() && (taken || info.table == Table::Criteria)
     };
     let in_tables = Table::ALL.into_iter().flat_map(|table| table.keys().map(move |key| (table, key)));

@@ -12,7 +12,7 @@ use super::history::HistoryOf;
 use super::motion::CaseMotion;
 use super::reader::{Reader, SAME_LENGTH};
 use crate::error::{Fault, Problem};
-use crate::inputs::Value;
+use crate::inputs::{Inputs, Value};
 use crate::key::{Key, Table};
 
 /// Waves from the right.
@@ -218,6 +218,12 @@ fn takes(formula: &str, key: Key) -> bool {
         _ => [&ARMOUR, &VAN_GENT],
     };
     SEA.contains(&key) || own.iter().any(|keys| keys.contains(&key))
+}
+
+/// True unless a key is one of waves by another formula than that of a case.
+pub fn goes_with_waves(inputs: &Inputs, key: Key) -> bool {
+    let formula = inputs.choice(Key::WaveFormula).unwrap_or(GODA);
+    key.info().table != Table::Wave || takes(formula, key)
 }
 
 /// The keys of waves that a formula does not take.

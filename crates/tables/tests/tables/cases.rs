@@ -406,6 +406,23 @@ fn a_column_that_may_be_meant_is_warned_about() {
     assert!(warning.to_string().contains("--map \"wave.deep_water_height=deep_water_height\""));
 }
 
+/// Cells as an office with decimal commas writes them.
+#[test]
+fn a_decimal_comma_is_read_and_one_of_thousands_is_not() {
+    let points = "name,body.width [m],wave.period\nall,15.25,\"12.5 s\"\n";
+    let commas = "name,body.width [m],wave.period\nall,\"15,25\",\"12,5 s\"\n";
+    let answer = |table: &str| text(table, GODA, |options| options);
+    let results = |table: &str| {
+        let (found, summary) = answer(table);
+        assert_eq!(summary.unwrap().rows, 1);
+        found.split_once(" s\"").or(found.split_once(" s,")).unwrap().1.trim_start_matches(',').to_owned()
+    };
+    assert_eq!(results(commas), results(points));
+    // Three digits after a comma may be thousands.
+    let error = answer(&commas.replace("15,25", "15,250")).1.unwrap_err().to_string();
+    assert!(error.contains("15.25") && error.contains("15250"), "{error}");
+}
+
 /// A table as an office makes it: titles with quotation marks of their own, the names, their units.
 #[test]
 fn titles_stand_above_and_units_below_the_names() {
