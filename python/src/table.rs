@@ -20,6 +20,7 @@ use standfast_tables::{
 };
 
 use crate::arrow_out::ArrowTable;
+use crate::assess::beside;
 use crate::errors::{StandfastError, of_case};
 use crate::watch::{Caller, Watch, aside};
 use crate::{at_index, written};
@@ -69,7 +70,7 @@ impl Sweep {
         null: bool,
         threads: Option<NonZero<usize>>,
     ) -> PyResult<Sweep> {
-        let case = CaseFile::parse(name, text).and_then(CaseTable::of);
+        let case = CaseFile::read(name, text, &beside(name)).and_then(CaseTable::of);
         let case = case.map_err(|error| of_case(&error))?;
         let case = match results {
             None => case,

@@ -114,7 +114,7 @@ impl Page {
     /// Takes a text in which a number has changed, with what goes with that; `None` where nothing does, or where it has no answer even so.
     fn set_coupled(&mut self, id: Id, text: &str) -> Option<()> {
         let inputs = self.settled().inputs();
-        let mut now = CaseFile::parse(self.settled().name(), text).ok()?;
+        let mut now = self.settled().reread(text).ok()?;
         let value = now.inputs().number(id)?;
         let varied = vary(inputs, self.settled_case()?, &[(&Variable::of(id, inputs), value)]);
         let goes: Vec<(Id, f64)> = varied

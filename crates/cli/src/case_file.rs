@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use standfast_cases::CaseFile;
+use standfast_cases::{CaseFile, CodeFile};
 
 use crate::error::{CommandError, Result};
 use crate::files_read::{FilePurpose, FilesRead};
@@ -45,8 +45,8 @@ pub fn parse_alone(path: &Path, files: &FilesRead) -> Result<CaseFile> {
 pub(crate) fn beside(case: &Path, files: &FilesRead) -> impl Fn(&str) -> Result<String, String> {
     let directory = case.parent().unwrap_or(Path::new("")).to_owned();
     move |file| {
-        let bytes =
-            files.read(&directory.join(file), FilePurpose::Record).map_err(|cause| cause.to_string())?;
+        let purpose = if CodeFile::is_called(file) { FilePurpose::Code } else { FilePurpose::Record };
+        let bytes = files.read(&directory.join(file), purpose).map_err(|cause| cause.to_string())?;
         // Old records have letters of other alphabets in their headers, and no meaning in them.
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }

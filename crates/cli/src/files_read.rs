@@ -15,6 +15,8 @@ pub enum FilePurpose {
     Case,
     /// A record that the case or a row of a table names.
     Record,
+    /// The file of a code that a combination names.
+    Code,
     /// The table whose rows are answered.
     Table,
 }
@@ -24,6 +26,7 @@ impl FilePurpose {
         match self {
             FilePurpose::Case => "the case file",
             FilePurpose::Record => "the record",
+            FilePurpose::Code => "the file of a code",
             FilePurpose::Table => "the table",
         }
     }

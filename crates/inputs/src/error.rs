@@ -692,6 +692,24 @@ pub enum Problem {
         /// Those that it has.
         names: Vec<String>,
     },
+    /// What a combination has and the file of a code has not.
+    #[error("the file of a code has no `{name}`")]
+    NotOfCodes {
+        /// The name.
+        name: String,
+    },
+    /// A name in the file of a code that neither the case nor the program has.
+    #[error("`{}` of {file} names {name}, which this case does not have", key.name())]
+    NameOfCode {
+        /// The file.
+        file: String,
+        /// The key under which it stands there.
+        key: Key,
+        /// The name.
+        name: String,
+        /// Names that it may have.
+        names: Vec<String>,
+    },
     /// A variable load that a code cannot name.
     #[error("a code names every load, and this one has no name")]
     NamelessLoad,

@@ -4,6 +4,7 @@ use standfast::{Ball, Modes, Scalar};
 
 use std::sync::Arc;
 
+use crate::code_file::CodeFile;
 use crate::datum::{Datum, Frame};
 use crate::key::{Id, Key, Kind, Table};
 use crate::record::RecordFile;
@@ -37,6 +38,8 @@ pub enum Value {
     Modes(Modes),
     /// A file that was read.
     Record(Arc<RecordFile>),
+    /// A file of a code that was read.
+    Code(Arc<CodeFile>),
 }
 
 /// Factor on a load: one, or two of which it is not known beforehand which is the worse.
@@ -59,6 +62,15 @@ impl LoadFactor {
 }
 
 impl Value {
+    /// The name of the file that it is, once it is read.
+    pub fn file(&self) -> Option<&str> {
+        match self {
+            Value::Record(file) => Some(file.name()),
+            Value::Code(file) => Some(file.name()),
+            _ => None,
+        }
+    }
+
     /// The words that it is.
     pub fn as_text(&self) -> Option<&str> {
         match self {
@@ -263,6 +275,14 @@ impl Inputs {
     pub fn record(&self, id: impl Into<Id>) -> Option<&Arc<RecordFile>> {
         match self.get(id)? {
             Value::Record(record) => Some(record),
+            _ => None,
+        }
+    }
+
+    /// The file of a code under a key, once it is read.
+    pub fn code(&self, id: impl Into<Id>) -> Option<&CodeFile> {
+        match self.get(id)? {
+            Value::Code(file) => Some(file),
             _ => None,
         }
     }

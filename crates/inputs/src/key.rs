@@ -699,7 +699,7 @@ const CODES: Kind = Kind::Choice {
         "UFC-3-220-20",
     ],
     words: "the name of a set: \"EN1997-DA1-1\", \"EN1997-DA1-2\", \"EN1997-DA2\", \"EN1997-DA3\", \"EN1997-EQU\", \"EN1997-UPL\", \
-            \"EN1997-HYD\", \"PIANC28-sliding\" or \"UFC-3-220-20\"",
+            \"EN1997-HYD\", \"PIANC28-sliding\" or \"UFC-3-220-20\"; or a file of your own, \"office.toml\"",
 };
 const LAWS: Kind =
     Kind::Choice { of: &["ec7", "hansen", "envelope"], words: "\"ec7\", \"hansen\" or \"envelope\"" };
@@ -848,7 +848,7 @@ listed! {
         .gives(&[Quantity::WaterDepth]);
     SeaBottomSlope = key(Wave, "sea_bottom_slope", Plain(NotNegative), "i", "slope of the sea bed, Goda’s tan θ", "0.01")
         .gives(&[Quantity::SeaBottomSlope]);
-    Period = key(Wave, "period", Measured(Dimension::Time, Positive), "T", "significant wave period", "\"11.4 s\"")
+    Period = key(Wave, "period", Measured(Dimension::Time, Positive), "T", "significant wave period; of pedersen the mean, of van-gent T_m-1,0", "\"11.4 s\"")
         .gives(&[Quantity::WavePeriod]);
     AngleDeg = key(Wave, "angle_deg", Plain(NotNegative), "β_g", "angle of the waves from the wall’s normal", "15")
         .gives(&[Quantity::WaveAngle]);
@@ -1058,7 +1058,7 @@ listed! {
         "whether factors act on the effects of loads, whose resistance and eccentricity are those of the loads as they are", "true")
         .silent("factors: on the loads");
     CombinationCode = key(Combination, "code", CODES, "",
-        "set of partial factors, strengths and criteria that fills in what the combination does not write; recommended values", "\"EN1997-DA1-2\"");
+        "set of partial factors, strengths and criteria that fills in what the combination does not write; recommended values, or a file of them", "\"EN1997-DA1-2\"");
     CombinationOptions = key(Combination, "options", Settings, "",
         "what the set of a code asks for", "{ ground = \"rock\" }");
     CombinationCriteria = key(Combination, "criteria", Bounds, "",

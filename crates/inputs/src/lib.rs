@@ -20,6 +20,7 @@
 
 #![forbid(unsafe_code)]
 
+mod code_file;
 pub mod datum;
 mod differences;
 pub mod digits;
@@ -36,6 +37,7 @@ pub mod suggest;
 pub mod typed;
 pub mod units;
 
+pub use code_file::CodeFile;
 pub use differences::Difference;
 pub use edit::WrittenNumber;
 pub use error::{CaseError, Cure, Fault, Place, Problem};

@@ -13,6 +13,7 @@ use standfast::{Ball, Modes};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::code_file::{CodeFile, OF_CODES};
 use crate::datum::{Datum, Frame, LevelFault, level_unit, split_level};
 use crate::digits::shortened;
 use crate::edit::random::line_of;
@@ -66,17 +67,7 @@ impl CaseText {
     /// # Errors
     /// If the text is not TOML, or a key or value is not what a case file has.
     pub fn parse(name: &str, text: &str) -> Result<CaseText, CaseError> {
-        CaseText::reading(name, text, |file| {
-            if text.trim().is_empty() {
-                return Err(PlacedProblem { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 });
-            }
-            let document = DeTable::parse(text).map_err(|error| {
-                let span = error.span().unwrap_or(0..0);
-                let line = text[line_of(text, &(span.start..span.start))].trim_end().to_owned();
-                PlacedProblem { problem: Problem::Syntax { message: error.message().to_owned(), line }, span }
-            })?;
-            file.read_document(text, &document)
-        })
+        CaseText::reading(name, text, |file| file.read_document(text, &document(name, text)?))
     }
 
     /// Reads a case file with the files that it names, which `read` reads; `name` is what errors call it.
@@ -105,10 +96,14 @@ impl CaseText {
         which: &dyn Fn(Id) -> bool,
     ) -> Result<CaseText, CaseError> {
         for (id, name) in self.wanted().into_iter().filter(|(id, _)| which(*id)) {
-            match read(&name) {
-                Ok(text) => self.put_record(id, Arc::new(RecordFile::of_text(name, text))),
+            let value = match read(&name) {
+                Ok(text) if id.key == Key::CombinationCode => {
+                    Value::Code(Arc::new(CodeFile::parse(&name, &text, self.units)?))
+                }
+                Ok(text) => Value::Record(Arc::new(RecordFile::of_text(name, text))),
                 Err(why) => return Err(self.error(Fault::new(Problem::Unread { name, why }, id))),
-            }
+            };
+            self.inputs.put(id, value);
         }
         let records = self.random.as_ref().map_or_else(Vec::new, |random| random.records.clone());
         for name in records.iter().flat_map(RandomRecord::files).cloned() {
@@ -122,6 +117,20 @@ impl CaseText {
         Ok(self)
     }
 
+    /// Takes the files that it names from a text that has read them.
+    pub fn with_files_of(mut self, other: &CaseText) -> CaseText {
+        let read: Vec<(Id, &Value)> =
+            other.inputs.values().filter(|(_, value)| value.file().is_some()).collect();
+        for (id, name) in self.wanted() {
+            let same = read.iter().find(|(_, value)| value.file() == Some(&name));
+            if let Some((_, value)) = same {
+                self.inputs.put(id, (*value).clone());
+            }
+        }
+        self.beside = other.beside.clone();
+        self
+    }
+
     /// A file that [random] names, once it is read.
     pub fn beside(&self, name: &str) -> Option<&Arc<RecordFile>> {
         self.beside.get(name)
@@ -129,20 +138,20 @@ impl CaseText {
 
     /// The files that it names and that were read, with their texts: each once, by name.
     pub fn files(&self) -> impl Iterator<Item = (&str, &str)> {
-        let of_keys = self.inputs.values().filter_map(|(id, _)| self.inputs.record(id));
-        let files = of_keys.chain(self.beside.values()).filter_map(|file| Some((file.name(), file.text()?)));
-        files.collect::<std::collections::BTreeMap<_, _>>().into_iter()
+        let of_keys = self.inputs.values().filter_map(|(_, value)| match value {
+            Value::Record(file) => Some((file.name(), file.text()?)),
+            Value::Code(file) => Some((file.name(), file.text())),
+            _ => None,
+        });
+        let files = of_keys.chain(self.beside.values().filter_map(|file| Some((file.name(), file.text()?))));
+        files.collect::<BTreeMap<_, _>>().into_iter()
     }
 
     /// The files that it names and that are not read yet, with the keys under which they stand.
     pub fn wanted(&self) -> Vec<(Id, String)> {
-        let wanted = self.inputs.values().filter(|(id, _)| id.key.info().kind == Kind::File);
+        let is_named = |id: Id| id.key.info().kind == Kind::File || id.key == Key::CombinationCode;
+        let wanted = self.inputs.values().filter(|(id, _)| is_named(*id));
         wanted.filter_map(|(id, value)| Some((id, value.as_text()?.to_owned()))).collect()
-    }
-
-    /// Puts a file that was read under the key that names it.
-    pub fn put_record(&mut self, id: Id, record: Arc<RecordFile>) {
-        self.inputs.put(id, Value::Record(record));
     }
 
     fn reading(
@@ -387,6 +396,36 @@ impl CaseText {
     }
 }
 
+/// The document of a text; `name` is what errors call it.
+fn document<'a>(name: &str, text: &'a str) -> Result<Spanned<DeTable<'a>>, PlacedProblem> {
+    if text.trim().is_empty() {
+        return Err(PlacedProblem { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 });
+    }
+    DeTable::parse(text).map_err(|error| {
+        let span = error.span().unwrap_or(0..0);
+        let line = text[line_of(text, &(span.start..span.start))].trim_end().to_owned();
+        PlacedProblem { problem: Problem::Syntax { message: error.message().to_owned(), line }, span }
+    })
+}
+
+/// What the file of a code says, as the first combination of a case of such units.
+pub(crate) fn read_code(name: &str, text: &str, units: Option<Extent>) -> Result<Inputs, CaseError> {
+    let read = CaseText::reading(name, text, |file| {
+        let document = document(name, text)?;
+        let top = document.get_ref();
+        let known = |key: &str| OF_CODES.iter().any(|of| of.name() == key);
+        let others = top.keys().filter(|key| !known(key.get_ref()));
+        if let Some(key) = others.min_by_key(|key| key.span().start) {
+            let problem = Problem::NotOfCodes { name: key.get_ref().clone().into_owned() };
+            return Err(PlacedProblem { problem, span: key.span() });
+        }
+        file.units = units;
+        file.begin(Table::Combination, 0, document.span());
+        file.read_table(text, top, Table::Combination, 0)
+    })?;
+    Ok(read.inputs)
+}
+
 /// Extent of a document, a metre run or the whole body, on which its units depend wherever they stand; see [`Inputs::units`].
 fn units(top: &DeTable<'_>) -> Option<Extent> {
     if top.contains_key(Table::Block.name()) {
@@ -584,8 +623,13 @@ impl Field<'_> {
             }
             Kind::Choice { of, words } => {
                 let word = self.words()?;
-                let choice = of.iter().find(|choice| **choice == word);
-                Value::Choice(choice.ok_or_else(|| self.out_of_range(words))?)
+                match of.iter().find(|choice| **choice == word) {
+                    Some(choice) => Value::Choice(choice),
+                    None if self.id.key == Key::CombinationCode && CodeFile::is_called(&word) => {
+                        Value::Text(word)
+                    }
+                    None => return Err(self.out_of_range(words)),
+                }
             }
             Kind::List(_) => {
                 let numbers = self.elements(kind)?.map(|field| {

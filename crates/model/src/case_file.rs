@@ -72,6 +72,14 @@ impl CaseFile {
         CaseFile(self.0.varied(inputs))
     }
 
+    /// The case file with another text, and the files of this one that it names as well.
+    ///
+    /// # Errors
+    /// If the text is no case file.
+    pub fn reread(&self, text: &str) -> Result<CaseFile, CaseError> {
+        Ok(CaseFile(CaseText::parse(self.name(), text)?.with_files_of(&self.0)))
+    }
+
     /// The case file with another number written into its text, in the unit that stands there and as `round` leaves it in that;
     /// `None` of one that is not written so, or that is refused.
     pub fn rewritten(
@@ -82,14 +90,14 @@ impl CaseFile {
     ) -> Option<CaseFile> {
         let unit = self.written_number(id)?.unit;
         let number = round(self.from_si(id, si, &unit)?, &unit)?;
-        CaseFile::parse(self.name(), &self.with_number(id, number, &unit)?).ok()
+        self.reread(&self.with_number(id, number, &unit)?).ok()
     }
 
     /// The case file with other numbers in a list of it, and the list as it is then written; `None` of one that is not written so, or that
     /// is refused.
     pub fn relisted(&self, id: Id, si: &[f64]) -> Option<(CaseFile, String)> {
         let (text, list) = self.with_list(id, si)?;
-        Some((CaseFile::parse(self.name(), &text).ok()?, list))
+        Some((self.reread(&text).ok()?, list))
     }
 
     /// The case file with an entry that follows from others, as it would be written.

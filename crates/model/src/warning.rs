@@ -320,7 +320,7 @@ pub enum Warning {
         /// The combination.
         combination: String,
         /// The code.
-        code: &'static str,
+        code: String,
         /// The criterion.
         criterion: &'static str,
     },

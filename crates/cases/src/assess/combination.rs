@@ -1,7 +1,7 @@
 //! What a combination says, in words: the factors of its loads, and what is another in it than in the case.
 
 use standfast_inputs::inputs::LoadFactor;
-use standfast_model::case::{ChangeBy, Combination, InputChange, Trial};
+use standfast_model::case::{ChangeBy, Code, Combination, InputChange, Trial};
 
 use super::Assessed;
 use crate::case::{Acting, Case};
@@ -45,8 +45,10 @@ pub fn changes(case: &Case, index: usize) -> Vec<(&'static str, String)> {
         Some((last, all)) if *last == key => all.push(words),
         _ => told.push((key, vec![words])),
     };
-    if let Some(code) = combination.code {
-        tell("code", format!("{code}, recommended values"));
+    match &combination.code {
+        Some(Code::Set(name)) => tell("code", format!("{name}, recommended values")),
+        Some(Code::File(name)) => tell("code", name.clone()),
+        None => {}
     }
     if combination.effects {
         tell("effects", "factors act on the effects of the loads, not on these".to_owned());

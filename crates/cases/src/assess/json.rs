@@ -15,7 +15,7 @@ use super::holding::{AdhesionEntry, ResistanceEntry};
 use super::made::{MadeLoad, made_loads};
 use super::opening::BaseOpeningEntry;
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck, combination};
-use crate::case::{Acting, Case, ChangeBy, Direction, GodaWaves, PointForce};
+use crate::case::{Acting, Case, ChangeBy, Code, Direction, GodaWaves, PointForce};
 use crate::json::{CheckEntry, SCHEMA, number_or_word, written};
 use crate::key::Key;
 use crate::point::{PointDocument, RelationDocument};
@@ -224,9 +224,9 @@ struct Force<'a> {
 struct Combination<'a> {
     name: Option<&'a str>,
     factors: Named<'a>,
-    /// The set that filled in what it does not write.
+    /// The code that filled in what it does not write.
     #[serde(skip_serializing_if = "Option::is_none")]
-    code: Option<&'static str>,
+    code: Option<&'a str>,
     /// True if factors act on effects.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     effects: bool,
@@ -560,7 +560,7 @@ impl<'a> Combination<'a> {
         Combination {
             name: combination.name.as_deref(),
             factors: Named::of(factors.collect()),
-            code: combination.code,
+            code: combination.code.as_ref().map(Code::name),
             effects: combination.effects,
             set: Named::of(set),
             scale: Named::of(scale),

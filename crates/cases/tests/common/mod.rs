@@ -26,7 +26,8 @@ pub fn number(assessed: &Assessed, result: ResultName) -> f64 {
 }
 
 pub fn near(found: f64, expected: f64, by: f64) {
-    assert!((found - expected).abs() <= by * expected.abs(), "{found}, expected {expected}");
+    let is_near = found == expected || (found - expected).abs() <= by * expected.abs();
+    assert!(is_near, "{found}, expected {expected}");
 }
 
 /// To six digits.

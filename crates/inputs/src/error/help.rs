@@ -5,6 +5,7 @@ use standfast::section::{SectionError, Vertex};
 use standfast_motion::MotionError;
 
 use super::Problem;
+use crate::code_file::OF_CODES;
 use crate::datum::LevelFault;
 use crate::digits::{digits, plain};
 use crate::inputs::GRAVITY;
@@ -276,6 +277,13 @@ impl Problem {
             }
             Problem::NoCodeOption { names, .. } if names.is_empty() => "leave it out".into(),
             Problem::NoCodeOption { names, .. } => format!("it has {}", names.join(", ")),
+            Problem::NotOfCodes { .. } => {
+                let names: Vec<_> = OF_CODES.iter().map(|key| key.name()).collect();
+                format!("it has {}; all else stands in the combination", names.join(", "))
+            }
+            Problem::NameOfCode { names, .. } => {
+                format!("names there: {}; what one case alone has goes into its combination", names.join(", "))
+            }
             Problem::NamelessLoad => "name = \"crane\"".into(),
             Problem::OpeningNotFor { .. } => "opening = \"closed\" keeps the straight line of pressure".into(),
             Problem::FilledSide { side } => {

@@ -31,9 +31,28 @@ pub(super) struct NamedLoad {
     pub(super) kind: CodeLoad,
 }
 
+/// A code: a set that the program has, or an office's file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Code {
+    /// The set of this name, with recommended values.
+    Set(&'static str),
+    /// The file of this name.
+    File(String),
+}
+
+impl Code {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        match self {
+            Code::Set(name) => name,
+            Code::File(name) => name,
+        }
+    }
+}
+
 /// What a code fills in.
 pub(super) struct Filled {
-    pub(super) code: &'static str,
+    pub(super) code: Code,
     pub(super) factors: Vec<(String, LoadFactor)>,
     /// Scales, and divisors of strengths.
     pub(super) changes: Vec<InputChange>,
@@ -42,6 +61,8 @@ pub(super) struct Filled {
     /// Of passive soils, and of other forces with a limit.
     pub(super) passive: Option<f64>,
     pub(super) ties: Option<f64>,
+    /// Of forces with a limit by their names.
+    pub(super) holds: Vec<(String, f64)>,
     pub(super) criteria: Vec<Criterion>,
 }
 
@@ -286,5 +307,6 @@ pub(super) fn filled(
     let of_set = of_set.filter(|criterion| criteria.iter().all(|other| other.key != criterion.key));
     criteria.extend(of_set.collect::<Vec<_>>());
     let [sliding, bearing, passive, ties] = set.resist;
-    Ok(Filled { code, factors, changes, sliding, bearing, passive, ties, criteria })
+    let code = Code::Set(code);
+    Ok(Filled { code, factors, changes, sliding, bearing, passive, ties, holds: Vec::new(), criteria })
 }

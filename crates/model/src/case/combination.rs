@@ -12,7 +12,7 @@ use standfast::loads::{Action, Face, Load, LoadSource};
 use standfast::{Body, Scalar};
 
 use super::backfill::of_all_layers;
-use super::code::{CodeLoad, NamedLoad, filled};
+use super::code::{Code, CodeLoad, NamedLoad, filled};
 use super::loads::{FacePressure, PointForce};
 use super::reader::Reader;
 use super::waves::keys_of_others;
@@ -41,8 +41,8 @@ pub struct Combination {
     pub holds: Vec<(String, f64)>,
     /// Criteria in place of those of the case.
     pub criteria: Option<Vec<Criterion>>,
-    /// Set of a code that filled in what it does not write.
-    pub code: Option<&'static str>,
+    /// Code that filled in what it does not write.
+    pub code: Option<Code>,
     /// Criteria of the code that the case cannot answer.
     pub unanswered: Vec<Criterion>,
     /// True if the factors act on the effects of the loads.
@@ -336,9 +336,9 @@ impl<T: Scalar> Case<T> {
 }
 
 /// Names of resistances that a combination may divide.
-const SLIDING: &str = "sliding";
-const BEARING: &str = "bearing";
-const PASSIVE: &str = "passive";
+pub(super) const SLIDING: &str = "sliding";
+pub(super) const BEARING: &str = "bearing";
+pub(super) const PASSIVE: &str = "passive";
 
 /// What stands before the name of a group of parts in that of its weight.
 const WEIGHT_OF: &str = "weight.";
@@ -362,7 +362,7 @@ fn part_name<T: Scalar>(table: Table, load: &Load<T>) -> Option<&'static str> {
 }
 
 /// The names of the parts of what a table makes.
-fn part_names(table: Table) -> &'static [&'static str] {
+pub(super) fn part_names(table: Table) -> &'static [&'static str] {
     match table {
         Table::Water => &["water.left", "water.right", "water.base"],
         Table::Wave => &["wave.thrust", "wave.uplift"],
@@ -383,7 +383,7 @@ impl ChangeBy {
 }
 
 /// What `materials` divides: of an angle the tangent.
-const STRENGTHS: [Key; 11] = [
+pub(super) const STRENGTHS: [Key; 11] = [
     Key::Adhesion,
     Key::Friction,
     Key::KineticFriction,
@@ -430,19 +430,6 @@ impl Reader<'_> {
         resistances: &[Resistance],
     ) -> Result<Combination, Fault> {
         let id = |key| Id::new(key, index);
-        let filled = match self.inputs.choice(id(Key::CombinationCode)) {
-            Some(code) => {
-                let loads = self.named_loads(index, forces, pressures, soils)?;
-                let passive = resistances.iter().any(Resistance::is_passive);
-                Some(filled(self.inputs, code, index, loads, body.base_width(), passive)?)
-            }
-            None => None,
-        };
-        let factors = self.inputs.factors(id(Key::LoadFactors));
-        let factors = match &filled {
-            Some(_) => factors.unwrap_or_default(),
-            None => factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?,
-        };
         let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table));
         let of_groups = self.weights_of_groups();
         let mut names: Vec<&str> = of_groups.iter().map(String::as_str).collect();
@@ -458,6 +445,28 @@ impl Reader<'_> {
             forces.iter().map(|force| &force.name).chain(pressures.iter().map(|pressure| &pressure.name));
         names.extend(named.flatten().map(String::as_str));
         names.extend(soils.iter().flat_map(SoilFill::names));
+        let at = id(Key::CombinationCode);
+        let filled = match (self.inputs.choice(at), self.inputs.code(at), self.inputs.text(at)) {
+            (Some(code), ..) => {
+                let loads = self.named_loads(index, forces, pressures, soils)?;
+                let passive = resistances.iter().any(Resistance::is_passive);
+                Some(filled(self.inputs, code, index, loads, body.base_width(), passive)?)
+            }
+            (_, Some(file), _) => {
+                let loads = self.named_loads(index, forces, pressures, soils)?;
+                Some(self.filled_by(file, at, loads, &names, resistances)?)
+            }
+            (.., Some(name)) => {
+                let why = "it is not read yet".to_owned();
+                return Err(Fault::new(Problem::Unread { name: name.to_owned(), why }, at));
+            }
+            _ => None,
+        };
+        let factors = self.inputs.factors(id(Key::LoadFactors));
+        let factors = match &filled {
+            Some(_) => factors.unwrap_or_default(),
+            None => factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?,
+        };
         for (place, (name, factor)) in factors.iter().enumerate() {
             let problem = match names.iter().filter(|known| *known == name).count() {
                 1 if name == "weight" && factor.all().contains(&0.0) => Problem::NoWeight,
@@ -504,6 +513,9 @@ impl Reader<'_> {
             let new: Vec<_> = filled.changes.into_iter().filter(is_new).collect();
             changes.extend(new);
             sliding = sliding.or(filled.sliding);
+            let is_new = |(name, _): &(String, f64)| holds.iter().all(|(known, _)| known != name);
+            let new: Vec<_> = filled.holds.into_iter().filter(is_new).collect();
+            holds.extend(new);
             for resistance in resistances {
                 let by = if resistance.is_passive() { filled.passive } else { filled.ties };
                 let is_new = holds.iter().all(|(name, _)| *name != resistance.name);
@@ -584,7 +596,12 @@ impl Reader<'_> {
     }
 
     /// The key that `set`, `scale` or `materials` calls by a name.
-    fn key_called(&self, name: &str, by: Key, is_set: impl Fn(&Id) -> bool) -> Result<Id, Problem> {
+    pub(super) fn key_called(
+        &self,
+        name: &str,
+        by: Key,
+        is_set: impl Fn(&Id) -> bool,
+    ) -> Result<Id, Problem> {
         if let Ok(variable) = Variable::find(name, self.inputs) {
             return Ok(variable.id());
         }

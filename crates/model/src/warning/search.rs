@@ -310,7 +310,7 @@ impl Case {
             let name = self.acting_name(Acting::Combination(index)).unwrap_or_default();
             combination.unanswered.iter().map(move |criterion| Warning::CodeCriterionMissing {
                 combination: name.clone(),
-                code: combination.code.unwrap_or_default(),
+                code: combination.code.as_ref().map_or_else(String::new, |code| code.name().to_owned()),
                 criterion: criterion.name(),
             })
         });
