@@ -7,13 +7,15 @@ macro_rules! examples {
 }
 
 /// The examples: where each lies in their folder, and what it holds.
-pub const EXAMPLES: [(&str, &[u8]); 39] = examples! {
+pub const EXAMPLES: [(&str, &[u8]); 43] = examples! {
     "block-two-loads.toml"
     "block.toml"
     "breaking-wave.toml"
+    "caisson-by-pianc.toml"
     "caisson-in-air.toml"
     "caisson-of-parts.toml"
     "caisson-on-stone.toml"
+    "crown-wall-by-pedersen.toml"
     "crown-wall.toml"
     "dam-with-drain.toml"
     "eccentric-caisson.toml"
@@ -23,6 +25,7 @@ pub const EXAMPLES: [(&str, &[u8]); 39] = examples! {
     "goda-lower-berm.toml"
     "goda-on-sand.toml"
     "head-difference.toml"
+    "l-wall.toml"
     "marble-drum.toml"
     "monument-on-mortar.toml"
     "monument.toml"
@@ -38,6 +41,7 @@ pub const EXAMPLES: [(&str, &[u8]); 39] = examples! {
     "probability/plane-random.toml"
     "quay-by-code.toml"
     "quay.toml"
+    "rack-with-ties.toml"
     "records/README.md"
     "records/np01002p_4225a_a.smc"
     "records/np01002p_4225b_a.smc"

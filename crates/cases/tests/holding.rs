@@ -190,3 +190,68 @@ fn several_resistances_share() {
         (600.0_f64 + 50.0 + 150.0).min((3600.0 + 1350.0 + 550.0) / 7.0) / 620.0,
     );
 }
+
+/// A tie counts in full before rest needs it and after, so nothing jumps where rest begins to need it.
+#[test]
+fn factors_and_pressure_go_on_where_rest_begins_to_need_a_tie() {
+    let held = |force: f64, limit: f64| {
+        let text = format!(
+            "[body]\nwidth = 4\nheight = 8\nmass = 80e3\nfriction = 0.7\n[[load]]\nname = \"rope\"\nforce = {force}\nelevation = 8\n\
+             [[resistance]]\nname = \"tie\"\nlimit = {limit}\ndirection = \"right\"\nelevation = 8\n"
+        );
+        let assessment = assess(&text);
+        let one = assessment.governing();
+        let needed = one.outcome.held.unwrap().needed.unwrap()[0];
+        (needed, number(one, ResultName::SfOverturningNet), number(one, ResultName::BearingMax))
+    };
+    // 80 t · 9.81 · 2 m over 8 m is 196.2 kN/m.
+    let (before, after) = (held(196.1e3, 150e3), held(196.3e3, 150e3));
+    assert_eq!(before.0, 0.0);
+    six(after.0, 0.1e3);
+    six(before.1, (196.2 + 150.0) / 196.1);
+    six(after.1, (196.2 + 150.0) / 196.3);
+    let step = |one: f64, two: f64| (one - two).abs() / one;
+    assert!(step(before.2, after.2) < 0.01, "{before:?} {after:?}");
+    // t_e = 2 − (196.3 − 150) 8/784.8 m, where all of it is less than the middle asks for.
+    let off = (196.3 - 150.0) * 8.0 / 784.8;
+    six(after.2, 784.8e3 / 4.0 * (1.0 + 6.0 * off / 4.0));
+    // A stronger tie brings the resultant to the middle, and not beyond.
+    six(held(196.3e3, 1500e3).2, 784.8e3 / 4.0);
+}
+
+/// Anchors are among what acts down, and divided as UPL divides them; a tie among what holds against tipping.
+#[test]
+fn resistances_count_against_uplift_and_tipping() {
+    let body = "[body]\nwidth = 10\nheight = 5\ndensity = 1200\nfriction = 0.5\n[water]\nlevel = 4.8\ndensity = 1000\n[uplift]\nright = 20e3\nleft = 20e3\n";
+    let anchors = "[[resistance]]\nname = \"anchors\"\nlimit = 280e3\ndirection = \"down\"\ndistance = 5\n";
+    let weight = 1200.0 * 50.0 * 9.81;
+    let up = 4.8 * 10.0 * 9810.0 + 200e3;
+    let uplift = |text: &str| number(assess(text).governing(), ResultName::SfUplift);
+    six(uplift(&format!("{body}{anchors}[criteria]\nSF_uplift = 1\n")), (weight + 280e3) / up);
+    assert!(!names(&format!("{body}{anchors}")).contains(&"adhesion-carries"));
+    let by_code = format!("{body}{anchors}[[combination]]\nname = \"UPL\"\ncode = \"EN1997-UPL\"\n");
+    six(uplift(&by_code), (0.9 * weight + 200e3) / up);
+    let pushed = "[body]\nwidth = 2\nheight = 6\nmass = 24e3\nfriction = 0.7\n[[load]]\nname = \"push\"\nforce = 100e3\nelevation = 4\n\
+                  [[resistance]]\nname = \"tie\"\nlimit = 60e3\ndirection = \"right\"\nelevation = 5\n[criteria]\ntipping = 1\n";
+    let assessment = assess(pushed);
+    let one = assessment.governing();
+    let holds = 24e3 * 9.81 + 60e3 * 5.0;
+    six(number(one, ResultName::Tipping), 400e3 / holds);
+    six(number(one, ResultName::SfOverturningNet), holds / 400e3);
+}
+
+/// A number without its unit that can only be meant in thousands is warned of, in each table that has such.
+#[test]
+fn bare_numbers_are_warned_of() {
+    let soil = "[[backfill]]\nname = \"sand\"\nface = \"right\"\nfriction_angle_deg = 30\nunit_weight = 18\n";
+    assert_eq!(names(&format!("{BLOCK}{soil}")), ["unusual-ground"]);
+    assert_eq!(names(&format!("{BLOCK}{}", soil.replace("= 18", "= 18e3"))), [""; 0]);
+    let cohesive = soil.replace("= 18", "= 18e3\ncohesion = 5");
+    assert_eq!(names(&format!("{BLOCK}{cohesive}")), ["small-pressure"]);
+    let couple = "[[moment]]\nname = \"gate\"\nmoment = 150\n";
+    assert_eq!(names(&format!("{BLOCK}{couple}")), ["small-force"]);
+    assert_eq!(names(&format!("{BLOCK}{}", couple.replace("150", "150e3"))), [""; 0]);
+    assert_eq!(names(&format!("{BLOCK}{PUSH}{}", TIE.replace("\"150 kN/m\"", "150"))), ["small-force"]);
+    let adhesive = BLOCK.replace("friction = 0.5", "friction = 0.5\nadhesion = 20");
+    assert_eq!(names(&format!("{adhesive}{PUSH}")), ["small-pressure"]);
+}

@@ -194,7 +194,7 @@ fn every_number_changes_what_assess_says() {
     // The cases have every number between them that a body's case may have.
     let of_bodies = |key: &&Key| {
         let info = key.info();
-        let apart = ["storm", "point", "block", "history", "criteria"].contains(&info.table.name());
+        let apart = ["datum", "storm", "point", "block", "history", "criteria"].contains(&info.table.name());
         info.range().is_some() && !apart && !info.table.header().contains("block")
     };
     let missing: Vec<String> = Key::ALL

@@ -446,8 +446,13 @@ fn datum(text: &str, top: &DeTable<'_>) -> Result<Option<(String, f64)>, PlacedP
         let missing = Problem::MissingKey { table: Table::Datum, key };
         let found = table.get(key.name());
         let found = found.ok_or(PlacedProblem { problem: missing, span: value.span() })?;
-        Field { id: key.into(), value: found, text, frame: Some(Extent::PerMetre).into() }
-            .value(key.info().kind)
+        let field = Field { id: key.into(), value: found, text, frame: Some(Extent::PerMetre).into() };
+        field.value(key.info().kind).map_err(|problem| match problem.problem {
+            Problem::Level { .. } => {
+                field.out_of_range("the level of the base in metres; the name of the datum stands in `name`")
+            }
+            _ => problem,
+        })
     };
     let (Value::Number(base), Value::Text(name)) = (field(Key::DatumBase)?, field(Key::DatumName)?) else {
         return Ok(None);
@@ -464,8 +469,7 @@ fn datum(text: &str, top: &DeTable<'_>) -> Result<Option<(String, f64)>, PlacedP
     }
 }
 
-/// The sea of a document above the base, where it says so. A level that cannot be read is told at once; what else is wrong with it, where it
-/// is read.
+/// The sea of a document above the base, where it says so. A level that cannot be read is told at once: others are counted from it.
 fn sea(text: &str, top: &DeTable<'_>, frame: Frame<'_>) -> Result<Option<f64>, PlacedProblem> {
     for key in SEA {
         let id = Id::from(key);
@@ -474,8 +478,8 @@ fn sea(text: &str, top: &DeTable<'_>, frame: Frame<'_>) -> Result<Option<f64>, P
         match (Field { id, value, text, frame }).value(key.info().kind) {
             Ok(Value::Number(level)) => return Ok(Some(level)),
             Err(PlacedProblem { problem: Problem::Level { fault: LevelFault::NoSea, .. }, .. }) => {}
-            Err(problem @ PlacedProblem { problem: Problem::Level { .. }, .. }) => return Err(problem),
-            _ => {}
+            Err(problem) => return Err(problem),
+            Ok(_) => {}
         }
     }
     Ok(None)

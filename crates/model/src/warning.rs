@@ -112,11 +112,13 @@ pub enum Warning {
     },
     /// A force too small to be what is meant.
     SmallForce {
+        /// The kind of its table, and the place among them.
+        table: Table,
         /// Place of the table.
         index: usize,
-        /// N.
+        /// N, or N m of a couple.
         force: f64,
-        /// The force as a share of the weight.
+        /// The force as a share of the weight, a couple as one of the weight times the width.
         share: f64,
     },
     /// A permanent pressure on an upright face that is less at its foot than at its top.
@@ -199,7 +201,7 @@ pub enum Warning {
     /// Ground that is softer, weaker, lighter or heavier than ground is.
     UnusualGround {
         /// Key of the property.
-        key: Key,
+        id: Id,
         /// In SI units.
         value: f64,
     },
@@ -596,13 +598,20 @@ impl fmt::Display for Warning {
                 "{id} reaches {} Pa only; a number without unit is in Pa, not in kPa",
                 digits(*pressure)
             ),
-            Warning::SmallForce { index, force, share } => write!(
-                f,
-                "[[load]] {} is {} N, {} of the weight; a number without unit is in N, not in kN",
-                index + 1,
-                digits(*force),
-                digits(*share)
-            ),
+            Warning::SmallForce { table, index, force, share } => {
+                let (unit, of, not) = match table {
+                    Table::Moment => ("N m", "the weight times the width", "kN m"),
+                    _ => ("N", "the weight", "kN"),
+                };
+                write!(
+                    f,
+                    "{} {} is {} {unit}, {} of {of}; a number without unit is in {unit}, not in {not}",
+                    table.header(),
+                    index + 1,
+                    digits(*force),
+                    digits(*share)
+                )
+            }
             Warning::PressureFallsWithDepth { index, foot, top } => write!(
                 f,
                 "[[pressure]] {} is permanent and falls with depth, from {} to {}: pressures of soil and water rise",
@@ -752,16 +761,18 @@ impl fmt::Display for Warning {
                 "criteria.bearing_max = {} kPa; {BEARING} kPa at least is usual, and a number without unit is in Pa",
                 digits(*pressure / 1e3)
             ),
-            Warning::UnusualGround { key, value } => {
-                let (usual, unit, scale, plain) = match key {
+            Warning::UnusualGround { id, value } => {
+                let (usual, unit, scale, plain) = match id.key {
                     Key::Strength => (STRENGTH, "kPa", 1e3, "Pa"),
-                    Key::UnitWeight => (UNIT_WEIGHT, "kN/m³", 1e3, "N/m³"),
+                    Key::UnitWeight | Key::SoilWeight | Key::SaturatedWeight | Key::DryWeight => {
+                        (UNIT_WEIGHT, "kN/m³", 1e3, "N/m³")
+                    }
                     _ => (STIFFNESS, "MN/m³", 1e6, "N/m³"),
                 };
                 let value = beyond(*value / scale, usual.limit(*value / scale));
                 write!(
                     f,
-                    "{key} = {value} {unit}; {usual} {unit} is usual, and a number without unit is in {plain}"
+                    "{id} = {value} {unit}; {usual} {unit} is usual, and a number without unit is in {plain}"
                 )
             }
             Warning::StrongEarthquake { key, acceleration, share }

@@ -518,7 +518,7 @@ impl Situation {
         let mut margins = actions.margins(self.static_friction, &self.body);
         let mut stability = actions.stability(self.static_friction, &self.body);
         let mut gross = GrossOverturning::of(&self.body, &actions, &sums.buoyancy);
-        let held = self.held_at_full(&wrench)?;
+        let held = self.held_at_full(&wrench, actions.heel)?;
         if let Some(held) = &held {
             self.strengthen(held, &wrench, &actions, (&mut margins, &mut stability, &mut gross));
         }

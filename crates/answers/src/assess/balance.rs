@@ -10,6 +10,8 @@ use super::Assessed;
 pub struct Balance {
     body: Body,
     parts: Vec<BalancePart>,
+    /// Forces with a limit, in full.
+    held: Vec<Wrench>,
 }
 
 /// The horizontal or the vertical part of a load.
@@ -55,7 +57,9 @@ impl Assessed {
                 _ => parts.push(BalancePart { of, wrench: whole }),
             }
         }
-        Some(Balance { body, parts })
+        let holds = self.situation.holding().into_iter().flat_map(|holding| holding.holds());
+        let held = holds.map(|hold| hold.unit() * hold.limit).collect();
+        Some(Balance { body, parts, held })
     }
 }
 
@@ -67,7 +71,19 @@ fn is_lift(load: &Load) -> bool {
 impl Balance {
     /// Moments that tip the body about a corner, and those that hold it, N·m per metre run.
     pub fn moments(&self, corner: Corner) -> [f64; 2] {
-        by_sign(self.parts.iter().map(|part| part.tips(&self.body, corner)))
+        let [tips, holds] = by_sign(self.parts.iter().map(|part| part.tips(&self.body, corner)));
+        [tips, holds + self.held_about(corner)]
+    }
+
+    /// The moments about a corner of the forces with a limit that hold the body there, each in full.
+    pub fn held_about(&self, corner: Corner) -> f64 {
+        let moment = |wrench: &Wrench| -BalancePart { of: 0, wrench: *wrench }.tips(&self.body, corner);
+        self.held.iter().map(moment).filter(|moment| *moment > 0.0).sum()
+    }
+
+    /// The forces with a limit that hold the body down, in full.
+    pub fn held_down(&self) -> f64 {
+        self.held.iter().map(|wrench| wrench.p).sum()
     }
 
     /// The sum of the moments that tip the body about a corner over that of those that hold it. Zero where nothing tips it, infinite where
@@ -91,7 +107,8 @@ impl Balance {
 
     /// Forces that act down, and those that act up, N per metre run.
     pub fn vertical(&self) -> [f64; 2] {
-        by_sign(self.parts.iter().map(|part| part.wrench.p))
+        let [down, up] = by_sign(self.parts.iter().map(|part| part.wrench.p));
+        [down + self.held_down(), up]
     }
 
     /// All that acts down over all that acts up; infinite where nothing lifts.

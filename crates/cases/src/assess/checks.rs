@@ -42,7 +42,8 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
     let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { layout::factor(factor) };
     let gross = gross(assessed);
-    let goda = match (holding::holds_moments(assessed), gross.is_some()) {
+    let [heel_is_held, toe_is_held] = holding::hold_about(assessed);
+    let goda = match (heel_is_held, gross.is_some()) {
         (true, true) => "(W' t − M_U + M_R)/M_p, net",
         (true, false) => "(W' t − M_U + M_R)/M_p",
         (false, true) => "(W' t − M_U)/M_p, net",
@@ -53,7 +54,10 @@ pub(super) fn factors(assessed: &Assessed) -> String {
         row!["overturning", goda, factor(overturning_about_heel)],
     ];
     if overturning_about_toe.is_finite() && !full.is_lifted() {
-        let formula = "(W'(B_c − t) − U B_c + M_U)/(−M_p), about the toe";
+        let formula = match toe_is_held {
+            true => "(W'(B_c − t) − U B_c + M_U + M_R)/(−M_p), about the toe",
+            false => "(W'(B_c − t) − U B_c + M_U)/(−M_p), about the toe",
+        };
         rows.push(row!["", formula, factor(overturning_about_toe)]);
     }
     if let Some(gross) = gross {
@@ -117,10 +121,10 @@ fn gross(assessed: &Assessed) -> Option<&GrossOverturning> {
     (wet && differs && !full.is_lifted()).then_some(gross)
 }
 
-/// The factor by gross moments as a formula; `uplift` is U.
-pub fn gross_formula(gross: &GrossOverturning, uplift: f64) -> &'static str {
+/// The factor by gross moments as a formula; `uplift` is U, and `held` what resistances add to the moments that hold the body.
+pub fn gross_formula(gross: &GrossOverturning, uplift: f64, held: &str) -> String {
     // What is sucked down resists.
-    match (gross.is_about_heel(), gross.buoyancy != 0.0, uplift < 0.0) {
+    let formula = match (gross.is_about_heel(), gross.buoyancy != 0.0, uplift < 0.0) {
         (true, true, true) => "(W' t + M_s − M_U)/(M_s + M_p)",
         (true, true, false) => "(W' t + M_s)/(M_s + M_U + M_p)",
         (true, false, true) => "(W' t − M_U)/M_p",
@@ -129,12 +133,37 @@ pub fn gross_formula(gross: &GrossOverturning, uplift: f64) -> &'static str {
         (false, true, false) => "((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p)",
         (false, false, true) => "((W' − U) B_c − W' t + M_U)/(−M_p)",
         (false, false, false) => "W' (B_c − t)/(U B_c − M_U − M_p)",
+    };
+    with_numerator(formula, held)
+}
+
+/// A fraction with more in its numerator.
+fn with_numerator(formula: &str, more: &str) -> String {
+    let mut depth = 0;
+    let slash = formula.char_indices().find(|(_, letter)| {
+        depth += match letter {
+            '(' => 1,
+            ')' => -1,
+            _ => 0,
+        };
+        *letter == '/' && depth == 0
+    });
+    match slash.filter(|_| !more.is_empty()) {
+        Some((at, _)) => match formula[..at].strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) {
+            // One sum, not a product of sums.
+            Some(sum) if !sum.contains('(') => format!("({sum}{more}){}", &formula[at..]),
+            _ => format!("({}{more}){}", &formula[..at], &formula[at..]),
+        },
+        None => formula.to_owned(),
     }
 }
 
 /// Words on the factor by gross moments, with its formula.
 fn gross_words(gross: &GrossOverturning, assessed: &Assessed) -> String {
-    let formula = gross_formula(gross, assessed.outcome.actions.uplift);
+    let [heel_is_held, toe_is_held] = holding::hold_about(assessed);
+    let is_held = if gross.is_about_heel() { heel_is_held } else { toe_is_held };
+    let held = if is_held { " + M_R" } else { "" };
+    let formula = gross_formula(gross, assessed.outcome.actions.uplift, held);
     let buoyancy = match gross.buoyancy {
         0.0 => String::new(),
         force => {

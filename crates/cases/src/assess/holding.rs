@@ -26,9 +26,9 @@ pub(super) fn sliding_formula(assessed: &Assessed) -> &'static str {
     }
 }
 
-/// True if a resistance counts among the moments that hold the body.
-pub fn holds_moments(assessed: &Assessed) -> bool {
-    assessed.outcome.held.is_some_and(|held| held.counted.contains(&true))
+/// True if resistances hold the body about its heel, and about its toe.
+pub fn hold_about(assessed: &Assessed) -> [bool; 2] {
+    assessed.outcome.held.map_or([false; 2], |held| held.moments.map(|moment| moment > 0.0))
 }
 
 /// Where a resistance holds the body to, and where it acts.
@@ -61,9 +61,9 @@ pub(super) fn render(case: &Case, assessed: &Assessed) -> String {
     }
     let mut text = "\nHeld beside friction\n".to_owned() + &columns(&rows, 2, &[]);
     if !resistances.is_empty() {
-        let counts = "A resistance is there as far as rest needs it. It counts in full in the factors: against sliding where it acts against the \
-                      push, against overturning and for the pressure on the base where rest needs it. The reactions at rest are those with the least \
-                      that it needs.";
+        let counts = "A resistance counts in full in the factors: against sliding where it acts against the push, against overturning where it \
+                      holds the corner. The pressure on the base is that with as much of it as brings the resultant nearest to the middle. The \
+                      reactions at rest are those with the least that rest needs.";
         text += &paragraph(counts, 2);
     }
     if assessed.outcome.full.modes.contains(Mode::Rest)

@@ -191,11 +191,18 @@ impl Case {
         });
         let mut warnings: Vec<Warning> = beside.chain(off).collect();
         let weight = self.body.mass() * self.gravity;
-        let forces = self.forces.iter().filter(|force| !matches!(force.direction, Direction::Turning(_)));
-        for (index, force) in forces.enumerate() {
-            let (force, share) = (force.magnitude, force.magnitude / weight);
+        let forces = self.forces.iter().map(|force| match force.direction {
+            Direction::Turning(_) => (Table::Moment, force.of.1, force.magnitude, self.body.width()),
+            _ => (Table::Load, force.of.1, force.magnitude, 1.0),
+        });
+        let limits = self.inputs.indices(Table::Resistance).into_iter().filter_map(|index| {
+            let limit = self.inputs.number(Id::new(Key::ResistanceLimit, index))?;
+            Some((Table::Resistance, index, limit, 1.0))
+        });
+        for (table, index, force, arm) in forces.chain(limits) {
+            let share = force / (weight * arm);
             if force > 0.0 && share < FORCE {
-                warnings.push(Warning::SmallForce { index, force, share });
+                warnings.push(Warning::SmallForce { table, index, force, share });
             }
         }
         warnings
@@ -204,7 +211,9 @@ impl Case {
     /// About pressures along faces.
     fn pressures(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
-        for keys in [&[Key::UpliftLeft, Key::UpliftRight][..], &[Key::Surcharge], &[Key::Cohesion]] {
+        for keys in
+            [&[Key::UpliftLeft, Key::UpliftRight][..], &[Key::Surcharge], &[Key::Cohesion], &[Key::Adhesion]]
+        {
             let given = keys.iter().filter_map(|key| Some((*key, self.inputs.number(*key)?.abs())));
             let most = given.reduce(|most, next| if next.1 > most.1 { next } else { most });
             if let Some((key, pressure)) =
@@ -252,6 +261,18 @@ impl Case {
             let tables = tables_of_layers(&self.inputs, index);
             for (of, (table, place)) in fill.soil.layers.iter().zip(tables) {
                 let id = |key| Id::of(table, place, key);
+                for key in [Key::SoilWeight, Key::SaturatedWeight, Key::DryWeight] {
+                    let value = self.inputs.number(id(key));
+                    if let Some(value) = value.filter(|value| !UNIT_WEIGHT.contains(*value / 1e3)) {
+                        warnings.push(Warning::UnusualGround { id: id(key), value });
+                    }
+                }
+                for key in [Key::SoilCohesion, Key::SoilAdhesion] {
+                    let pressure = self.inputs.number(id(key)).unwrap_or_default();
+                    if pressure > 0.0 && pressure < PRESSURE {
+                        warnings.push(Warning::SmallPressure { id: id(key), pressure });
+                    }
+                }
                 let (wall, friction) = (of.soil.wall_friction_deg, of.soil.friction_angle_deg);
                 // Along the slope of the ground it is that of the soil itself, on the upright through the heel.
                 if wall > friction * (2.0 / 3.0) * (1.0 + ROUNDING) && wall != fill.soil.slope_deg {
@@ -414,7 +435,7 @@ impl Case {
             let situation = self.acting_name(acting).filter(|_| all.len() > 1);
             let friction = case.friction * outcome.full.wrench.p;
             let resistance = friction + held.adhesion + held.against;
-            if held.adhesion > 0.5 * resistance {
+            if held.adhesion > 0.0 && held.adhesion > 0.5 * resistance {
                 let (situation, extent) = (situation.clone(), self.extent);
                 warnings.push(Warning::AdhesionCarries {
                     situation,
@@ -429,7 +450,13 @@ impl Case {
                 Direction::Sideways(side) => resistance.is_passive() && side.sign() * push < 0.0,
                 _ => false,
             };
-            if let Some(soil) = case.resistances.iter().find(against).filter(|_| factor < 2.0) {
+            // A code asks for its own factor of a passive soil that it divides.
+            let by_code = match acting {
+                Acting::Combination(index) => self.combinations[index].code.is_some(),
+                _ => false,
+            };
+            let soil = case.resistances.iter().find(against).filter(|_| factor < 2.0 && !by_code);
+            if let Some(soil) = soil {
                 let name = soil.name.clone();
                 warnings.push(Warning::PassiveWithLowFactor { situation, name, factor });
             }
@@ -523,7 +550,7 @@ impl Case {
         ];
         let unusual = given.into_iter().filter_map(|(key, usual, unit, value)| {
             let value = value.filter(|value| !usual.contains(*value / unit))?;
-            Some(Warning::UnusualGround { key, value })
+            Some(Warning::UnusualGround { id: key.into(), value })
         });
         let mut warnings: Vec<Warning> = unusual.collect();
         let wet = self.water.is_some() || self.wave.as_ref().is_some_and(|wave| wave.still_water().is_some());

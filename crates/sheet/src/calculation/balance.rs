@@ -35,7 +35,16 @@ fn uplift(steps: &mut SheetSteps, balance: &Balance, components: &[Component]) {
         sum(forces.enumerate().map(|(i, force)| (parts(i)[1].clone(), force)))
     };
     let (name, about) = ("SF_uplift", "Safety against uplift");
-    match of(1.0) {
+    let held = balance.held_down();
+    if held > 0.0 {
+        steps.told("Held down by resistances", "R_down", held, KILONEWTON, "each in full", "");
+    }
+    let pressing = match of(1.0) {
+        Some(formula) if held > 0.0 => Some(format!("{formula} + R_down")),
+        None if held > 0.0 => Some("R_down".to_owned()),
+        pressing => pressing,
+    };
+    match pressing {
         Some(formula) => steps.add("All that acts down", "", ["V_down", &formula], down, KILONEWTON, ""),
         None => steps.told("All that acts down", "V_down", down, KILONEWTON, "nothing", ""),
     }
@@ -63,6 +72,12 @@ fn tipping(steps: &mut SheetSteps, balance: &Balance) {
         let name = format!("T_{}", place + 1);
         one(steps, balance, part, corner, &name);
         if moment > 0.0 { tips.push(name) } else { holds.push(name) }
+    }
+    let held = balance.held_about(corner);
+    if held > 0.0 {
+        let words = "each that holds it there in full; below zero, as it holds";
+        steps.told("Resistances", "T_R", -held, MOMENT, words, "");
+        holds.push("T_R".to_owned());
     }
     let [tipping, holding] = balance.moments(corner);
     let about = "Moments that tip the body over those that hold it";

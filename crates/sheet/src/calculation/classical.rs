@@ -256,27 +256,9 @@ fn gross(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component], 
     }
     let corner = if gross.is_about_heel() { "heel" } else { "toe" };
     let about = format!("{about}, about the {corner}");
-    let formula = checks::gross_formula(gross, actions.uplift);
     let more = if gross.is_about_heel() { held.heel } else { held.toe };
-    let formula = with_numerator(formula, more);
+    let formula = checks::gross_formula(gross, actions.uplift, more);
     steps.add(&about, "", [key, &formula], gross.overturning(), FACTOR, key);
-}
-
-/// A fraction with more in its numerator.
-fn with_numerator(formula: &str, more: &str) -> String {
-    let mut depth = 0;
-    let slash = formula.char_indices().find(|(_, letter)| {
-        depth += match letter {
-            '(' => 1,
-            ')' => -1,
-            _ => 0,
-        };
-        *letter == '/' && depth == 0
-    });
-    match slash.filter(|_| !more.is_empty()) {
-        Some((at, _)) => format!("({}{more}){}", &formula[..at], &formula[at..]),
-        None => formula.to_owned(),
-    }
 }
 
 /// A factor against overturning about a corner; `pushed` says whether a force turns the body about it.

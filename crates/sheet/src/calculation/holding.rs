@@ -29,7 +29,7 @@ pub(super) struct HeldTerms {
 struct Named<'a> {
     resistance: &'a Resistance,
     symbol: String,
-    counted: bool,
+    pressing: f64,
     used: f64,
 }
 
@@ -67,7 +67,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) ->
         .map(|(index, resistance)| Named {
             resistance,
             symbol: format!("R_{}", index + 1),
-            counted: held.counted[index],
+            pressing: held.pressing[index],
             used: held.used[index],
         })
         .collect();
@@ -76,9 +76,11 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) ->
     }
     let heel = assessed.outcome.actions.heel;
     let toe = if heel == Corner::O { Corner::OPrime } else { Corner::O };
-    let counted: Vec<&Named> = named.iter().filter(|one| one.counted).collect();
     let about = |corner: Corner| {
-        counted.iter().map(move |one| (one, one.lever(corner, base))).filter(|(_, lever)| *lever > 0.0)
+        named
+            .iter()
+            .map(move |one| (one, one.lever(corner, base)))
+            .filter(|(one, lever)| *lever > 0.0 && one.resistance.counted() > 0.0)
     };
     for (corner, word, name) in [(heel, "heel", "M_R"), (toe, "toe", "M_Rt")] {
         let held: Vec<_> = about(corner).collect();
@@ -95,40 +97,14 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) ->
                 format!("{} {arm}", one.symbol)
             })
             .collect();
-        let about = format!("Moment about the {word} of the resistances that rest needs, in full");
+        let about = format!("Moment about the {word} of the resistances that hold the body there, in full");
         steps.add(&about, "", [name, &of.join(" + ")], sum, MOMENT, "");
         match word {
             "heel" => terms.heel = " + M_R",
             _ => terms.toe = " + M_Rt",
         }
     }
-    let turns_back = counted.iter().any(|one| one.lever(heel, base) < 0.0);
-    if !turns_back {
-        terms.resultant = terms.heel;
-    }
-    if !terms.heel.is_empty() || !terms.toe.is_empty() {
-        let sum: f64 = counted.iter().map(|one| one.resistance.counted() * one.lever(heel, base)).sum();
-        let of: Vec<String> = counted
-            .iter()
-            .map(|one| {
-                let arm = format!("l_{}", one.symbol.replace('_', ""));
-                steps.know(&arm, one.lever(heel, base), METRE);
-                format!("{} {arm}", one.symbol)
-            })
-            .collect();
-        if turns_back {
-            let about = "The same with those that turn the body about the heel, for the resultant";
-            steps.add(about, "", ["M_Re", &of.join(" + ")], sum, MOMENT, "");
-            terms.resultant = " + M_Re";
-        }
-        let down: Vec<&&Named> = counted.iter().filter(|one| one.direction() == 0.0).collect();
-        if !down.is_empty() {
-            let sum = down.iter().map(|one| one.resistance.counted()).sum();
-            let of: Vec<&str> = down.iter().map(|one| one.symbol.as_str()).collect();
-            steps.add("What presses the body down", "", ["R_v", &of.join(" + ")], sum, KILONEWTON, "");
-            terms.pressing = " + R_v";
-        }
-    }
+    press(steps, &named, heel, base, &mut terms);
     let x = assessed.outcome.full.wrench.x;
     let against: Vec<&Named> = named.iter().filter(|one| one.direction() * x < 0.0).collect();
     if !against.is_empty() && held.against > 0.0 {
@@ -142,6 +118,37 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) ->
     }
     terms.motion = in_motion(steps, assessed, &named);
     terms
+}
+
+/// What the resistances add to what presses on the base, and to its moment about the heel.
+fn press(steps: &mut SheetSteps, named: &[Named<'_>], heel: Corner, base: f64, terms: &mut HeldTerms) {
+    let all: Vec<(&Named, String, f64)> = named
+        .iter()
+        .filter(|one| one.pressing > 0.0)
+        .map(|one| (one, one.symbol.replace("R_", "q_"), one.lever(heel, base)))
+        .collect();
+    if all.is_empty() {
+        return;
+    }
+    for (one, symbol, lever) in &all {
+        let about = format!("Of {}, as the base is pressed", one.resistance.name);
+        let words =
+            "of all with which the body rests, what brings the resultant nearest to the middle of the base";
+        steps.told(&about, symbol, one.pressing, KILONEWTON, words, "");
+        steps.know(&format!("l_{}", symbol.replace('_', "")), *lever, METRE);
+    }
+    let sum = all.iter().map(|(one, _, lever)| one.pressing * lever).sum();
+    let of: Vec<_> =
+        all.iter().map(|(_, symbol, _)| format!("{symbol} l_{}", symbol.replace('_', ""))).collect();
+    steps.add("Their moment about the heel", "", ["M_q", &of.join(" + ")], sum, MOMENT, "");
+    terms.resultant = " + M_q";
+    let down: Vec<_> = all.iter().filter(|(one, ..)| one.direction() == 0.0).collect();
+    if !down.is_empty() {
+        let sum = down.iter().map(|(one, ..)| one.pressing).sum();
+        let of: Vec<&str> = down.iter().map(|(_, symbol, _)| symbol.as_str()).collect();
+        steps.add("What presses the body down", "", ["R_v", &of.join(" + ")], sum, KILONEWTON, "");
+        terms.pressing = " + R_v";
+    }
 }
 
 /// The limit of a resistance, and what rest needs of it.
@@ -206,18 +213,13 @@ fn adhering(
     steps.add("What it adheres with", "", ["C_a", &formula], held.adhesion, KILONEWTON, "");
 }
 
-/// What presses, and its moment about the heel, with the resistances that count.
+/// What presses, and its moment about the heel, with the resistances.
 fn reaction(assessed: &Assessed, held: &Held) -> (f64, f64) {
     let situation = &assessed.situation;
     let mut wrench = assessed.outcome.full.wrench;
-    for (hold, _) in situation
-        .holding()
-        .into_iter()
-        .flat_map(|holding| holding.holds())
-        .zip(held.counted)
-        .filter(|(_, counted)| *counted)
-    {
-        wrench = wrench + hold.unit() * hold.limit;
+    let holds = situation.holding().into_iter().flat_map(|holding| holding.holds());
+    for (hold, force) in holds.zip(held.pressing) {
+        wrench = wrench + hold.unit() * force;
     }
     let body = situation.body();
     let Wrench { x, p, m } = wrench;

@@ -18,10 +18,12 @@ pub struct Held {
     pub needed: Option<[f64; MOST]>,
     /// These in the mode reported.
     pub used: [f64; MOST],
-    /// Those that count in full where the body turns.
-    pub counted: [bool; MOST],
+    /// These with which the base is pressed: of all with which the body rests, those that bring the resultant nearest to its middle.
+    pub pressing: [f64; MOST],
     /// Sum of the limits of those that act against the push.
     pub against: f64,
+    /// Moments with which they hold the body about its heel and about its toe, each that holds it there in full.
+    pub moments: [f64; 2],
     /// A', the length of the base that adheres, m.
     pub adhering: f64,
     /// c_a A'.
@@ -143,33 +145,26 @@ impl Situation {
     }
 
     /// What holds the body beside friction under the full load; `None` where nothing does.
-    pub(super) fn held_at_full(&self, wrench: &Wrench) -> Result<Option<Held>, InputError> {
+    pub(super) fn held_at_full(&self, wrench: &Wrench, heel: Corner) -> Result<Option<Held>, InputError> {
         let (Some(holding), Some(found)) = (self.holding, self.held(1.0)?) else { return Ok(None) };
         let weight = self.body.mass() * self.gravity;
         let in_newton = |forces: [f64; MOST]| forces.map(|force| force * weight);
         let block = self.block_at_c();
-        let tips = tipping(&block, wrench);
-        let mut counted = [false; MOST];
-        for (place, hold) in holding.holds().enumerate() {
-            counted[place] = match found.needed {
-                Some(needed) => needed[place] > 0.0,
-                // Nothing holds it: what would hold the corner about which it tips.
-                None => holding_moments(&block, hold)[usize::from(tips == Corner::OPrime)] > 0.0,
-            };
-        }
         let against = holding.holds().filter(|hold| hold.direction[0] * wrench.x < 0.0);
         let against = against.map(|hold| hold.limit).sum();
-        let held = Held {
-            needed: found.needed.map(in_newton),
-            used: in_newton(found.used),
-            counted,
-            against,
-            adhering: 0.0,
-            adhesion: 0.0,
-        };
-        let adhering = holding.adhering(&block, &held.counted_wrench(&holding, wrench));
-        let strength = holding.adhesion.map_or(0.0, |adhesion| adhesion.strength);
-        Ok(Some(Held { adhering, adhesion: strength * adhering, ..held }))
+        let (needed, used) = (found.needed.map(in_newton), in_newton(found.used));
+        let pressing = needed.map_or(used, |needed| pressing(&holding, &block, wrench, needed));
+        let adhering = holding.adhering(&block, &holding.held(wrench, &pressing));
+        let adhesion = holding.adhesion.map_or(0.0, |adhesion| adhesion.strength) * adhering;
+        let mut moments = [0.0; 2];
+        for hold in holding.holds() {
+            let [at_o, at_o_prime] = holding_moments(&block, hold).map(|moment| moment * hold.limit);
+            let by_corner = if heel == Corner::O { [at_o, at_o_prime] } else { [at_o_prime, at_o] };
+            for (sum, moment) in moments.iter_mut().zip(by_corner) {
+                *sum += moment.max(0.0);
+            }
+        }
+        Ok(Some(Held { needed, used, pressing, against, moments, adhering, adhesion }))
     }
 
     /// Puts what holds the body beside friction into factors and margins.
@@ -182,13 +177,7 @@ impl Situation {
     ) {
         let Some(holding) = self.holding else { return };
         let block = self.block_at_c();
-        let [mut about_heel, mut about_toe] = [0.0; 2];
-        for (hold, _) in holding.holds().zip(held.counted).filter(|(_, counted)| *counted) {
-            let [at_o, at_o_prime] = holding_moments(&block, hold).map(|moment| moment * hold.limit);
-            let (heel, toe) = if actions.heel == Corner::O { (at_o, at_o_prime) } else { (at_o_prime, at_o) };
-            about_heel += heel.max(0.0);
-            about_toe += toe.max(0.0);
-        }
+        let [about_heel, about_toe] = held.moments;
         margins.overturning_about_heel += about_heel;
         margins.overturning_about_toe += about_toe;
         if about_heel + about_toe > 0.0 {
@@ -196,8 +185,8 @@ impl Situation {
                 actions.overturning(&self.body, [about_heel, about_toe]);
             *gross = gross.held_by(&self.body, actions, [about_heel, about_toe]);
         }
-        let total = held.counted_wrench(&holding, wrench);
-        if total.p > 0.0 && about_heel + about_toe > 0.0 {
+        let total = holding.held(wrench, &held.pressing);
+        if total.p > 0.0 && held.pressing.iter().any(|force| *force > 0.0) {
             let [at_o, at_o_prime] = block_moments(&block, &total);
             let from_heel = if actions.heel == Corner::O { at_o } else { at_o_prime };
             stability.bear(&self.body, total.p, from_heel / total.p);
@@ -208,15 +197,48 @@ impl Situation {
 /// Places along a load path at which it is searched for what changes, up to four times its last known change.
 const SEARCHED: u32 = 64;
 
-impl Held {
-    /// The loads with the forces that count, in full.
-    fn counted_wrench(&self, holding: &Holding, wrench: &Wrench) -> Wrench {
-        let mut forces = [0.0; MOST];
-        for (place, hold) in holding.holds().enumerate().filter(|(place, _)| self.counted[*place]) {
-            forces[place] = hold.limit;
+/// Of forces between those that rest needs and all of what holds the corner that the body is nearest to tipping about, those that bring the
+/// resultant nearest to the middle of the base. Friction bears no more than it can.
+fn pressing(holding: &Holding, block: &Block, wrench: &Wrench, needed: [f64; MOST]) -> [f64; MOST] {
+    let start = holding.held(wrench, &needed);
+    let corner = usize::from(tipping(block, &start) == Corner::OPrime);
+    let mut all = needed;
+    for (place, hold) in holding.holds().enumerate() {
+        if holding_moments(block, hold)[corner] > 0.0 {
+            all[place] = hold.limit;
         }
-        holding.held(wrench, &forces)
     }
+    let end = holding.held(wrench, &all);
+    let adheres =
+        holding.adhesion.map_or(0.0, |adhesion| adhesion.strength * holding.adhering(block, &start));
+    let off_middle = |wrench: &Wrench| {
+        let [at_o, at_o_prime] = block_moments(block, wrench);
+        at_o - at_o_prime
+    };
+    // All are linear on the way from the one to the other.
+    let middle = reaches_zero(off_middle(&start), off_middle(&end));
+    let slips = [1.0, -1.0].map(|side| {
+        let left = |wrench: &Wrench| block.mu_s * wrench.p + adheres - side * wrench.x;
+        match left(&end) < 0.0 {
+            true => reaches_zero(left(&start).max(0.0), left(&end)),
+            false => 1.0,
+        }
+    });
+    let share = middle.min(slips[0]).min(slips[1]);
+    let mut forces = needed;
+    for (force, all) in forces.iter_mut().zip(all) {
+        *force += share * (all - *force);
+    }
+    forces
+}
+
+/// The share of the way from one number to another at which a straight line is zero; all of it where it is not.
+fn reaches_zero(from: f64, to: f64) -> f64 {
+    if from == 0.0 {
+        return 0.0;
+    }
+    let share = from / (from - to);
+    if (0.0..1.0).contains(&share) { share } else { 1.0 }
 }
 
 fn block_moments(block: &Block, Wrench { x, p, m }: &Wrench) -> [f64; 2] {

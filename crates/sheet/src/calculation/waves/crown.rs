@@ -53,22 +53,17 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
                 ("h_p", wall.protected, METRE),
                 ("f_c", wall.free, METRE),
                 ("V_a", wall.volume_share, NONE),
-                ("ε", 15.0, DEGREE),
-                ("α_a", (1.0 / armour.slope).atan().to_degrees(), DEGREE),
             ] {
                 steps.know(name, value, unit);
             }
+            let slope = (1.0 / armour.slope).atan().to_degrees();
+            steps.told("Slope of the armour", "α_a", slope, DEGREE, "from its cotangent", "");
+            steps.told("Angle of the wedge of run-up", "ε", 15.0, DEGREE, "as Pedersen has it", "");
             steps.heading("Forces that 0.1 % of the waves exceed");
             let formula = ["p_m", "ρ g max(R − A_c, 0)"];
             add(steps, "Pressure at the crest of the armour", formula, terms.pm, KILOPASCAL);
             let formula = ["y_r", "max(R − A_c, 0) sin(ε)/(sin(α_a) cos(α_a − ε))"];
-            add(
-                steps,
-                "Height of the wedge of run-up; `α_a` is the slope’s angle, `ε` 15°",
-                formula,
-                terms.y,
-                METRE,
-            );
+            add(steps, "Height of the wedge of run-up", formula, terms.y, METRE);
             add(
                 steps,
                 "Half of it acts, no higher than the wall",
