@@ -349,7 +349,7 @@ def compare_criteria(document: dict[str, Any], text: str) -> None:
         rests = {"never": "infinite", "at-once": 0, "at": under["load_factor"]}[under["departure"]]
         assert check["value"] == (rests if check["name"] == "load_factor" else under.get(check["name"], check["value"]))
         value = math.inf if check["value"] == "infinite" else check["value"]
-        least = check["name"] not in ("bearing_max", "eccentricity", "effective_pressure_max", "rotation_max")
+        least = check["name"] not in ("bearing_max", "eccentricity", "effective_pressure_max", "rotation_max", "tipping")
         if value is None or (least and value <= 0):
             utilisation = math.inf
         else:
@@ -419,7 +419,7 @@ def compare(program: list[str], name: str, *figures: str) -> bool:
     if len(document["situations"]) > 1:
         parts = str(found).split(RULE)[1 : len(document["situations"]) + 1]
         # The worst first; the situations of the document in the order of the case.
-        number = lambda part: int(re.match(r"\s*(?:Load|Combination) (\d+)", part)[1])
+        number = lambda part: int(re.match(r"\s*(?:Load|Moment|Combination) (\d+)", part)[1])
         assert number(parts[0]) == sorted(map(number, parts))[document["governing"]]
         for said, part in zip(document["situations"], sorted(parts, key=number), strict=True):
             compare_situation(said, part, per)

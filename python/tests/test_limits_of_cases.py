@@ -51,6 +51,9 @@ def check(body: standfast.answers.Body, situation: Situation) -> bool | None:
     """Whether the margins say rest, after comparing them with the sum of all loads; ``None`` at a limit, as without friction and
     horizontal force."""
     wrench = situation.wrench
+    said = situation.to_dict()
+    if said.get("resistances") or said.get("adhesion"):
+        return None  # What holds it beside friction is in no sum of loads.
     # A combination may divide the friction.
     others = (situation.to_dict().get("combination") or {}).get("numbers", {})
     friction = others.get("body.friction", body.friction)

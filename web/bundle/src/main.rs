@@ -112,8 +112,31 @@ impl Library {
             .remove_name_section(true)
             .remove_producers_section(true)
             .generate_output()?;
-        Ok(Library { glue: output.js().to_owned(), wasm: output.wasm_mut().emit_wasm() })
+        Ok(Library { glue: without_comments(output.js())?, wasm: output.wasm_mut().emit_wasm() })
     }
+}
+
+/// A script that nobody reads, without what is for readers: comments that stand on lines of their own, and indents.
+fn without_comments(script: &str) -> Result<String, Box<dyn Error>> {
+    let mut in_comment = false;
+    let mut kept = Vec::new();
+    for line in script.lines() {
+        // A text over several lines has its indents.
+        if line.matches('`').count() % 2 == 1 {
+            return Err(format!("a text of the script may go over several lines: {line}").into());
+        }
+        let line = line.trim();
+        let begins = line.starts_with("/*");
+        if begins && line.contains("*/") && !line.ends_with("*/") {
+            return Err(format!("a comment stands before what is not one: {line}").into());
+        }
+        if begins || in_comment {
+            in_comment = !line.ends_with("*/");
+        } else if !line.is_empty() && !line.starts_with("//") {
+            kept.push(line);
+        }
+    }
+    Ok(kept.join("\n"))
 }
 
 /// A source of the page as its policy names it.
@@ -220,6 +243,13 @@ fn lzma(bytes: &[u8]) -> io::Result<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn of_a_script_what_runs_is_left() {
+        let script = "  /**\n   * Doc.\n   */\n  function a() {\n    // A word.\n\n    return `b`; // c\n  }\n/* d */\na();\n";
+        assert_eq!(without_comments(script).unwrap(), "function a() {\nreturn `b`; // c\n}\na();");
+        assert!(without_comments("a(`b\n  c`)").is_err() && without_comments("/* a */ b").is_err());
+    }
 
     /// By another way: a group of letters is a number of base 85, one that is short is filled up by the highest digit.
     #[test]

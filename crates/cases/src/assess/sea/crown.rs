@@ -62,7 +62,7 @@ pub(super) fn forces(CrownWaves { wall, wave, .. }: &CrownWaves, extent: Extent)
         ]),
         None => place += ", half the wall: the formula gives no height",
     }
-    rows.push(row!["P", extent.kilonewtons(wave.force), place]);
+    rows.push(row!["P_w", extent.kilonewtons(wave.force), place]);
     if let Some(terms) = wave.pedersen {
         rows.push(row!["M", extent.kilonewton_metres(terms.moment), "about the base"]);
     }
@@ -71,6 +71,6 @@ pub(super) fn forces(CrownWaves { wall, wave, .. }: &CrownWaves, extent: Extent)
         None => "under the seaward edge, none at the heel: the formula gives U alone",
     };
     rows.push(row!["pu", kilopascals(wave.pu), uplift]);
-    rows.push(row!["U", extent.kilonewtons(wave.uplift), "uplift"]);
+    rows.push(row!["U_w", extent.kilonewtons(wave.uplift), "uplift"]);
     columns(&rows, 2, &[])
 }

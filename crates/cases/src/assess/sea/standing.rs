@@ -57,14 +57,14 @@ pub(super) fn pressures(StandingWaves { wave, wall, .. }: &StandingWaves, extent
         rows.push(row!["p4", kilopascals(wave.p4), "at the crest of the wall, where the wave is cut"]);
     }
     rows.push(row![
-        "P",
+        "P_w",
         extent.kilonewtons(wave.force),
         format!("{} above the base", metres(wave.force_moment / wave.force))
     ]);
     if wall.uplift {
         let words = "under the seaward toe, none at the heel (recalled, not read)";
         rows.push(row!["pu", kilopascals(wave.pu), words]);
-        rows.push(row!["U", extent.kilonewtons(wave.uplift), "uplift"]);
+        rows.push(row!["U_w", extent.kilonewtons(wave.uplift), "uplift"]);
     }
     columns(&rows, 2, &[])
 }

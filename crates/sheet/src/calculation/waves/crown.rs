@@ -34,7 +34,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
     steps.heading("Run-up");
     let l = wave.wavelength;
     steps.add("Wavelength in deep water", "linear theory", ["L0", "g T^2/(2 π)"], l, METRE, "");
-    let formula = ["ξ", "1/(cot_α sqrt(H_13/L0))"];
+    let formula = ["ξ_m", "1/(cot_α sqrt(H_13/L0))"];
     steps.add("Breaker parameter", source, formula, wave.xi, NONE, "");
     let add = |steps: &mut SheetSteps, about: &str, formula: [&str; 2], value, unit| {
         steps.add(about, source, formula, value, unit, "");
@@ -42,10 +42,11 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
     match wall {
         CrownWall::Pedersen(wall) => {
             let formula = match wave.xi <= 1.5 {
-                true => "1.12 H_13 ξ",
-                false => "1.34 H_13 ξ^0.55",
+                true => "1.12 H_13 ξ_m",
+                false => "1.34 H_13 ξ_m^0.55",
             };
-            let about = if wave.xi <= 1.5 { "Run-up, for `ξ` ≤ 1.5" } else { "Run-up, for `ξ` > 1.5" };
+            let about =
+                if wave.xi <= 1.5 { "Run-up, for `ξ_m` ≤ 1.5" } else { "Run-up, for `ξ_m` > 1.5" };
             add(steps, about, ["R", formula], wave.run_up, METRE);
             let Some(terms) = wave.pedersen else { return };
             for (name, value, unit) in [
@@ -90,8 +91,8 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
                 steps.know(name, value, unit);
             }
             let (about, slope) = match wave.xi < 1.724 {
-                true => ("Run-up of 2 %, for `ξ` < 1.724", "1.45 ξ"),
-                false => ("Run-up of 2 %, for `ξ` ≥ 1.724", "(5 − 6.25/(1.45 ξ))"),
+                true => ("Run-up of 2 %, for `ξ_m` < 1.724", "1.45 ξ_m"),
+                false => ("Run-up of 2 %, for `ξ_m` ≥ 1.724", "(5 − 6.25/(1.45 ξ_m))"),
             };
             let formula = format!("γ_f H_13 {slope} (1/2 cos(β_g)^2 + 1/2)");
             add(steps, about, ["z", &formula], wave.run_up, METRE);
