@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 use pyo3_arrow::input::AnyRecordBatch;
 use standfast_cases::sweep::SweepResult;
-use standfast_cases::{CaseFile, Explained};
+use standfast_cases::{CaseFile, Explained, Id, Key};
 use standfast_tables::{
     CaseTable, Interface, Mapping, MemoryAnswer, MemoryTable, NO_NAME, NO_WORD, OnError, Progress,
     RowWarning, Summary, TableError, TableOptions, TablePlace, Values, VariedColumn,
@@ -70,7 +70,10 @@ impl Sweep {
         null: bool,
         threads: Option<NonZero<usize>>,
     ) -> PyResult<Sweep> {
-        let case = CaseFile::read(name, text, &beside(name)).and_then(CaseTable::of);
+        // Rows have no records of their own: of what a case names the files of codes count.
+        let is_code = |id: Id| id.key == Key::CombinationCode;
+        let file = CaseFile::parse(name, text).and_then(|file| file.with_some_files(&beside(name), &is_code));
+        let case = file.and_then(CaseTable::of);
         let case = case.map_err(|error| of_case(&error))?;
         let case = match results {
             None => case,

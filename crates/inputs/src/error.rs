@@ -702,13 +702,13 @@ pub enum Problem {
     #[error("`{}` of {file} names {name}, which this case does not have", key.name())]
     NameOfCode {
         /// The file.
-        file: String,
+        file: Box<str>,
         /// The key under which it stands there.
         key: Key,
         /// The name.
-        name: String,
+        name: Box<str>,
         /// Names that it may have.
-        names: Vec<String>,
+        names: Box<[String]>,
     },
     /// A variable load that a code cannot name.
     #[error("a code names every load, and this one has no name")]

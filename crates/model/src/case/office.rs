@@ -56,8 +56,8 @@ impl Reader<'_> {
         resistances: &[Resistance],
     ) -> Result<Filled, Fault> {
         let unknown = |key: Key, name: &str, names: Vec<String>| {
-            let (file, name) = (file.name().to_owned(), name.to_owned());
-            Fault::new(Problem::NameOfCode { file, key, name, names }, at)
+            let (file, name) = (file.name().into(), name.into());
+            Fault::new(Problem::NameOfCode { file, key, name, names: names.into() }, at)
         };
         let (changes, of_resist) = (self.changes_by(file, at, unknown)?, file.ratios(Key::CombinationResist));
         let words: Vec<&str> = [SLIDING, BEARING, PASSIVE].into_iter().collect();

@@ -59,11 +59,11 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
             }
             let slope = (1.0 / armour.slope).atan().to_degrees();
             steps.told("Slope of the armour", "α_a", slope, DEGREE, "from its cotangent", "");
-            steps.told("Angle of the wedge of run-up", "ε", 15.0, DEGREE, "as Pedersen has it", "");
+            steps.told("Angle of the wedge of run-up", "ε_w", 15.0, DEGREE, "as Pedersen has it", "");
             steps.heading("Forces that 0.1 % of the waves exceed");
             let formula = ["p_m", "ρ g max(R − A_c, 0)"];
             add(steps, "Pressure at the crest of the armour", formula, terms.pm, KILOPASCAL);
-            let formula = ["y_r", "max(R − A_c, 0) sin(ε)/(sin(α_a) cos(α_a − ε))"];
+            let formula = ["y_r", "max(R − A_c, 0) sin(ε_w)/(sin(α_a) cos(α_a − ε_w))"];
             add(steps, "Height of the wedge of run-up", formula, terms.y, METRE);
             add(
                 steps,
