@@ -45,6 +45,7 @@ mod crown;
 mod dispersion;
 mod goda;
 mod heights;
+mod pressed;
 mod sainflou;
 mod warning;
 

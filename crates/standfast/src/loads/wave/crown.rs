@@ -12,9 +12,8 @@
 //! Sources: Pedersen as in the Coastal Engineering Manual, table VI-5-61, as coded in an open toolbox; Van Gent and Van der Werf (2019) as coded
 //! by Deltares. Van Gent's P has no point of its own: it acts at half the height of the wall, and U falls to nothing at the heel; both are choices.
 
-use std::f64::consts::TAU;
-
-use super::{CrownRatio, WaveWarning};
+use super::pressed::numbered;
+use super::{CrownRatio, WaveWarning, deep_water_wavelength};
 use crate::body::Body;
 use crate::error::InputError;
 use crate::loads::{Action, Face, Load, LoadKind, LoadSource, PressureDiagram};
@@ -128,7 +127,7 @@ impl CrownSea {
     }
 
     fn wavelength(&self) -> f64 {
-        self.gravity * self.period * self.period / TAU
+        deep_water_wavelength(self.period, self.gravity)
     }
 }
 
@@ -188,7 +187,7 @@ pub fn pedersen(sea: &CrownSea, armour: &Armour, wall: &PedersenWall) -> Result<
         pu,
         uplift_width: base,
         uplift: 0.5 * pu * base,
-        formulas: numbered(&flags),
+        formulas: numbered(0, &flags),
         ratios,
     })
 }
@@ -231,7 +230,7 @@ pub fn van_gent(sea: &CrownSea, armour: &Armour, wall: &VanGentWall) -> Result<C
         pu: 2.0 * uplift / base,
         uplift_width: base,
         uplift,
-        formulas: numbered(&flags),
+        formulas: numbered(0, &flags),
         ratios: vec![
             ratio("(R_c − A_c)/H", (crest - armour.crest) / h, [0.26, 0.77]),
             ratio("R_c/A_c", crest / armour.crest, [1.27, 1.55]),
@@ -239,11 +238,6 @@ pub fn van_gent(sea: &CrownSea, armour: &Armour, wall: &VanGentWall) -> Result<C
             ratio("F_b/H", freeboard / h, [0.0, 0.62]),
         ],
     })
-}
-
-/// Flags as one number.
-fn numbered(flags: &[bool]) -> u32 {
-    flags.iter().fold(0, |number, flag| 2 * number + u32::from(*flag))
 }
 
 impl CrownWave {

@@ -3,12 +3,13 @@
 use std::f64::consts::TAU;
 
 use super::heights::breaking_depth;
+use super::pressed::{loads, numbered, resultants};
 use super::{
     CaissonSection, Choices, DesignHeights, Heights, Sea, WaveWarning, deep_water_wavelength, wavelength,
 };
 use crate::body::Body;
 use crate::error::InputError;
-use crate::loads::{Action, Face, Load, LoadKind, LoadSource, PressureDiagram};
+use crate::loads::Load;
 
 /// Goda's pressures on a wall and everything they were computed from; SI units, per metre run. Fields carry the names
 /// of the [module's table](super).
@@ -167,8 +168,8 @@ fn pressures(
         choices.impulsive && impulsive.delta_11 <= 0.0,
         choices.impulsive && impulsive.delta_22 <= 0.0,
     ];
-    let of_heights = computed.map_or(0, |heights| heights.formulas);
-    let formulas = limits.iter().fold(of_heights, |formulas, limit| 2 * formulas + u32::from(*limit));
+    let formulas = numbered(computed.map_or(0, |heights| heights.formulas), &limits);
+    let [force, force_moment] = resultants([p3, p1, p4], base_depth, h_c_star);
     Goda {
         angle_deg,
         heights: computed,
@@ -190,10 +191,8 @@ fn pressures(
         p3,
         p4,
         pu,
-        force: 0.5 * (p1 + p3) * base_depth + 0.5 * (p1 + p4) * h_c_star,
-        force_moment: (2.0 * p1 + p3) * base_depth * base_depth / 6.0
-            + (p1 + p4) * base_depth * h_c_star / 2.0
-            + (p1 + 2.0 * p4) * h_c_star * h_c_star / 6.0,
+        force,
+        force_moment,
         uplift,
         uplift_moment: 2.0 / 3.0 * uplift * caisson_width,
         formulas,
@@ -228,14 +227,7 @@ impl Goda {
     /// base, where they press there.
     pub fn loads(&self, body: &Body, base_depth: f64) -> Vec<Load> {
         let Goda { p1, p3, p4, pu, h_c_star, .. } = *self;
-        let diagram = PressureDiagram::through([(0.0, p3), (base_depth, p1), (base_depth + h_c_star, p4)]);
-        let wall = Action::Pressure { face: Face::Right, diagram };
-        let mut loads = vec![Load::variable(LoadSource::WavePressure, LoadKind::Horizontal, wall)];
-        if pu != 0.0 {
-            let base = Action::base_pressure(body, 0.0, pu);
-            loads.push(Load::variable(LoadSource::WaveUplift, LoadKind::Uplift, base));
-        }
-        loads
+        loads(body, [(0.0, p3), (base_depth, p1), (base_depth + h_c_star, p4)], pu)
     }
 }
 

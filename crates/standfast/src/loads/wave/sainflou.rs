@@ -12,11 +12,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::warning::breaks_by_bed;
+use super::pressed::{loads, resultants};
+use super::warning::{breaking_limit, breaks_by_bed};
 use super::{Sea, WaveWarning, deep_water_wavelength, shoaling, wavelength};
 use crate::body::Body;
 use crate::error::InputError;
-use crate::loads::{Action, Face, Load, LoadKind, LoadSource, PressureDiagram};
+use crate::loads::Load;
 use crate::quantity::{Expected, Quantity};
 
 /// Phase of a standing wave at the wall.
@@ -127,39 +128,13 @@ pub fn sainflou(
         return refused(Quantity::WaveHeight, height, Expected::StandingWave);
     }
     let p2 = w * height / κh.cosh();
-    let mut wave = Sainflou {
-        phase,
-        height,
-        deep_water_wavelength: deep_water_wavelength(period, g),
-        wavelength: l,
-        h0,
-        surface: 0.0,
-        reach: 0.0,
-        p1: 0.0,
-        p2,
-        pb: 0.0,
-        p4: 0.0,
-        pu: 0.0,
-        force: 0.0,
-        force_moment: 0.0,
-        uplift: 0.0,
-        uplift_moment: 0.0,
-        formulas: 0,
-        warnings: Vec::new(),
-    };
-    match phase {
+    let (surface, reach, p2, [pb, p1, p4], [force, force_moment]) = match phase {
         WavePhase::Crest => {
             let surface = height + h0;
             let p1 = (p2 + w * h) * surface / (h + surface);
             let reach = surface.min(crest_height);
-            let p4 = p1 * (1.0 - reach / surface);
-            let pb = p1 - (p1 - p2) * base_depth / h;
-            wave.formulas = u32::from(surface > crest_height);
-            wave.force = 0.5 * (p1 + pb) * base_depth + 0.5 * (p1 + p4) * reach;
-            wave.force_moment = (2.0 * p1 + pb) * base_depth * base_depth / 6.0
-                + (p1 + p4) * base_depth * reach / 2.0
-                + (p1 + 2.0 * p4) * reach * reach / 6.0;
-            (wave.surface, wave.reach, wave.p1, wave.p4, wave.pb) = (surface, reach, p1, p4, pb);
+            let pressures = [p1 - (p1 - p2) * base_depth / h, p1, p1 * (1.0 - reach / surface)];
+            (surface, reach, p2, pressures, resultants(pressures, base_depth, reach))
         }
         WavePhase::Trough => {
             let fall = height - h0;
@@ -167,28 +142,40 @@ pub fn sainflou(
                 return refused(Quantity::BaseDepth, base_depth, Expected::BelowTrough);
             }
             let p1 = -w * fall;
-            let share = if h > fall { (base_depth - fall) / (h - fall) } else { 0.0 };
-            let pb = p1 + (-p2 - p1) * share;
             let below = base_depth - fall;
-            wave.force = 0.5 * (p1 + pb) * below + 0.5 * p1 * fall;
-            wave.force_moment =
-                (2.0 * p1 + pb) * below * below / 6.0 + 0.5 * p1 * fall * (below + fall / 3.0);
-            (wave.surface, wave.p1, wave.p2, wave.pb) = (-fall, p1, -p2, pb);
+            let share = if h > fall { below / (h - fall) } else { 0.0 };
+            let pressures = [p1 + (-p2 - p1) * share, p1, 0.0];
+            (-fall, 0.0, -p2, pressures, resultants(pressures, below, fall))
         }
-    }
-    if uplift {
-        wave.pu = wave.pb;
-        wave.uplift = 0.5 * wave.pb * width;
-        wave.uplift_moment = wave.pb * width * width / 3.0;
-    }
-    let limit = 0.142 * l * κh.tanh();
-    let steepness = height / shoaling(period, h, g) / wave.deep_water_wavelength;
+    };
+    let [pu, width] = if uplift { [pb, width] } else { [0.0; 2] };
+    let l0 = deep_water_wavelength(period, g);
+    let limit = breaking_limit(l, h);
+    let steepness = height / shoaling(period, h, g) / l0;
     let slope = sea.sea_bottom_slope;
     let is_impulsive = breaks_by_bed(slope, steepness) && crest_height / height > 0.3;
-    if height > limit || is_impulsive {
-        wave.warnings.push(WaveWarning::StandingWaveBreaks { height, limit, bed_slope: slope });
-    }
-    Ok(wave)
+    let breaks = WaveWarning::StandingWaveBreaks { height, limit, bed_slope: slope };
+    Ok(Sainflou {
+        phase,
+        height,
+        deep_water_wavelength: l0,
+        wavelength: l,
+        h0,
+        surface,
+        reach,
+        p1,
+        p2,
+        pb,
+        p4,
+        pu,
+        force,
+        force_moment,
+        uplift: 0.5 * pu * width,
+        uplift_moment: pu * width * width / 3.0,
+        // A trough is cut by nothing.
+        formulas: u32::from(surface > crest_height),
+        warnings: if height > limit || is_impulsive { vec![breaks] } else { Vec::new() },
+    })
 }
 
 impl Sainflou {
@@ -200,12 +187,6 @@ impl Sainflou {
             WavePhase::Crest => [(0.0, pb), (base_depth, p1), (base_depth + reach, p4)],
             WavePhase::Trough => [(0.0, pb), (base_depth + surface, p1), (base_depth, 0.0)],
         };
-        let wall = Action::Pressure { face: Face::Right, diagram: PressureDiagram::through(wall) };
-        let mut loads = vec![Load::variable(LoadSource::WavePressure, LoadKind::Horizontal, wall)];
-        if pu != 0.0 {
-            let base = Action::base_pressure(body, 0.0, pu);
-            loads.push(Load::variable(LoadSource::WaveUplift, LoadKind::Uplift, base));
-        }
-        loads
+        loads(body, wall, pu)
     }
 }

@@ -1,5 +1,6 @@
 //! Conditions outside the range in which the formulas were found.
 
+use std::f64::consts::TAU;
 use std::fmt;
 
 use super::{CaissonSection, Goda, Heights, Sea, shoaling};
@@ -98,6 +99,11 @@ pub(super) fn breaks_by_bed(bed_slope: f64, steepness: f64) -> bool {
     bed_slope > 0.02 && steepness < 0.03
 }
 
+/// Miche's limit of the height of waves, m, for the depth at the wall.
+pub(super) fn breaking_limit(wavelength: f64, depth: f64) -> f64 {
+    0.142 * wavelength * (TAU * depth / wavelength).tanh()
+}
+
 /// Longest period of wind waves and swell, s.
 const LONGEST_PERIOD: f64 = 30.0;
 
@@ -138,7 +144,7 @@ impl WaveWarning {
         if ratio >= 0.2 && matches!(heights, Heights::DeepWater(_)) {
             warnings.push(WaveWarning::DeepWater { ratio });
         }
-        let limit = 0.142 * goda.wavelength * (std::f64::consts::TAU * h / goda.wavelength).tanh();
+        let limit = breaking_limit(goda.wavelength, h);
         if goda.h_max > limit {
             warnings.push(WaveWarning::HigherThanBreaking { height: goda.h_max, limit });
         }
