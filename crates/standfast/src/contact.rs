@@ -55,6 +55,7 @@
 
 mod conditions;
 mod explain;
+mod polytope;
 
 use conditions::Rotation;
 pub(crate) use conditions::{Choice, Numbers, REST, conditions, rest, rests_alone};

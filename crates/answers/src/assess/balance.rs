@@ -10,8 +10,9 @@ use super::Assessed;
 pub struct Balance {
     body: Body,
     parts: Vec<BalancePart>,
-    /// Forces with a limit, in full.
-    held: Vec<Wrench>,
+    /// What forces with a limit hold it with, in full: moments about O and O', and down.
+    held: [f64; 2],
+    held_down: f64,
 }
 
 /// The horizontal or the vertical part of a load.
@@ -57,9 +58,10 @@ impl Assessed {
                 _ => parts.push(BalancePart { of, wrench: whole }),
             }
         }
-        let holds = self.situation.holding().into_iter().flat_map(|holding| holding.holds());
-        let held = holds.map(|hold| hold.unit() * hold.limit).collect();
-        Some(Balance { body, parts, held })
+        let [heel, toe] = self.outcome.held.map_or([0.0; 2], |held| held.moments);
+        let held = if self.outcome.actions.heel == Corner::O { [heel, toe] } else { [toe, heel] };
+        let held_down = self.outcome.held.map_or(0.0, |held| held.down);
+        Some(Balance { body, parts, held, held_down })
     }
 }
 
@@ -77,13 +79,12 @@ impl Balance {
 
     /// The moments about a corner of the forces with a limit that hold the body there, each in full.
     pub fn held_about(&self, corner: Corner) -> f64 {
-        let moment = |wrench: &Wrench| -BalancePart { of: 0, wrench: *wrench }.tips(&self.body, corner);
-        self.held.iter().map(moment).filter(|moment| *moment > 0.0).sum()
+        self.held[usize::from(corner == Corner::OPrime)]
     }
 
     /// The forces with a limit that hold the body down, in full.
     pub fn held_down(&self) -> f64 {
-        self.held.iter().map(|wrench| wrench.p).sum()
+        self.held_down
     }
 
     /// The sum of the moments that tip the body about a corner over that of those that hold it. Zero where nothing tips it, infinite where

@@ -185,25 +185,23 @@ fn adhering(
 ) {
     steps.know("c_a", strength, KILOPASCAL);
     let formula = format!("(W' t − M_U − M_p{})/(W' − U{})", terms.resultant, terms.pressing);
-    let base = assessed.situation.body().base_width();
-    let (pressing, from_heel) = reaction(assessed, held);
-    if pressing <= 0.0 {
-        steps.told("Length of the base that adheres", "A_c", 0.0, METRE, "nothing presses", "");
-    } else {
-        let arm = from_heel / pressing;
-        let about = "Distance of the resultant from the heel, for what adheres";
-        steps.add(about, "", ["t_a", &formula], arm, METRE, "");
-        let near = arm.min(base - arm);
-        let formula = match on {
-            AdhesionArea::Pressed => "max(min(B_c, 3 min(t_a, B_c − t_a)), 0)",
-            AdhesionArea::Effective => "max(min(B_c, 2 min(t_a, B_c − t_a)), 0)",
-        };
-        let about = match on {
-            AdhesionArea::Pressed => "Length of the base that adheres, what is pressed",
-            AdhesionArea::Effective => "Length of the base that adheres, the effective width",
-        };
-        let reach = if on == AdhesionArea::Pressed { 3.0 } else { 2.0 };
-        steps.add(about, "", ["A_c", formula], (reach * near).clamp(0.0, base), METRE, "");
+    match assessed.outcome.stability.resultant_arm {
+        None => steps.told("Length of the base that adheres", "A_c", 0.0, METRE, "nothing presses", ""),
+        Some(arm) => {
+            let about = "Distance of the resultant from the heel, for what adheres";
+            steps.add(about, "", ["t_a", &formula], arm, METRE, "");
+            let (about, formula) = match on {
+                AdhesionArea::Pressed => (
+                    "Length of the base that adheres, what is pressed",
+                    "max(min(B_c, 3 min(t_a, B_c − t_a)), 0)",
+                ),
+                AdhesionArea::Effective => (
+                    "Length of the base that adheres, the effective width",
+                    "max(min(B_c, 2 min(t_a, B_c − t_a)), 0)",
+                ),
+            };
+            steps.add(about, "", ["A_c", formula], held.adhering, METRE, "");
+        }
     }
     let long = match assessed.extent {
         standfast_cases::units::Extent::Whole => " L_b",
@@ -211,23 +209,6 @@ fn adhering(
     };
     let formula = format!("c_a A_c{long}");
     steps.add("What it adheres with", "", ["C_a", &formula], held.adhesion, KILONEWTON, "");
-}
-
-/// What presses, and its moment about the heel, with the resistances.
-fn reaction(assessed: &Assessed, held: &Held) -> (f64, f64) {
-    let situation = &assessed.situation;
-    let mut wrench = assessed.outcome.full.wrench;
-    let holds = situation.holding().into_iter().flat_map(|holding| holding.holds());
-    for (hold, force) in holds.zip(held.pressing) {
-        wrench = wrench + hold.unit() * force;
-    }
-    let body = situation.body();
-    let Wrench { x, p, m } = wrench;
-    let moment = x * body.centroid_height() - m;
-    match assessed.outcome.actions.heel {
-        Corner::O => (p, moment + body.heel_distance() * p),
-        Corner::OPrime => (p, body.toe_distance() * p - moment),
-    }
 }
 
 /// The sums of the resistances in the mode reported, as they stand beside X, V and M.

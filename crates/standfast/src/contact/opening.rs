@@ -28,8 +28,8 @@
 //! Fast loads, as waves, meet the diagram that the steady ones leave: the water then is that of rest under these alone.
 
 use super::conditions::conditions;
-use super::holding::roots;
 use super::path;
+use super::polytope::roots;
 use super::{Block, check, numbers, solve};
 use crate::departure::Departure;
 use crate::error::{InputError, LARGEST};

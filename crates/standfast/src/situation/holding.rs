@@ -2,7 +2,7 @@
 
 use super::{Response, Situation};
 use crate::contact::Block;
-use crate::contact::holding::{Adhesion, HeldSolution, Hold, Holding, MOST, stages_between};
+use crate::contact::holding::{Adhesion, HeldSolution, Hold, Holding, MOST, moments, stages_between};
 use crate::contact::opening::OpeningState;
 use crate::error::InputError;
 use crate::mode::{Corner, Mode};
@@ -22,6 +22,8 @@ pub struct Held {
     pub pressing: [f64; MOST],
     /// Sum of the limits of those that act against the push.
     pub against: f64,
+    /// Sum of the limits of those that hold it down.
+    pub down: f64,
     /// Moments with which they hold the body about its heel and about its toe, each that holds it there in full.
     pub moments: [f64; 2],
     /// A', the length of the base that adheres, m.
@@ -152,6 +154,7 @@ impl Situation {
         let block = self.block_at_c();
         let against = holding.holds().filter(|hold| hold.direction[0] * wrench.x < 0.0);
         let against = against.map(|hold| hold.limit).sum();
+        let down = holding.holds().map(|hold| hold.unit().p * hold.limit).sum();
         let (needed, used) = (found.needed.map(in_newton), in_newton(found.used));
         let pressing = needed.map_or(used, |needed| pressing(&holding, &block, wrench, needed));
         let adhering = holding.adhering(&block, &holding.held(wrench, &pressing));
@@ -164,7 +167,7 @@ impl Situation {
                 *sum += moment.max(0.0);
             }
         }
-        Ok(Some(Held { needed, used, pressing, against, moments, adhering, adhesion }))
+        Ok(Some(Held { needed, used, pressing, against, down, moments, adhering, adhesion }))
     }
 
     /// Puts what holds the body beside friction into factors and margins.
@@ -187,7 +190,7 @@ impl Situation {
         }
         let total = holding.held(wrench, &held.pressing);
         if total.p > 0.0 && held.pressing.iter().any(|force| *force > 0.0) {
-            let [at_o, at_o_prime] = block_moments(&block, &total);
+            let [at_o, at_o_prime] = moments(&block, &total);
             let from_heel = if actions.heel == Corner::O { at_o } else { at_o_prime };
             stability.bear(&self.body, total.p, from_heel / total.p);
         }
@@ -212,7 +215,7 @@ fn pressing(holding: &Holding, block: &Block, wrench: &Wrench, needed: [f64; MOS
     let adheres =
         holding.adhesion.map_or(0.0, |adhesion| adhesion.strength * holding.adhering(block, &start));
     let off_middle = |wrench: &Wrench| {
-        let [at_o, at_o_prime] = block_moments(block, wrench);
+        let [at_o, at_o_prime] = moments(block, wrench);
         at_o - at_o_prime
     };
     // All are linear on the way from the one to the other.
@@ -241,18 +244,13 @@ fn reaches_zero(from: f64, to: f64) -> f64 {
     if (0.0..1.0).contains(&share) { share } else { 1.0 }
 }
 
-fn block_moments(block: &Block, Wrench { x, p, m }: &Wrench) -> [f64; 2] {
-    let moment = x * block.d - m;
-    [moment + block.b1 * p, block.b2 * p - moment]
-}
-
 /// The moments about O and O' with which a force of one holds the body.
 fn holding_moments(block: &Block, hold: &Hold) -> [f64; 2] {
-    block_moments(block, &hold.unit())
+    moments(block, &hold.unit())
 }
 
 /// The corner that the resultant is nearer to.
 fn tipping(block: &Block, wrench: &Wrench) -> Corner {
-    let [at_o, at_o_prime] = block_moments(block, wrench);
+    let [at_o, at_o_prime] = moments(block, wrench);
     if at_o <= at_o_prime { Corner::O } else { Corner::OPrime }
 }
