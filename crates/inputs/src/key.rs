@@ -1275,6 +1275,11 @@ impl From<Key> for Id {
     }
 }
 
+/// The name of a key without the places of its tables: `load.force` of `load[2].force`.
+pub fn without_places(name: &str) -> String {
+    name.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
+}
+
 impl fmt::Display for Id {
     /// Table and key: `gravity`, `wave.period`, `load[2].force`, `motion.base.horizontal.peak`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

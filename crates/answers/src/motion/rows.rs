@@ -18,7 +18,7 @@ use crate::couple::{Unknown, Variable, vary};
 use crate::error::{CaseError, Fault, Problem};
 use crate::explained::Explained;
 use crate::inputs::{Inputs, Value};
-use crate::key::{Id, Key, Kind, Table};
+use crate::key::{Id, Key, Kind, Table, without_places};
 use crate::parse::read;
 use crate::record::{ReadFile, RecordFile};
 use crate::suggest::closest;
@@ -337,9 +337,9 @@ fn no_key(name: &str, column: &str, inputs: &Inputs, unknown: Unknown) -> Result
     let begins = name.contains('.')
         && tables().any(|table| table.parent() == Some(Table::Top) && table.name() == first);
     let listed = inputs.values().any(|(id, _)| id.key.name() != id.key.entry() && entry(id) == name);
-    let is_word = Key::ALL
-        .iter()
-        .any(|key| word(key.info().kind) && unnumbered(&Id::from(*key).to_string()) == unnumbered(name));
+    let is_word = Key::ALL.iter().any(|key| {
+        word(key.info().kind) && without_places(&Id::from(*key).to_string()) == without_places(name)
+    });
     match () {
         () if listed => Err(ColumnError::NoValue { column: column.to_owned() }),
         () if begins && is_word => Err(ColumnError::Absent { column: column.to_owned() }),
@@ -358,11 +358,6 @@ fn no_key(name: &str, column: &str, inputs: &Inputs, unknown: Unknown) -> Result
         }
         () => Ok(()),
     }
-}
-
-/// A key without the numbers of its tables: `load.force` of `load[2].force`.
-fn unnumbered(name: &str) -> String {
-    name.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
 }
 
 /// The name of the list that a number stands in: `block.load[1].at`.

@@ -9,7 +9,7 @@ use crate::couple::Variable;
 use crate::criteria::Criterion;
 use crate::error::{Fault, Problem};
 use crate::inputs::{Inputs, LoadFactor};
-use crate::key::{Id, Key, Table};
+use crate::key::{Id, Key, Table, without_places};
 
 use super::Resistance;
 use super::backfill::of_all_layers;
@@ -19,11 +19,6 @@ use super::reader::Reader;
 
 /// Loads that are there all the time, and the others, where the file does not name them one by one.
 const KINDS: [&str; 2] = ["permanent", "variable"];
-
-/// A name of a key without the places in lists: `backfill.friction_angle_deg` of `backfill[2].friction_angle_deg`.
-fn without_places(name: &str) -> String {
-    name.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
-}
 
 /// True if a name is that of a key, with its table or alone, wherever in a list.
 fn is_of(id: Id, name: &str) -> bool {
@@ -60,13 +55,13 @@ impl Reader<'_> {
             Fault::new(Problem::NameOfCode { file, key, name, names: names.into() }, at)
         };
         let (changes, of_resist) = (self.changes_by(file, at, unknown)?, file.ratios(Key::CombinationResist));
-        let words: Vec<&str> = [SLIDING, BEARING, PASSIVE].into_iter().collect();
+        let words = [SLIDING, BEARING, PASSIVE];
         let of = |name: &str| of_resist.iter().find(|(known, _)| known == name).map(|(_, by)| *by);
         let mut holds = Vec::new();
         for (name, by) in of_resist.iter().filter(|(name, _)| !words.contains(&name.as_str())) {
             if resistances.iter().all(|resistance| resistance.name != *name) {
                 let known = resistances.iter().map(|resistance| resistance.name.as_str());
-                let names = words.iter().copied().chain(known).map(str::to_owned).collect();
+                let names = words.into_iter().chain(known).map(str::to_owned).collect();
                 return Err(unknown(Key::CombinationResist, name, names));
             }
             holds.push((name.clone(), *by));
