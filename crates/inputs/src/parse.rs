@@ -288,7 +288,7 @@ impl CaseText {
         self.headers.insert((Table::Top, 0), document.span());
         self.units = units(top);
         self.datum = datum(text, top)?;
-        self.sea = sea(text, top, self.frame())?;
+        self.sea = sea(text, top, frame(self.units, &self.datum, None))?;
         self.read_table(text, top, Table::Top, 0)?;
         if let Some(value) = top.get(RANDOM) {
             let read = random::read(value);
@@ -296,12 +296,6 @@ impl CaseText {
                 Some(read.map_err(|(problem, span)| PlacedProblem { problem: problem.into(), span })?);
         }
         Ok(())
-    }
-
-    /// What its numbers are read against.
-    fn frame(&self) -> Frame<'_> {
-        let datum = self.datum.as_ref().map(|(name, base)| Datum { name, base: *base });
-        Frame { units: self.units, datum, sea: self.sea }
     }
 
     fn read_tables(
@@ -346,9 +340,7 @@ impl CaseText {
         for (name, value) in found.iter() {
             let Some(key) = Key::find(table, name.get_ref()) else { continue };
             let id = Id::of(table, index, key);
-            let datum = self.datum.clone();
-            let datum = datum.as_ref().map(|(name, base)| Datum { name, base: *base });
-            let field = Field { id, value, text, frame: Frame { units: self.units, datum, sea: self.sea } };
+            let field = Field { id, value, text, frame: frame(self.units, &self.datum, self.sea) };
             match key.info().kind {
                 Kind::OneOf(count, range) => {
                     let keys = table.keys().filter(|other| other.entry() == key.entry());
@@ -467,6 +459,11 @@ fn datum(text: &str, top: &DeTable<'_>) -> Result<Option<(String, f64)>, PlacedP
             Err(PlacedProblem { problem, span })
         }
     }
+}
+
+/// What the numbers of a document are read against.
+fn frame(units: Option<Extent>, datum: &Option<(String, f64)>, sea: Option<f64>) -> Frame<'_> {
+    Frame { units, datum: datum.as_ref().map(|(name, base)| Datum { name, base: *base }), sea }
 }
 
 /// The sea of a document above the base, where it says so. A level that cannot be read is told at once: others are counted from it.

@@ -446,16 +446,13 @@ impl Reader<'_> {
         names.extend(named.flatten().map(String::as_str));
         names.extend(soils.iter().flat_map(SoilFill::names));
         let at = id(Key::CombinationCode);
+        let loads = || self.named_loads(index, forces, pressures, soils);
         let filled = match (self.inputs.choice(at), self.inputs.code(at), self.inputs.text(at)) {
             (Some(code), ..) => {
-                let loads = self.named_loads(index, forces, pressures, soils)?;
                 let passive = resistances.iter().any(Resistance::is_passive);
-                Some(filled(self.inputs, code, index, loads, body.base_width(), passive)?)
+                Some(filled(self.inputs, code, index, loads()?, body.base_width(), passive)?)
             }
-            (_, Some(file), _) => {
-                let loads = self.named_loads(index, forces, pressures, soils)?;
-                Some(self.filled_by(file, at, loads, &names, resistances)?)
-            }
+            (_, Some(file), _) => Some(self.filled_by(file, at, loads()?, &names, resistances)?),
             (.., Some(name)) => {
                 let why = "it is not read yet".to_owned();
                 return Err(Fault::new(Problem::Unread { name: name.to_owned(), why }, at));
@@ -729,7 +726,7 @@ impl Reader<'_> {
 
 /// The inputs after changes of one kind, with what goes with them; the place of the one that cannot be, and why.
 fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs, (usize, Problem)> {
-    let inputs = &heights_at_wall(inputs, case, changes);
+    let inputs = &*heights_at_wall(inputs, case, changes);
     let mut others = Vec::new();
     let (mut numbers, mut divisions) = (Vec::new(), Vec::new());
     for (place, change) in changes.iter().enumerate() {
@@ -780,18 +777,18 @@ fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs
 }
 
 /// The inputs with the heights at the wall as they are found in place of one in deep water, where these are multiplied or set.
-fn heights_at_wall(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Inputs {
-    let mut inputs = inputs.clone();
+fn heights_at_wall<'a>(inputs: &'a Inputs, case: &Case, changes: &[&InputChange]) -> Cow<'a, Inputs> {
     let named = changes.iter().any(|change| matches!(change.id.key, Key::H13 | Key::Hmax));
-    if let Some(heights) =
-        case.heights_at_wall().filter(|_| named && inputs.number(Key::DeepWaterHeight).is_some())
-    {
-        inputs.remove(Key::DeepWaterHeight.into());
-        for (key, height) in [Key::H13, Key::Hmax].into_iter().zip(heights) {
-            inputs.set(key, height);
-        }
+    let is_deep = named && inputs.number(Key::DeepWaterHeight).is_some();
+    let Some(heights) = is_deep.then(|| case.heights_at_wall()).flatten() else {
+        return Cow::Borrowed(inputs);
+    };
+    let mut inputs = inputs.clone();
+    inputs.remove(Key::DeepWaterHeight.into());
+    for (key, height) in [Key::H13, Key::Hmax].into_iter().zip(heights) {
+        inputs.set(key, height);
     }
-    inputs
+    Cow::Owned(inputs)
 }
 
 /// What a divisor of a strength divides: of a soil in all its layers, and with its angle of friction that on the wall, unless that is
