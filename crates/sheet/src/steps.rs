@@ -158,6 +158,13 @@ impl SheetSteps {
         self.know_again(name);
     }
 
+    /// Quantities that later formulas may use.
+    pub fn know_all<const N: usize>(&mut self, all: [(&str, f64, SheetUnit); N]) {
+        for (name, si, unit) in all {
+            self.know(name, si, unit);
+        }
+    }
+
     /// Begins the steps of a subject, before the first of them.
     pub fn subject(&mut self, about: &str) {
         about.clone_into(&mut self.subject);

@@ -69,15 +69,13 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, he
         true => "Equilibrium with these numbers:",
         false => "The equations of motion with these numbers:",
     });
-    for (name, value, unit) in [
+    steps.know_all([
         ("m", case.body.mass(), MASS),
         ("I", case.body.moment_of_inertia(), INERTIA),
         ("f_x", f_x, KILONEWTON),
         ("f_y", f_y, KILONEWTON),
         ("ξ", xi, METRE),
-    ] {
-        steps.know(name, value, unit);
-    }
+    ]);
     let [x, v, m] = held;
     vertical(steps, motion, v);
     horizontal(steps, case, assessed, motion, x);

@@ -48,7 +48,7 @@ fn of_goda(steps: &mut SheetSteps, case: &Case, wave: &GodaWaves) {
 /// The numbers of the sea and of the section.
 fn given(steps: &mut SheetSteps, case: &Case, GodaWaves { sea, section, choices, .. }: &GodaWaves) {
     let CaissonSection { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
-    for (name, value, unit) in [
+    steps.know_all([
         ("h", sea.water_depth, METRE),
         ("i", sea.sea_bottom_slope, NONE),
         ("T", sea.period, SECOND),
@@ -62,9 +62,7 @@ fn given(steps: &mut SheetSteps, case: &Case, GodaWaves { sea, section, choices,
         ("λ1", choices.lambda[0], NONE),
         ("λ2", choices.lambda[1], NONE),
         ("λ3", choices.lambda[2], NONE),
-    ] {
-        steps.know(name, value, unit);
-    }
+    ]);
 }
 
 fn coefficients(steps: &mut SheetSteps, wave: &GodaWaves) {

@@ -21,16 +21,14 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
         CrownWall::Pedersen(_) => "Pedersen",
         CrownWall::VanGent(_) => "Van Gent",
     };
-    for (name, value, unit) in [
+    steps.know_all([
         ("H_13", sea.significant, METRE),
         ("T", sea.period, SECOND),
         ("ρ", sea.water_density, DENSITY),
         ("g", case.gravity, ACCELERATION),
         ("cot_α", armour.slope, NONE),
         ("A_c", armour.crest, METRE),
-    ] {
-        steps.know(name, value, unit);
-    }
+    ]);
     steps.heading("Run-up");
     let l = wave.wavelength;
     steps.add("Wavelength in deep water", "linear theory", ["L0", "g T^2/(2 π)"], l, METRE, "");
@@ -41,22 +39,18 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
     };
     match wall {
         CrownWall::Pedersen(wall) => {
-            let formula = match wave.xi <= 1.5 {
-                true => "1.12 H_13 ξ_m",
-                false => "1.34 H_13 ξ_m^0.55",
+            let (about, formula) = match wave.xi <= 1.5 {
+                true => ("Run-up, for `ξ_m` ≤ 1.5", "1.12 H_13 ξ_m"),
+                false => ("Run-up, for `ξ_m` > 1.5", "1.34 H_13 ξ_m^0.55"),
             };
-            let about =
-                if wave.xi <= 1.5 { "Run-up, for `ξ_m` ≤ 1.5" } else { "Run-up, for `ξ_m` > 1.5" };
             add(steps, about, ["R", formula], wave.run_up, METRE);
             let Some(terms) = wave.pedersen else { return };
-            for (name, value, unit) in [
+            steps.know_all([
                 ("B_a", wall.armour_width, METRE),
                 ("h_p", wall.protected, METRE),
                 ("f_c", wall.free, METRE),
                 ("V_a", wall.volume_share, NONE),
-            ] {
-                steps.know(name, value, unit);
-            }
+            ]);
             let slope = (1.0 / armour.slope).atan().to_degrees();
             steps.told("Slope of the armour", "α_a", slope, DEGREE, "from its cotangent", "");
             steps.told("Angle of the wedge of run-up", "ε_w", 15.0, DEGREE, "as Pedersen has it", "");
@@ -81,15 +75,13 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &CrownWaves) {
             steps.know("B_w", wall.base, METRE);
         }
         CrownWall::VanGent(wall) => {
-            for (name, value, unit) in [
+            steps.know_all([
                 ("β_g", sea.angle_deg, DEGREE),
                 ("γ_f", wall.roughness, NONE),
                 ("H_w", wall.height, METRE),
                 ("B_w", wall.base, METRE),
                 ("F_b", wall.freeboard, METRE),
-            ] {
-                steps.know(name, value, unit);
-            }
+            ]);
             let (about, slope) = match wave.xi < 1.724 {
                 true => ("Run-up of 2 %, for `ξ_m` < 1.724", "1.45 ξ_m"),
                 false => ("Run-up of 2 %, for `ξ_m` ≥ 1.724", "(5 − 6.25/(1.45 ξ_m))"),

@@ -13,7 +13,7 @@ const SAINFLOU: &str = "Sainflou";
 pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &StandingWaves) {
     let StandingWaves { sea, height_key, wall, wave } = waves;
     let StandingWall { base_depth, crest_height, width, uplift } = *wall;
-    for (name, value, unit) in [
+    steps.know_all([
         ("h", sea.water_depth, METRE),
         ("T", sea.period, SECOND),
         ("ρ", sea.water_density, DENSITY),
@@ -21,9 +21,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, waves: &StandingWaves) 
         ("h'", base_depth, METRE),
         ("h_c", crest_height, METRE),
         ("B_c", width, METRE),
-    ] {
-        steps.know(name, value, unit);
-    }
+    ]);
     steps.heading("Standing wave");
     let given = match height_key {
         Key::WaveHeight => "as given in the case file".to_owned(),
