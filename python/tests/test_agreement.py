@@ -327,6 +327,12 @@ def compare_ground(ground: dict[str, Any] | None, text: str, words: str, per: st
     assert [event["event"] for event in ground["events"]] in ([], ["slip", "lift"], ["slip", "lift", "yield"])
 
 
+def number(part: str) -> tuple[bool, int]:
+    """The place of a situation's part of a text in the order of the case: couples stand behind the forces."""
+    what, place = re.match(r"\s*(Load|Moment|Combination) (\d+)", part).groups()
+    return what == "Moment", int(place)
+
+
 def compare_criteria(document: dict[str, Any], text: str) -> None:
     """The criteria of the text against the JSON, and these against the situations."""
     assert document["met"] == (all(check["met"] for check in document["criteria"]) if document["criteria"] else None)
@@ -423,8 +429,6 @@ def compare(program: list[str], name: str, *figures: str) -> bool:
     if len(document["situations"]) > 1:
         parts = str(found).split(RULE)[1 : len(document["situations"]) + 1]
         # The worst first; the situations of the document in the order of the case.
-        # Couples stand behind the forces.
-        number = lambda part: (lambda found: (found[1] == "Moment", int(found[2])))(re.match(r"\s*(Load|Moment|Combination) (\d+)", part))
         assert number(parts[0]) == sorted(map(number, parts))[document["governing"]]
         for said, part in zip(document["situations"], sorted(parts, key=number), strict=True):
             compare_situation(said, part, per)
