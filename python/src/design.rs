@@ -2,7 +2,8 @@
 
 use pyo3::prelude::*;
 use standfast_cases::design::{
-    BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, Target, boundary_csv,
+    BoundaryRequest, Cost, Design, DesignBoundary, DesignRequest, Extreme, Minimum, MinimumRequest, Spelling,
+    Target, boundary_csv,
 };
 use standfast_cases::{CaseFile, Document};
 
@@ -34,14 +35,47 @@ fn request(
     (target, greatest): &(Option<String>, bool),
     [from, to]: Ends,
 ) -> PyResult<DesignRequest> {
-    let target = match target {
-        Some(target) => target
-            .parse()
-            .map_err(|error| StandfastError::new_err(format!("target is {target:?}; {error}")))?,
-        None => Target::own(file).map_err(|error| of_design(&error))?,
-    };
+    let target = target_of(file, target.as_deref())?;
     let extreme = if *greatest { Extreme::Greatest } else { Extreme::Least };
     Ok(DesignRequest { vary, target, extreme, from, to, spelling: &SPELLING })
+}
+
+/// The target of a text, or the case's own.
+fn target_of(file: &CaseFile, target: Option<&str>) -> PyResult<Target> {
+    match target {
+        Some(target) => {
+            target.parse().map_err(|error| StandfastError::new_err(format!("target is {target:?}; {error}")))
+        }
+        None => Target::own(file).map_err(|error| of_design(&error)),
+    }
+}
+
+/// The least cost as text and as JSON, and the warnings of what it finds; of each quantity its name and, where they are given, its ends.
+#[pyfunction]
+pub(crate) fn minimum(
+    py: Python<'_>,
+    file: (String, String),
+    vary: Vec<(String, String, String)>,
+    target: Option<String>,
+    cost: String,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, String, Vec<Slip>)> {
+    let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| of_case(&error))?;
+    let target = target_of(&file, target.as_deref())?;
+    let cost = Cost::find(&cost).ok_or_else(|| {
+        StandfastError::new_err(format!("minimise is {cost:?}; expected \"volume\" or \"mass\""))
+    })?;
+    let (mut names, mut from, mut to) = (Vec::new(), Vec::new(), Vec::new());
+    for (name, lower, upper) in vary {
+        names.push(name);
+        from.push(lower);
+        to.push(upper);
+    }
+    let request = MinimumRequest { vary: names, target, cost, from, to, spelling: &SPELLING };
+    watched(py, progress.as_ref(), move |portion| {
+        let minimum = Minimum::of(&file, request, portion).map_err(|error| of_design(&error))?;
+        Ok((minimum.text(&()), minimum.json(&(), &[]), slips(&minimum.answer().case)))
+    })?
 }
 
 /// A design as text and as JSON, and the warnings of what it finds; `file` is what errors call the case, and its text.

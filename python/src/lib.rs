@@ -108,7 +108,7 @@ mod _standfast {
     #[pymodule_export]
     use super::contact::{contact_names, contact_rows};
     #[pymodule_export]
-    use super::design::{boundary, design};
+    use super::design::{boundary, design, minimum};
     #[pymodule_export]
     use super::diagram::{diagram_numbers, diagram_outlines, diagram_svg, failing_modes};
     #[pymodule_export]

@@ -24,6 +24,7 @@ pub use any_check::AnyCheck;
 pub use balance::{Balance, BalancePart};
 pub use components::Component;
 pub use ground::{BaseResponse, Elastic};
+use standfast_inputs::OutputUnits;
 
 /// The answer to a case.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +59,8 @@ pub struct Assessed {
     pub acting: Acting,
     /// Extent of its forces and moments: a metre run or the whole body.
     pub extent: Extent,
+    /// Units and digits in which it is written.
+    pub output: OutputUnits,
     /// The way in which it is tried: signs of the acceleration of the base, factors of pairs.
     pub trial: Trial,
     /// The acceleration of the base.
@@ -293,6 +296,7 @@ impl Assessed {
                 index,
                 acting,
                 extent,
+                output: case.output,
                 trial,
                 earthquake,
                 is_reported: true,

@@ -3,8 +3,8 @@
 //! The utilisation of a criterion is required/value where the value has
 //! to be at least, value/required where it has to be at most: up to 1 it is met.
 
-use standfast::{Departure, Verdict, number};
-use standfast_inputs::digits::{apart, digits, factor};
+use standfast::{Departure, Verdict};
+use standfast_inputs::digits::factor;
 use standfast_model::{Bound, Criterion, Key, listed_modes};
 
 use crate::assess::Assessed;
@@ -55,7 +55,7 @@ const RESULTS: [(Key, ResultName); 12] = [
 ];
 
 /// The result that a criterion asks for; none where it asks for modes or a probability.
-fn asked_for(criterion: Criterion) -> Option<ResultName> {
+pub(crate) fn asked_for(criterion: Criterion) -> Option<ResultName> {
     RESULTS.iter().find(|(key, _)| *key == criterion.key).map(|(_, result)| *result)
 }
 
@@ -118,17 +118,18 @@ impl Check {
             }
             (ResultValue::Number(value), _) => {
                 let value = criterion.shown(value);
+                let output = criterion.output;
                 let text = match criterion.key {
-                    _ if !value.is_finite() => digits(value),
+                    _ if !value.is_finite() => output.number(value),
                     Key::LeastSliding
                     | Key::LeastOverturningNet
                     | Key::LeastOverturningGross
                     | Key::LeastUplift
                     | Key::GreatestTipping
                     | Key::LeastGround
-                    | Key::LeastLoadFactor => number::beside(value, against, 4).to_string(),
-                    _ if value == against => digits(value),
-                    _ => apart(&[value, against])[0].clone(),
+                    | Key::LeastLoadFactor => output.beside(value, against),
+                    _ if value == against => output.number(value),
+                    _ => output.apart(value, against),
                 };
                 if value.is_finite() { criterion.with_unit(&text) } else { text }
             }

@@ -6,6 +6,7 @@
 
 mod boundary;
 mod error;
+mod minimum;
 mod quantity;
 mod sensitivity;
 mod set;
@@ -15,6 +16,7 @@ mod target;
 
 pub use boundary::{BoundaryRequest, Column, DesignBoundary};
 pub use error::DesignError;
+pub use minimum::{Cost, Minimum, MinimumPoint, MinimumRequest, Neighbour};
 pub use quantity::{DIGITS, Quantity, with_unit};
 pub use sensitivity::{Sensitivity, SensitivityChange, sensitivities};
 pub use set::{End, OuterState, Stretch};
@@ -184,8 +186,8 @@ struct Varied<'a> {
     subject: &'a Subject,
     /// True if its motion is followed.
     follows: bool,
-    /// Another quantity that is held at a value.
-    held: Option<(&'a Variable, f64)>,
+    /// Other quantities that are held at values.
+    held: &'a [(&'a Variable, f64)],
 }
 
 impl Varied<'_> {
@@ -212,7 +214,7 @@ impl Varied<'_> {
     }
 
     fn changes<'v>(&'v self, variable: &'v Variable, value: f64) -> Vec<(&'v Variable, f64)> {
-        [(variable, value)].into_iter().chain(self.held).collect()
+        [(variable, value)].into_iter().chain(self.held.iter().copied()).collect()
     }
 
     /// The answer without any change, with what a target asks for.
@@ -293,7 +295,7 @@ impl Design {
     /// wanted; if the work is stopped.
     pub fn of(file: &CaseFile, request: DesignRequest, portion: Portion<'_>) -> Result<Design, DesignError> {
         let subject = Subject::of(file)?;
-        let varied = Varied { subject: &subject, follows: subject.follows(request.target)?, held: None };
+        let varied = Varied { subject: &subject, follows: subject.follows(request.target)?, held: &[] };
         answerable(request.target, &subject)?;
         let quantity = request.quantity(&subject)?;
         let present = varied.present(request.target)?;

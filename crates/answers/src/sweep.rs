@@ -29,7 +29,7 @@ pub use factor::{Factor, NoFactor, PLAIN, heading};
 use crate::assess::{Assessed, Assessment};
 use crate::case::{Biases, Case, blamed};
 use crate::couple::{STAYS, Variable, change, moved};
-use crate::criteria::Check;
+use crate::criteria::{Check, asked_for};
 use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Table};
@@ -332,6 +332,32 @@ impl SweepResult {
             SweepResult::Sea(_) => true,
             SweepResult::Of(result) => !result.is_told(criteria),
             _ => false,
+        }
+    }
+
+    /// True if a table of a case with these criteria has it where no columns are asked for: what happens, how near another answer is, and
+    /// what is asked.
+    pub fn matters(self, criteria: &[Criterion]) -> bool {
+        match self {
+            SweepResult::EarthquakeHorizontal | SweepResult::EarthquakeVertical | SweepResult::Sea(_) => {
+                false
+            }
+            SweepResult::Of(result) => {
+                const MATTER: [ResultName; 9] = [
+                    ResultName::Mode,
+                    ResultName::Also,
+                    ResultName::LoadFactor,
+                    ResultName::DepartureMode,
+                    ResultName::SfSliding,
+                    ResultName::SfOverturningNet,
+                    ResultName::BearingMax,
+                    ResultName::ContactShare,
+                    ResultName::GroundFactor,
+                ];
+                let is_asked = |criterion: &Criterion| asked_for(*criterion) == Some(result);
+                MATTER.contains(&result) || criteria.iter().any(is_asked)
+            }
+            _ => true,
         }
     }
 

@@ -97,7 +97,7 @@ impl Compared<'_> {
 /// A multiple of the loads of a situation: as a force where they are one.
 fn at(assessed: &Assessed, factor: f64) -> String {
     match lone_force(assessed) {
-        Some(force) => assessed.extent.kilonewtons(factor * force.abs()),
+        Some(force) => assessed.output.force(factor * force.abs()),
         None => percent(factor),
     }
 }

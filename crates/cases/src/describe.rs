@@ -7,7 +7,8 @@ use standfast::{Mode, Motion};
 
 use crate::case::Case;
 use crate::layout::{apart, columns, digits, paragraph, row};
-use crate::units::{Dimension, Extent};
+use crate::units::Dimension;
+use standfast_inputs::OutputUnits;
 
 /// Units of the non-dimensional numbers of a point: m, m g, g, B and g/B of the real body.
 #[derive(Debug, Clone, Copy)]
@@ -18,15 +19,15 @@ pub struct Scale {
     pub length: f64,
     /// m g, N per metre run or of the whole object.
     pub weight: f64,
-    /// Extent of forces: a metre run or the whole body.
-    pub extent: Extent,
+    /// Units in which they are written.
+    pub output: OutputUnits,
 }
 
 impl Scale {
     /// The scale of the body of a case.
-    pub fn of(Case { body, gravity, extent, .. }: &Case) -> Scale {
+    pub fn of(Case { body, gravity, output, .. }: &Case) -> Scale {
         let weight = body.mass() * gravity;
-        Scale { acceleration: *gravity, length: body.width() / 2.0, weight, extent: *extent }
+        Scale { acceleration: *gravity, length: body.width() / 2.0, weight, output: *output }
     }
 }
 
@@ -86,9 +87,12 @@ pub struct MotionPart {
 }
 
 impl MotionPart {
-    /// The unit of a real body's in a case of this extent, and how many SI units make one.
-    pub fn on_paper(&self, extent: Extent) -> (&'static str, f64) {
-        self.dimension.map_or(("rad/s²", 1.0), |dimension| extent.of(dimension).on_paper())
+    /// A real body's value in SI units as it is written, and its unit.
+    pub fn on_paper(&self, output: OutputUnits, si: f64) -> [String; 2] {
+        match self.dimension {
+            Some(dimension) => [output.value(dimension, si), output.symbol(dimension)],
+            None => [output.number(si), "rad/s²".to_owned()],
+        }
     }
 }
 
@@ -125,8 +129,8 @@ pub const MOTION: [MotionPart; 9] = {
 pub fn real_motion(motion: &Motion, scale: &Scale) -> String {
     let reduced = motion.scaled(1.0 / scale.acceleration, 1.0 / scale.length, 1.0 / scale.weight);
     let rows = MOTION.map(|part @ MotionPart { symbol, words, of, unit, .. }| {
-        let (real, si) = part.on_paper(scale.extent);
-        row![symbol, words, digits(of(&reduced)), unit, digits(of(motion) / si), real]
+        let [real, real_unit] = part.on_paper(scale.output, of(motion));
+        row![symbol, words, digits(of(&reduced)), unit, real, real_unit]
     });
     columns(&rows, 2, &[2, 4])
 }

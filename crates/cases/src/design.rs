@@ -2,6 +2,7 @@
 
 mod boundary;
 mod json;
+mod minimum;
 mod single;
 mod summary;
 mod text;

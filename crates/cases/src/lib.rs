@@ -52,7 +52,7 @@ pub use report::{coloured, report};
 pub use standfast_answers::{CaseCheck, Check, criteria, results, sweep};
 pub use standfast_inputs::{
     CaseError, CaseText, CodeFile, Difference, Entry, Excerpt, Explained, Fault, GRAVITY, Id, Inputs, Key,
-    Place, Problem, ReadFile, RecordFile, Value, key, suggest, typed, units,
+    OutputUnits, Place, Problem, ReadFile, RecordFile, Value, key, suggest, typed, units,
 };
 pub use standfast_model::{Acting, Bound, Case, CaseFile, Criterion, Warning, case, couple};
 pub use standfast_watch::{Portion, Stopped, Watch};

@@ -23,12 +23,13 @@ fn file(text: &str) -> CaseFile {
 }
 
 /// Cases that have every number between them.
-const CASES: [&str; 22] = [
+const CASES: [&str; 23] = [
     "gravity = 9.8\n[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\nkinetic_friction = 0.35\nbase_left = 1.9\n\
      base_right = 1.8\ncentroid_offset = 0.1\ncentroid_height = 2.9\nmoment_of_inertia = 2e5\n[uplift]\nleft = 1e3\n\
      right = 2e3\n[[load]]\nforce = 60e3\nelevation = 4\n[[load]]\nname = \"crane\"\nforce = 9e3\ndirection = \"down\"\n\
      elevation = 5\ndistance = 1\npermanent = true\n[[pressure]]\nface = \"right\"\nelevation = [0, 3]\npressure = [8e3, 2e3]\n\
      scale = 1.1\npermanent = true\n",
+    "[body]\nfloor_deg = 3\nwidth = 1\nheight = 2\ndensity = 2400\nfriction = 0.4\n[[load]]\nforce = 6e3\nelevation = 1.5\n",
     "[body]\nwidth = 1\nheight = 2\nlength = 0.8\ndensity = 2400\nfriction = 0.4\n[earthquake]\nhorizontal = \"0.3 g\"\nvertical = \"0.1 g\"\n\
      [added_mass]\nmass = 300\nelevation = 0.5\n",
     "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\nbuoyant_weight = 2318640\nweight_arm = 7.4\n[wave]\n\

@@ -14,7 +14,7 @@ use standfast::{InputError, Point};
 
 use standfast_cases::beginnings::{BEGINNINGS, Beginning};
 use standfast_cases::check_up_to;
-use standfast_cases::design::Target;
+use standfast_cases::design::{Cost, Target};
 use standfast_cases::motion::{SpectrumKind, SpectrumSteps};
 use standfast_cases::random::{MethodAsked, ValueRange};
 use standfast_figures::FigureId;
@@ -34,6 +34,12 @@ static VERSION: LazyLock<String> = LazyLock::new(|| {
     let commit = option_env!("STANDFAST_COMMIT").map(|commit| format!("commit {commit}; "));
     format!("{} ({}{})", env!("CARGO_PKG_VERSION"), commit.unwrap_or_default(), features::list())
 });
+
+/// Name and version of the program.
+pub fn program() -> String {
+    let commit = option_env!("STANDFAST_COMMIT").map(|commit| format!(" (commit {commit})"));
+    format!("standfast {}{}", env!("CARGO_PKG_VERSION"), commit.unwrap_or_default())
+}
 
 /// Does a freestanding body on a rough base rest, slide, rock, or slide and rock under a horizontal force?
 ///
@@ -133,7 +139,10 @@ pub enum Command {
     ///
     /// With --case every row is the case of a file with other numbers. Name a column by a key of the file, as wave.Hmax or
     /// water_level, with the unit in brackets behind it if that is not SI. What depends on it changes with it, and is named at the
-    /// end. The results are those of the situation that governs, under the names and in the SI units of `assess --format json`.
+    /// end. The results are those of the situation that governs, under the names of `assess --format json`. In CSV and Excel they are in
+    /// the units of [output], else those of `assess`, and the heading has the unit: bearing_max [kPa]; in Parquet and Arrow they are SI.
+    /// The worst row of each criterion is told at the end. A workbook has it on a sheet `summary`, and on a sheet `inputs` the case
+    /// file, the columns and the program's version.
     ///
     /// A case with a table `motion` or `block` is followed in time for every row. Name a column by its place in the file, as
     /// block.mu_s or motion.base.horizontal.file. The results are end, slide, max_slide, max_theta,
@@ -383,7 +392,7 @@ pub struct DesignArgs {
     /// Quantity to vary: width, height, mass, friction, water_level, crest_height, or any number of the case as in wave.period; without
     /// one, the least change of each number that a person can change
     #[arg(long, value_name = "QUANTITY")]
-    pub vary: Option<String>,
+    pub vary: Vec<String>,
     /// The target, one of those below [default: the criteria of the case; without any that it rests, in time that it does not overturn]
     #[arg(long, value_name = "TARGET")]
     pub target: Option<Target>,
@@ -393,12 +402,16 @@ pub struct DesignArgs {
     /// The greatest value that meets the target
     #[arg(long, requires = "vary")]
     pub greatest: bool,
-    /// Lower end of the range, as in the case file, e.g. "8 m" or 8 [default: a fifth of the present value]
+    /// The least volume or mass that meets the target with two or three quantities, each by its own --vary, as volume is
+    #[arg(long, visible_alias = "minimize", value_name = "COST", requires = "vary", conflicts_with_all = ["least", "greatest", "and"], value_parser = cost)]
+    pub minimise: Option<Cost>,
+    /// Lower end of the range, as in the case file, e.g. "8 m" or 8; with --minimise once for each quantity [default: a fifth of the present
+    /// value, with --minimise half]
     #[arg(long, value_name = "A", allow_hyphen_values = true, requires = "vary")]
-    pub from: Option<String>,
-    /// Upper end of the range [default: five times the present value]
+    pub from: Vec<String>,
+    /// Upper end of the range [default: five times the present value, with --minimise twice]
     #[arg(long, value_name = "B", allow_hyphen_values = true, requires = "vary")]
-    pub to: Option<String>,
+    pub to: Vec<String>,
     /// Another quantity: the answer for each of many values of it
     #[arg(long, value_name = "QUANTITY", requires = "vary")]
     pub and: Option<String>,
@@ -562,7 +575,8 @@ pub struct BatchArgs {
     /// Column of the table that is read as one of ours, e.g. mu=friction or wave.Hmax=H; may be given again
     #[arg(long, value_name = "OURS=THEIRS")]
     pub map: Vec<Mapping>,
-    /// Results to write, in this order, e.g. mode,unique,x_ddot or SF_sliding,load_factor [default: all]
+    /// Results to write, in this order, e.g. mode,unique,x_ddot or SF_sliding,load_factor, or all [default: those that
+    /// matter: what happens, how near another answer is, what criteria ask for; of points all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub columns: Vec<String>,
     /// Treatment of a row that makes no sense
@@ -599,6 +613,10 @@ impl BatchArgs {
 fn number(text: &str, point: impl FnOnce(f64) -> Result<Point, InputError>) -> Result<f64, String> {
     let value: f64 = text.trim().parse().map_err(|_| "expected a number".to_owned())?;
     point(value).map(|_| value).map_err(|error| format!("expected {}", error.expected))
+}
+
+fn cost(text: &str) -> Result<Cost, String> {
+    Cost::find(text.trim()).ok_or_else(|| "expected volume or mass".to_owned())
 }
 
 fn gamma(text: &str) -> Result<f64, String> {

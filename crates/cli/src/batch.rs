@@ -12,7 +12,7 @@ use standfast_cases::layout::paragraph;
 use standfast_cases::sweep::SweepResult;
 use standfast_tables::{
     CaseTable, Interface, ResultColumn, Summary, TableError, TableFormat, TableInput, TableOptions,
-    TableProblem, Varied, VariedColumn, answer,
+    TableProblem, Varied, VariedColumn, WorstRow, answer,
 };
 
 use crate::case_file;
@@ -35,7 +35,10 @@ pub fn columns(problem: TableProblem, names: &[String]) -> Result<Vec<ResultColu
     names.iter().map(of_name).collect()
 }
 
-/// The case that rows vary, with the results of these names; with all for none.
+/// The name of all results.
+const ALL: &str = "all";
+
+/// The case that rows vary, with the results of these names, or `all`; with those that matter for none.
 ///
 /// # Errors
 /// If the case file cannot be read or is wrong, or there is no result of a name.
@@ -45,7 +48,11 @@ pub fn case(path: &Path, names: &[String], read: &FilesRead) -> Result<CaseTable
         let found = SweepResult::find(name.trim());
         found.ok_or_else(|| no_result(name, SweepResult::all().map(SweepResult::name)))
     };
-    Ok(case.with_results(names.iter().map(of_name).collect::<Result<_, _>>()?))
+    match names {
+        [] => Ok(case.with_what_matters()),
+        [name] if name.trim() == ALL => Ok(case),
+        _ => Ok(case.with_results(names.iter().map(of_name).collect::<Result<_, _>>()?)),
+    }
 }
 
 fn no_result(name: &str, all: impl Iterator<Item = &'static str>) -> TableError {
@@ -72,10 +79,24 @@ pub fn said(summary: &Summary) -> String {
     for warning in &summary.minded {
         text += &paragraph(&format!("warning: {warning} ({})", warning.name), 0);
     }
+    for worst in &summary.worst {
+        text += &paragraph(&worst_row(worst), 0);
+    }
     if let Summary { bad, rows, first: Some(first), .. } = summary {
         text += &format!("warning: {bad} of {rows} rows without a result; the first: {first}\n");
     }
     text
+}
+
+/// The worst row of a criterion, in a sentence.
+fn worst_row(worst: &WorstRow) -> String {
+    let WorstRow { criterion, required, value, unmet, rows, .. } = worst;
+    let rows = match (*unmet, *rows) {
+        (0, 1) => "met in the one row".to_owned(),
+        (0, rows) => format!("met in all {rows} rows"),
+        (unmet, rows) => format!("not met in {unmet} of {rows} rows"),
+    };
+    format!("{criterion} {required}: {rows}; the worst is {value}, in row {}", worst.number())
 }
 
 /// The format of a table: the one that is said, or what the file's extension tells. `option` is the one that says it.

@@ -7,8 +7,8 @@ use std::str::FromStr;
 
 use standfast_cases::Document;
 use standfast_cases::design::{
-    BoundaryRequest, ChangeList, Design, DesignBoundary, DesignRequest, Extreme, Spelling, Target,
-    boundary_csv,
+    BoundaryRequest, ChangeList, Design, DesignBoundary, DesignRequest, Extreme, Minimum, MinimumRequest,
+    Spelling, Target, boundary_csv,
 };
 
 use crate::args::DesignArgs;
@@ -71,7 +71,19 @@ pub fn design(args: &DesignArgs) -> Result<String> {
         // Before a boundary is looked for, or the first of several files is written.
         read.refuse(output.path())?;
     }
-    let Some(vary) = args.vary.clone() else {
+    if let Some(cost) = args.minimise {
+        let request = MinimumRequest {
+            vary: args.vary.clone(),
+            target: args.target.map_or_else(|| Target::own(&file), Ok)?,
+            cost,
+            from: args.from.clone(),
+            to: args.to.clone(),
+            spelling: &Spelling::PROGRAM,
+        };
+        let minimum = watched(|portion| Minimum::of(&file, request, portion))?;
+        return Ok(Shown::of(args.brief, args.format).text(&minimum, &(), &[]));
+    }
+    let Some(vary) = single(&args.vary, "--vary")? else {
         let list = watched(|portion| ChangeList::of(&file, args.target, portion))?;
         return Ok(Shown::of(args.brief, args.format).text(&list, &(), &[]));
     };
@@ -79,8 +91,8 @@ pub fn design(args: &DesignArgs) -> Result<String> {
         vary,
         target: args.target.map_or_else(|| Target::own(&file), Ok)?,
         extreme: if args.greatest { Extreme::Greatest } else { Extreme::Least },
-        from: args.from.clone(),
-        to: args.to.clone(),
+        from: single(&args.from, "--from")?,
+        to: single(&args.to, "--to")?,
         spelling: &Spelling::PROGRAM,
     };
     let Some(and) = args.and.clone() else {
@@ -95,6 +107,15 @@ pub fn design(args: &DesignArgs) -> Result<String> {
         Format::Text => boundary.text(&()) + &written,
         Format::Json => boundary.json(&(), &[]),
     })
+}
+
+/// The one value of an option that only a least cost takes several times.
+fn single(values: &[String], option: &'static str) -> Result<Option<String>> {
+    match values {
+        [] => Ok(None),
+        [value] => Ok(Some(value.clone())),
+        _ => Err(CommandError::Several { option }),
+    }
 }
 
 /// Writes the files; says so.

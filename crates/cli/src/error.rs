@@ -102,6 +102,12 @@ pub enum CommandError {
         /// The file.
         path: PathBuf,
     },
+    /// An option that only a least cost takes several times.
+    #[error("{option} is given several times; expected once, without --minimise")]
+    Several {
+        /// The option.
+        option: &'static str,
+    },
     /// There is no boundary to be drawn.
     #[error("there is no boundary to draw: the target is met up to both ends of the range in every column")]
     NoBoundary,
@@ -165,6 +171,9 @@ impl Explained for CommandError {
             CommandError::NothingToCheck { example, .. } => format!("add for example\n[criteria]\n{example}"),
             CommandError::Extension { .. } => {
                 "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx".into()
+            }
+            CommandError::Several { .. } => {
+                "--and takes a second quantity; --minimise volume several, for the least of it".into()
             }
             CommandError::NoBoundary => {
                 "--from and --to widen the range; -o FILE.csv writes the values".into()

@@ -173,6 +173,7 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
         columns,
         on_error: args.on_error,
         threads: args::threads(args.threads),
+        program: Some(args::program()),
         ..plain
     };
     let summary = batch::process(&args.input, &args.output, &options, &read)?;

@@ -10,10 +10,15 @@ pub fn digits(x: f64) -> String {
 /// A safety factor, or a ratio that is compared with 1, in four digits; in more where it takes them to tell it from 1, as far as it is
 /// known.
 pub fn factor(x: f64) -> String {
+    factor_in(x, 4)
+}
+
+/// The same in `count` digits.
+pub(crate) fn factor_in(x: f64, count: usize) -> String {
     // A quotient of sums is not known to its last bits.
     const ROUNDING: f64 = 4.0 * f64::EPSILON;
     let x = if (x - 1.0).abs() <= ROUNDING { 1.0 } else { x };
-    if x == f64::INFINITY { "unlimited".to_owned() } else { number::beside(x, 1.0, 4).to_string() }
+    if x == f64::INFINITY { "unlimited".to_owned() } else { number::beside(x, 1.0, count).to_string() }
 }
 
 /// A share of a whole in per cent; in more than four digits where it takes them to tell it from the whole.

@@ -11,7 +11,7 @@ use standfast_motion::MotionError;
 use thiserror::Error;
 
 use crate::datum::LevelFault;
-use crate::digits::shortened;
+use crate::digits::{digits, shortened};
 use crate::key::{Id, Key, Table};
 use crate::random::RandomProblem;
 use crate::units::{Dimension, UnitError};
@@ -713,6 +713,14 @@ pub enum Problem {
     /// A variable load that a code cannot name.
     #[error("a code names every load, and this one has no name")]
     NamelessLoad,
+    /// A tilted floor under something that is not worked out for one.
+    #[error("the floor of [body] rises at {}°, and {what} is not worked out for a tilted floor", digits(*slope))]
+    TiltedFloor {
+        /// Its rise, degrees.
+        slope: f64,
+        /// What stands beside it.
+        what: &'static str,
+    },
     /// A base whose opening is not followed.
     #[error("`{}` of [water] follows a base that opens, which is not done for {what}", key.name())]
     OpeningNotFor {

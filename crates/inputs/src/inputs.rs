@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::code_file::CodeFile;
 use crate::datum::{Datum, Frame};
 use crate::key::{Id, Key, Kind, Table};
+use crate::output::OutputUnits;
 use crate::record::RecordFile;
 use crate::units::{Dimension, Extent, GRAVITY_UNIT, ShownUnit, split_text};
 
@@ -412,6 +413,13 @@ impl Inputs {
     /// What texts of its numbers are read against.
     pub fn frame(&self) -> Frame<'_> {
         Frame { units: self.units(), datum: self.datum(), sea: self.sea() }
+    }
+
+    /// Units and digits in which its answers are written.
+    pub fn output(&self) -> OutputUnits {
+        let named = [Key::OutputForce, Key::OutputPressure, Key::OutputLength];
+        let digits = self.number(Key::OutputDigits).map(|digits| digits as usize);
+        OutputUnits::from(self.extent()).with(named.map(|key| self.choice(key)), digits)
     }
 
     /// Extent of its numbers with units; `None` of a body in pure numbers, which have no units.

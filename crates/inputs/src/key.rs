@@ -19,6 +19,8 @@ pub enum Table {
     Top,
     /// Zero of the levels.
     Datum,
+    /// Units and digits of answers.
+    Output,
     /// The body and its friction.
     Body,
     /// A part that the body is made of.
@@ -87,9 +89,10 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 34] = [
+    pub const ALL: [Table; 35] = [
         Table::Top,
         Table::Datum,
+        Table::Output,
         Table::Body,
         Table::Part,
         Table::Ground,
@@ -185,6 +188,7 @@ impl Table {
         match self {
             Table::Top => "",
             Table::Datum => "datum",
+            Table::Output => "output",
             Table::Body => "body",
             Table::Part => "part",
             Table::Ground => "ground",
@@ -257,6 +261,7 @@ impl Table {
         match self {
             Table::Top => "the case file",
             Table::Datum => "`datum`",
+            Table::Output => "[output]",
             Table::Body => "[body]",
             Table::Part => "[[part]]",
             Table::Ground => "[ground]",
@@ -298,6 +303,9 @@ impl Table {
             Table::Top => "above all tables",
             Table::Datum => {
                 "zero of the levels, with which a height or a depth may be written as a level: \"+4.10 mCD\""
+            }
+            Table::Output => {
+                "units and digits in which answers are written: text, sheet and figures, CSV and Excel; JSON, Parquet and Arrow stay SI"
             }
             Table::Body => "the body and its friction",
             Table::Part => {
@@ -394,6 +402,7 @@ impl Table {
     pub fn example(self) -> &'static str {
         match self {
             Table::Datum => "datum = { base = \"-8.20 m\", name = \"CD\" }",
+            Table::Output => "[output]\nforce = \"MN/m\"\ndigits = 5",
             Table::Body => {
                 "[body]\nwidth = \"15 m\"\nheight = \"12 m\"\ndensity = \"2.1 t/m3\"\nfriction = 0.6"
             }
@@ -465,6 +474,10 @@ pub enum Range {
     Increment,
     /// Overconsolidation ratio.
     FromOne,
+    /// So many digits.
+    Digits,
+    /// Slope of a floor, degrees.
+    Floor,
 }
 
 impl Range {
@@ -476,11 +489,12 @@ impl Range {
             Range::Positive => value > 0.0,
             Range::Share => value > 0.0 && value <= 1.0,
             Range::ZeroToOne => (0.0..=1.0).contains(&value),
-            Range::GroundAngle | Range::SoilAngle | Range::Batter | Range::Increment => {
+            Range::GroundAngle | Range::SoilAngle | Range::Batter | Range::Increment | Range::Floor => {
                 let [low, high] = self.ends();
                 (low..=high).contains(&value)
             }
             Range::FromOne => value >= 1.0,
+            Range::Digits => (3.0..=12.0).contains(&value) && value.fract() == 0.0,
         };
         in_range && value.is_finite()
     }
@@ -498,6 +512,8 @@ impl Range {
             Range::Batter => "an angle from -20 to 30 degrees",
             Range::Increment => "a share from 0.3333 to 0.6667",
             Range::FromOne => "a finite number, 1 or more",
+            Range::Digits => "a whole number from 3 to 12",
+            Range::Floor => "an angle from -45 to 45 degrees",
         }
     }
 
@@ -512,6 +528,8 @@ impl Range {
             Range::Batter => [-20.0, 30.0],
             Range::Increment => [0.3333, 0.6667],
             Range::FromOne => [1.0, f64::INFINITY],
+            Range::Digits => [3.0, 12.0],
+            Range::Floor => [-45.0, 45.0],
         }
     }
 }
@@ -544,6 +562,8 @@ pub enum Kind {
         /// The words as they stand in a sentence.
         words: &'static str,
     },
+    /// A unit of this dimension, by its name.
+    Unit(Dimension),
     /// Numbers with a unit, or without one in SI units, in a list.
     List(Dimension),
     /// Names of loads, and the factor of each, or two of them that are tried in turn.
@@ -641,7 +661,7 @@ impl KeyInfo {
             Kind::Measured(_, range) | Kind::Plain(range) => Some(range),
             Kind::InGravity | Kind::Reached => Some(Range::Finite),
             Kind::OneOf(_, range) => Some(range),
-            Kind::Text | Kind::Truth | Kind::Choice { .. } | Kind::File => None,
+            Kind::Text | Kind::Truth | Kind::Choice { .. } | Kind::Unit(_) | Kind::File => None,
             Kind::List(_) | Kind::Plains | Kind::Factors | Kind::ModeList => None,
             Kind::Settings | Kind::Ratios | Kind::Bounds => None,
         }
@@ -732,8 +752,8 @@ use Kind::{
 use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, ZeroToOne};
 use Table::{
     AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Datum, Drain,
-    Earthquake, Ground, History, Impact, Initial, Load, Moment, Motion, Part, Point, Pressure, Resistance,
-    Soil, Storm, Top, Uplift, Water, Wave,
+    Earthquake, Ground, History, Impact, Initial, Load, Moment, Motion, Output, Part, Point, Pressure,
+    Resistance, Soil, Storm, Top, Uplift, Water, Wave,
 };
 
 listed! {
@@ -753,6 +773,15 @@ listed! {
 
     DatumBase = key(Datum, "base", length(Finite), "z_0", "level of the base", "\"-8.20 m\"");
     DatumName = key(Datum, "name", Text, "", "name of the datum, as it stands behind the unit of a level", "\"CD\"");
+
+    OutputForce = key(Output, "force", Kind::Unit(Dimension::Force), "", "unit of forces; moments go with it", "\"MN/m\"")
+        .silent("unit of forces in answers: kN/m, of an object kN");
+    OutputPressure = key(Output, "pressure", Kind::Unit(Dimension::Pressure), "", "unit of pressures", "\"kPa\"")
+        .silent("unit of pressures in answers: kPa");
+    OutputLength = key(Output, "length", Kind::Unit(Dimension::Length), "", "unit of lengths", "\"m\"")
+        .silent("unit of lengths in answers: m");
+    OutputDigits = key(Output, "digits", Plain(Range::Digits), "", "significant digits of numbers", "5")
+        .silent("digits of numbers in answers: 4, on a sheet 5");
 
     Width = key(Body, "width", length(Positive), "w", "width of the body", "\"15 m\"")
         .moves(Moves::Width).gives(&[Quantity::Width]);
@@ -791,6 +820,9 @@ listed! {
         .silent("arm of the buoyant weight: that of the weight; of parts, that of the weight less buoyancy").gives(&[Quantity::WeightArm]);
     WidthScale = key(Body, "width_scale", Plain(Positive), "f_w", "factor on the lengths of all parts along the base", "1.1")
         .silent("lengths of parts along the base: as given").moves(Moves::Width).gives(&[Quantity::Width]);
+
+    FloorDeg = key(Body, "floor_deg", Plain(Range::Floor), "ε_f", "rise of the floor to the right, degrees; loads keep their directions in space", "6")
+        .silent("floor: level");
 
     PartName = key(Part, "name", Text, "", "name of the part", "\"footing\"");
     PartGroup = key(Part, "group", Text, "", "group of parts whose weight combinations multiply by a factor of its own", "\"fill\"");
@@ -1309,7 +1341,7 @@ mod tests {
             assert_eq!(twins.count(), 1, "{}", info.name);
             assert!(!info.words.is_empty() && !info.example.is_empty());
             // What is asked of results is not a number of a calculation.
-            let calculated = info.range().is_some() && info.table != Table::Criteria;
+            let calculated = info.range().is_some() && !matches!(info.table, Table::Criteria | Table::Output);
             assert_eq!(calculated, !info.symbol.is_empty(), "{}", info.name);
             if let Kind::Measured(dimension, range) = info.kind {
                 let value = dimension.parse(info.example.trim_matches('"')).unwrap();

@@ -30,6 +30,7 @@ pub mod explained;
 pub mod inputs;
 pub mod key;
 mod list;
+pub mod output;
 pub mod parse;
 pub mod random;
 pub mod record;
@@ -44,6 +45,7 @@ pub use error::{CaseError, Cure, Fault, Place, Problem};
 pub use explained::{Excerpt, Explained};
 pub use inputs::{GRAVITY, Inputs, Value};
 pub use key::{Id, Key};
+pub use output::OutputUnits;
 pub use parse::{CaseText, Entry};
 pub use record::{ReadFile, RecordFile};
 

@@ -632,6 +632,18 @@ impl Field<'_> {
                     None => return Err(self.out_of_range(words)),
                 }
             }
+            Kind::Unit(dimension) => {
+                let unit = self.words()?;
+                let dimension = self.frame.units.unwrap_or(Extent::PerMetre).of(dimension);
+                let unknown = || Problem::Unit {
+                    key: self.id.key,
+                    dimension: Some(dimension),
+                    written: self.written(self.value),
+                    error: UnitError::Unknown(unit.clone()),
+                };
+                let named = dimension.names().find(|name| *name == unit);
+                Value::Choice(named.ok_or_else(|| self.problem(unknown()))?)
+            }
             Kind::List(_) => {
                 let numbers = self.elements(kind)?.map(|field| {
                     let number = plain_number(field.value.get_ref()).map_or_else(|| field.measured(), Ok)?;

@@ -25,16 +25,6 @@ impl Extent {
         }
     }
 
-    /// The unit in which forces are printed, 10³ N.
-    pub fn force_unit(self) -> &'static str {
-        self.of(Dimension::Force).on_paper().0
-    }
-
-    /// The unit in which moments are printed, 10³ N m.
-    pub fn moment_unit(self) -> &'static str {
-        self.of(Dimension::Moment).on_paper().0
-    }
-
     /// A force in kN.
     pub fn kilonewtons(self, force: f64) -> String {
         self.of(Dimension::Force).written(force)
@@ -202,6 +192,14 @@ impl ShownUnit {
         }
     }
 
+    /// The unit of moments of forces in this unit: their arms are in metres, or in feet beside lbf and kip.
+    pub(crate) fn of_moments(self) -> Option<ShownUnit> {
+        let (force, per) = self.name.split_once('/').map_or((self.name, ""), |(force, _)| (force, "/"));
+        let moments = if per.is_empty() { Dimension::WholeMoment } else { Dimension::Moment };
+        let of_force = |name: &&str| name.split_once(' ').is_some_and(|(unit, _)| unit == force);
+        moments.names().find(of_force).and_then(|name| moments.shown_unit(name))
+    }
+
     /// An SI value as a number of this unit.
     pub fn of_si(self, si: f64) -> f64 {
         match self.of {
@@ -229,6 +227,7 @@ impl Dimension {
                 ("kN/m²", 3),
                 ("kN/m^2", 3),
                 ("MN/m2", 6),
+                ("MN/m²", 6),
                 ("N/mm2", 6),
                 ("N/mm²", 6),
             ],
@@ -258,17 +257,23 @@ impl Dimension {
             Dimension::Acceleration => &[("ft/s2", FOOT)],
             Dimension::Pressure => &[
                 ("tf/m2", 1e3 * KGF),
+                ("tf/m²", 1e3 * KGF),
                 ("kgf/cm2", 1e4 * KGF),
+                ("kgf/cm²", 1e4 * KGF),
                 ("psf", LBF / (FOOT * FOOT)),
                 ("ksf", 1e3 * LBF / (FOOT * FOOT)),
                 ("psi", LBF / (INCH * INCH)),
             ],
             Dimension::UnitWeight => &[("tf/m3", 1e3 * KGF), ("pcf", LBF / (FOOT * FOOT * FOOT))],
             Dimension::Angle => &[("deg", std::f64::consts::PI / 180.0), ("°", std::f64::consts::PI / 180.0)],
-            Dimension::Moment => &[("tf m/m", 1e3 * KGF), ("kip ft/ft", 1e3 * LBF)],
+            Dimension::Moment => {
+                &[("kgf m/m", KGF), ("tf m/m", 1e3 * KGF), ("lbf ft/ft", LBF), ("kip ft/ft", 1e3 * LBF)]
+            }
             Dimension::WholeMass => &[("slug", LBF / FOOT)],
             Dimension::WholeForce => &[("kgf", KGF), ("tf", 1e3 * KGF), ("lbf", LBF), ("kip", 1e3 * LBF)],
-            Dimension::WholeMoment => &[("tf m", 1e3 * KGF), ("kip ft", 1e3 * LBF * FOOT)],
+            Dimension::WholeMoment => {
+                &[("kgf m", KGF), ("tf m", 1e3 * KGF), ("lbf ft", LBF * FOOT), ("kip ft", 1e3 * LBF * FOOT)]
+            }
             Dimension::Stiffness | Dimension::Inertia | Dimension::WholeInertia | Dimension::Time => &[],
         }
     }
@@ -384,6 +389,17 @@ impl Dimension {
     pub(crate) fn shown_unit(self, name: &str) -> Option<ShownUnit> {
         let name = self.names().find(|known| *known == name)?;
         Some(ShownUnit { name, of: ShownScale::Unit(self.unit(name)?) })
+    }
+
+    /// The unit of a name by its name with powers raised.
+    pub(crate) fn shown_raised(self, name: &str) -> Option<ShownUnit> {
+        self.shown_unit(&raised(&name.replace('^', ""))).or_else(|| self.shown_unit(name))
+    }
+
+    /// The unit in which people read it.
+    pub fn shown_on_paper(self) -> ShownUnit {
+        let name = self.on_paper().0;
+        self.shown_unit(name).unwrap_or_else(|| self.shown_in_si())
     }
 
     /// The unit of plain numbers.
@@ -555,6 +571,18 @@ mod tests {
         for dimension in per_metre.into_iter().chain(per_metre.map(|dimension| Extent::Whole.of(dimension))) {
             let (unit, scale) = dimension.on_paper();
             assert_eq!(dimension.parse(&format!("1 {unit}")), Ok(scale), "{unit}");
+        }
+    }
+
+    /// Units that answers may be written in have a name with powers raised, of the same size.
+    #[test]
+    fn units_of_answers_have_raised_names() {
+        for dimension in [Dimension::Force, Dimension::WholeForce, Dimension::Pressure, Dimension::Length] {
+            for name in dimension.names() {
+                let (shown, unit) = (dimension.shown_raised(name).unwrap(), dimension.unit(name).unwrap());
+                assert!(!shown.name().contains(['2', '3', '^']), "{name}: {}", shown.name());
+                assert_eq!(shown.in_si(1.0), unit.si(1.0), "{name}");
+            }
         }
     }
 

@@ -71,6 +71,7 @@ use crate::error::{Fault, Place, Problem};
 use crate::inputs::{GRAVITY, Inputs, LoadFactor};
 use crate::key::{Key, Table};
 use crate::units::Extent;
+use standfast_inputs::OutputUnits;
 
 /// A case: one body and the loads on it.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,8 +84,12 @@ pub struct Case<T = f64> {
     pub gravity: T,
     /// Extent of forces, masses and moments: a metre run or the whole body.
     pub extent: Extent,
+    /// Units and digits in which its answers are written.
+    pub output: OutputUnits,
     /// The body.
     pub body: Body<T>,
+    /// Rise of the floor to the right, degrees; loads are those of a level one, and a situation has them in the frame of the base.
+    pub floor_deg: f64,
     /// Its section, where it is made of parts.
     pub section: Option<Section>,
     /// Under which line they are wet.
@@ -300,6 +305,7 @@ impl<T: Scalar> Case<T> {
             (true, Weight::Total, wave) => Some(given.water(&body, wave.as_ref())?),
             (false, _, _) => None,
         };
+        given.floor(&weight, ground.as_ref())?;
         let opening = given.opening(&body.rounded(), ground.as_ref())?;
         let drain = given.in_table(Table::Drain, |given| given.drain(&body.rounded()))?;
         let uplift = given.in_table(Table::Uplift, Reader::uplift)?;
@@ -348,7 +354,9 @@ impl<T: Scalar> Case<T> {
             note: inputs.text(Key::Note).map(str::to_owned),
             gravity,
             extent: inputs.extent(),
+            output: inputs.output(),
             body,
+            floor_deg: inputs.number(Key::FloorDeg).unwrap_or(0.0),
             section,
             water_table: given.water_table(),
             part_names: given.of_parts(Key::PartName),
@@ -425,7 +433,15 @@ impl<T: Scalar> Case<T> {
                 let load = self.biases.on(load, &case.body, case.gravity.clone());
                 // Where factors act on effects the load is as it is.
                 let factor = if by_effects { T::of(1.0) } else { factor };
-                situation = situation.with(load.times(factor).with_id(of.into()));
+                let load = load.times(factor).with_id(of.into());
+                situation = situation.with(match case.floor_deg {
+                    0.0 => load,
+                    slope => {
+                        let action =
+                            load.action.on_slope(&case.body, case.gravity.clone(), slope.to_radians());
+                        Load { action, ..load }
+                    }
+                });
             }
         }
         Ok(situation)

@@ -102,7 +102,10 @@ impl Variable {
     /// The numbers of a case that can be varied.
     pub fn all(inputs: &Inputs) -> impl Iterator<Item = Id> {
         let varied = |id: &Id| {
-            let apart = matches!(id.table, Table::Criteria | Table::Storm | Table::Point | Table::Datum);
+            let apart = matches!(
+                id.table,
+                Table::Criteria | Table::Storm | Table::Point | Table::Datum | Table::Output
+            );
             id.key.info().range().is_some() && !apart
         };
         inputs.numbers().map(|(id, _)| id).filter(varied)

@@ -10,7 +10,8 @@ use crate::digits::{digits, plain};
 use crate::error::{Fault, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Key, MOTION_CRITERIA, Table};
-use crate::units::Dimension;
+use crate::units::ShownUnit;
+use standfast_inputs::OutputUnits;
 
 /// Criterion on a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,6 +20,8 @@ pub struct Criterion {
     pub key: Key,
     /// The bound.
     pub bound: Bound,
+    /// Units and digits in which it is read.
+    pub output: OutputUnits,
 }
 
 /// The bound of a result.
@@ -57,11 +60,14 @@ const AT_LEAST: [Key; 7] = [
 impl Criterion {
     /// The criteria of a case.
     pub(crate) fn all(inputs: &Inputs) -> Vec<Criterion> {
-        Table::Criteria.keys().filter_map(|key| Criterion::of(key, inputs.get(key)?)).collect()
+        Table::Criteria
+            .keys()
+            .filter_map(|key| Criterion::of(key, inputs.get(key)?, inputs.output()))
+            .collect()
     }
 
-    /// Criterion of a value under a key of `[criteria]`; `None` if the key is none of these.
-    pub fn of(key: Key, value: &Value) -> Option<Criterion> {
+    /// Criterion of a value under a key of `[criteria]`, read in these units; `None` if the key is none of these.
+    pub fn of(key: Key, value: &Value, output: OutputUnits) -> Option<Criterion> {
         let bound = match value {
             Value::Number(_) if key.is_of_motion() => return None,
             Value::Number(bound) if AT_LEAST.contains(&key) => Bound::AtLeast(*bound),
@@ -69,7 +75,7 @@ impl Criterion {
             Value::Modes(modes) => Bound::NoneOf(*modes),
             _ => return None,
         };
-        Some(Criterion { key, bound })
+        Some(Criterion { key, bound, output })
     }
 
     /// True if it asks for a probability, which takes random numbers.
@@ -91,27 +97,27 @@ impl Criterion {
     /// The bound as it is read: `≥ 1.2`, `≤ 400 kPa`, `none of RO, SRO-`.
     pub fn required(&self) -> String {
         match self.bound {
-            Bound::AtLeast(least) => format!("≥ {}", self.with_unit(&digits(self.shown(least)))),
-            Bound::AtMost(most) => format!("≤ {}", self.with_unit(&digits(self.shown(most)))),
+            Bound::AtLeast(least) => format!("≥ {}", self.with_unit(&self.output.number(self.shown(least)))),
+            Bound::AtMost(most) => format!("≤ {}", self.with_unit(&self.output.number(self.shown(most)))),
             Bound::NoneOf(modes) => format!("none of {}", listed_modes(modes)),
         }
     }
 
-    /// The unit in which its bound is read, empty for plain numbers and modes, and how many SI units make one.
-    fn on_paper(&self) -> (&'static str, f64) {
-        self.key.info().dimension().map_or(("", 1.0), Dimension::on_paper)
+    /// The unit in which its bound is read; `None` for plain numbers and modes.
+    fn unit(&self) -> Option<ShownUnit> {
+        self.key.info().dimension().map(|dimension| self.output.unit(dimension))
     }
 
     /// A number in the unit that it is read in.
     pub fn shown(&self, si: f64) -> f64 {
-        si / self.on_paper().1
+        self.unit().map_or(si, |unit| unit.of_si(si))
     }
 
     /// A number, as it is read, with its unit.
     pub fn with_unit(&self, number: &str) -> String {
-        match self.on_paper().0 {
-            "" => number.to_owned(),
-            unit => format!("{number} {unit}"),
+        match self.unit() {
+            None => number.to_owned(),
+            Some(unit) => format!("{number} {}", unit.symbol()),
         }
     }
 }

@@ -65,7 +65,7 @@ pub fn steps(
     view: &AssessmentView,
 ) -> Result<Markup, SheetError> {
     let case = &assessment.case;
-    let mut steps = SheetSteps::new("Body", case.extent);
+    let mut steps = SheetSteps::new("Body", case.output);
     body::steps(&mut steps, case, inputs);
     if let Some(wave) = &case.wave {
         steps.part(waves::title(wave), None);

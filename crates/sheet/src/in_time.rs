@@ -1,10 +1,11 @@
 //! The motion in time of a case: what it is asked of, what becomes of the body, and what the model leaves out.
 
 use maud::{Markup, html};
-use standfast::InputError;
+use standfast::{InputError, Wrench};
 use standfast_cases::assess::MotionAssessment;
 use standfast_cases::layout::digits;
 use standfast_cases::motion::{self, BlockCase, FirstInstant, FollowedMotion, LoadPeak, MotionView, Rows};
+use standfast_cases::units::Dimension;
 use standfast_cases::{AnswerFigure, Case, CaseFile, Document};
 
 /// At most so many situations are shown one by one.
@@ -56,7 +57,12 @@ fn motion_of(followed: &FollowedMotion, case: &Case) -> Markup {
 fn peaks(block: &BlockCase, case: &Case) -> Markup {
     let base = &block.problem.base;
     let shaken = [("to the right", &base.horizontal), ("upwards", &base.vertical)];
-    let [force, moment] = [case.extent.force_unit(), case.extent.moment_unit()];
+    let output = case.output;
+    let [force, moment] = [Dimension::Force, Dimension::Moment].map(|dimension| output.symbol(dimension));
+    let written = |wrench: &Wrench| {
+        [(-wrench.x, Dimension::Force), (wrench.p, Dimension::Force), (wrench.m, Dimension::Moment)]
+            .map(|(value, dimension)| output.value(dimension, value + 0.0))
+    };
     html! {
         @if !block.peaks.is_empty() {
             table.numbers data-table="in-time-peaks" {
@@ -70,7 +76,7 @@ fn peaks(block: &BlockCase, case: &Case) -> Markup {
                     @for LoadPeak { name, permanent, wrench } in &block.peaks {
                         tr {
                             td.name { (name) }
-                            @for value in [-wrench.x, wrench.p, wrench.m] { td.n { (digits(value / 1e3 + 0.0)) } }
+                            @for value in written(wrench) { td.n { (value) } }
                             td { @if *permanent { "all the time" } }
                         }
                     }

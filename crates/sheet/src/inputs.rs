@@ -4,11 +4,10 @@ use maud::{Markup, PreEscaped, html};
 use standfast::BaseEdges;
 use standfast_cases::case::{COUPLING, T_H, T_M, Weight};
 use standfast_cases::key::{Kind, TITLE_BLOCK, Table};
-use standfast_cases::units::Dimension;
 use standfast_cases::{Case, CaseFile, Entry, Id, Key};
 
 use crate::mathml::symbol;
-use crate::measured::{ACCELERATION, DEGREE, KILOPASCAL, METRE, Measured, NONE, number};
+use crate::measured::{ACCELERATION, DEGREE, KILOPASCAL, METRE, Measured, NONE, SheetUnit};
 use crate::symbols::of_input;
 
 pub fn tables(case: &Case, file: &CaseFile) -> Markup {
@@ -112,7 +111,9 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
         _ => written.trim_matches('"').to_owned(),
     };
     let symbol = of_input(key.info().symbol, file.inputs(), entry.id);
-    let (unit, size) = file.inputs().dimension(key).map_or(("", 1.0), Dimension::on_paper);
+    let output = file.inputs().output();
+    let unit = file.inputs().dimension(key).map_or(NONE, SheetUnit::of);
+    let measured = |value: f64| Measured::of(value, unit).in_output(output);
     html! {
         tr data-symbol=[(count == 1).then_some(symbol)] {
             td { (words.join(", ")) " " code { (key.entry()) } }
@@ -122,9 +123,9 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
                 td.n {
                     @for (i, &value) in numbers.iter().enumerate() {
                         @if i > 0 { ", " }
-                        data value=(value / size) { (number(value / size)) }
+                        (measured(value).number_html(""))
                         @if key.entry().ends_with("_deg") { "°" }
-                        @if !unit.is_empty() && i + 1 == count { "\u{a0}" span.unit { (unit) } }
+                        @if i + 1 == count { (measured(value).unit_html()) }
                     }
                 }
             }
@@ -135,26 +136,30 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
 
 /// Values taken where the file is silent: as a word, or in numbers and their unit.
 fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
+    let output = case.output;
     let BaseEdges { left, right } = case.body.base_edges();
     let mut taken = vec![
-        (Key::Gravity, Measured::of(case.gravity, ACCELERATION).html("")),
-        (Key::KineticFriction, Measured::of(case.kinetic_friction, NONE).html("")),
+        (Key::Gravity, Measured::of(case.gravity, ACCELERATION).in_output(output).html("")),
+        (Key::KineticFriction, Measured::of(case.kinetic_friction, NONE).in_output(output).html("")),
     ];
     if !case.body.is_uniform() && case.section.is_none() {
         taken.extend([
-            (Key::BaseLeft, Measured::of(left, METRE).html("")),
-            (Key::BaseRight, Measured::of(right, METRE).html("")),
-            (Key::CentroidHeight, Measured::of(case.body.centroid_height(), METRE).html("")),
+            (Key::BaseLeft, Measured::of(left, METRE).in_output(output).html("")),
+            (Key::BaseRight, Measured::of(right, METRE).in_output(output).html("")),
+            (
+                Key::CentroidHeight,
+                Measured::of(case.body.centroid_height(), METRE).in_output(output).html(""),
+            ),
         ]);
     }
     if let Weight::Buoyant { arm, .. } = case.weight {
-        taken.push((Key::WeightArm, Measured::of(arm, METRE).html("")));
+        taken.push((Key::WeightArm, Measured::of(arm, METRE).in_output(output).html("")));
     }
     if let Some(wave) = case.goda() {
-        let factors = wave.choices.lambda.map(|factor| Measured::of(factor, NONE).html(""));
+        let factors = wave.choices.lambda.map(|factor| Measured::of(factor, NONE).in_output(output).html(""));
         taken.extend([
-            (Key::CaissonWidth, Measured::of(wave.section.caisson_width, METRE).html("")),
-            (Key::TurnDeg, Measured::of(wave.choices.turn_deg, DEGREE).html("")),
+            (Key::CaissonWidth, Measured::of(wave.section.caisson_width, METRE).in_output(output).html("")),
+            (Key::TurnDeg, Measured::of(wave.choices.turn_deg, DEGREE).in_output(output).html("")),
             (Key::WaveUplift, html! { @if wave.choices.uplift { "yes" } @else { "no" } }),
             (Key::Impulsive, html! { @if wave.choices.impulsive { "used" } @else { "not used" } }),
             (Key::Lambda1, html! { (factors[0]) ", " (factors[1]) ", " (factors[2]) }),
@@ -165,7 +170,8 @@ fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
         if has(Key::GroundAngle) {
             taken.push((Key::GroundLaw, html! { "ec7" }));
             taken.extend(
-                [Key::Surcharge, Key::Cohesion].map(|key| (key, Measured::of(0.0, KILOPASCAL).html(""))),
+                [Key::Surcharge, Key::Cohesion]
+                    .map(|key| (key, Measured::of(0.0, KILOPASCAL).in_output(output).html(""))),
             );
         } else {
             let envelope = [
@@ -173,7 +179,9 @@ fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
                 (Key::EnvelopeMoment, T_M),
                 (Key::EnvelopeCoupling, COUPLING),
             ];
-            taken.extend(envelope.map(|(key, number)| (key, Measured::of(number, NONE).html(""))));
+            taken.extend(
+                envelope.map(|(key, number)| (key, Measured::of(number, NONE).in_output(output).html(""))),
+            );
         }
     }
     if case.earthquake.is_some() {

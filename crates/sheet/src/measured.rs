@@ -2,9 +2,10 @@
 
 use maud::{Markup, PreEscaped, html};
 use standfast::number::{Significant, apart, beside, significant};
-use standfast_cases::units::{Dimension, Extent};
+use standfast_cases::OutputUnits;
+use standfast_cases::units::Dimension;
 
-/// Significant digits in the calculation, enough to follow it by hand.
+/// Significant digits in the calculation where the case asks for no other, enough to follow it by hand.
 const DIGITS: usize = 5;
 
 /// A unit, and how many SI units make one.
@@ -22,7 +23,7 @@ pub struct SheetUnit {
 
 impl SheetUnit {
     /// That in which people read a quantity of case files.
-    const fn of(dimension: Dimension) -> SheetUnit {
+    pub const fn of(dimension: Dimension) -> SheetUnit {
         let (text, si) = dimension.on_paper();
         SheetUnit { text, si, dimension: Some(dimension), is_factor: false }
     }
@@ -75,20 +76,24 @@ pub struct Measured {
     pub value: f64,
     /// Unit that the number is shown in.
     pub unit: SheetUnit,
+    /// Significant digits that are shown.
+    digits: usize,
 }
 
 impl Measured {
     /// A value of the library, in SI units; an angle in degrees.
     pub fn of(si: f64, unit: SheetUnit) -> Measured {
         // `+ 0.0` turns −0 into 0.
-        Measured { value: si / unit.si + 0.0, unit }
+        Measured { value: si / unit.si + 0.0, unit, digits: DIGITS }
     }
 
-    /// Converts to the unit of a case of this extent, where forces and masses are per metre run or of the whole.
-    pub fn in_extent(self, extent: Extent) -> Measured {
-        let Some(dimension) = self.unit.dimension else { return self };
-        let unit = SheetUnit::of(extent.of(dimension));
-        Measured { value: self.value * (self.unit.si / unit.si), unit }
+    /// Converts to the unit in which a case is written, where forces and masses are per metre run or of the whole.
+    pub fn in_output(self, output: OutputUnits) -> Measured {
+        let digits = output.digits().unwrap_or(DIGITS);
+        let Some(dimension) = self.unit.dimension else { return Measured { digits, ..self } };
+        let shown = output.unit(dimension);
+        let unit = SheetUnit { text: shown.name(), si: shown.in_si(1.0), ..self.unit };
+        Measured { value: self.value * (self.unit.si / unit.si), unit, digits }
     }
 
     /// The number at full precision for machines, rounded for people, with its unit. `name` says which number of the case it
@@ -104,7 +109,10 @@ impl Measured {
 
     /// The digits shown.
     fn digits(&self) -> Significant {
-        if self.unit.is_factor { beside(self.value, 1.0, DIGITS) } else { significant(self.value, DIGITS) }
+        match self.unit.is_factor {
+            true => beside(self.value, 1.0, self.digits),
+            false => significant(self.value, self.digits),
+        }
     }
 
     fn text(&self) -> Markup {

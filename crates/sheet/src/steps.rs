@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 use standfast::relation::Relation;
-use standfast_cases::units::Extent;
+use standfast_cases::OutputUnits;
 
 use crate::fault::SheetFault;
 use crate::formula::{Formula, FormulaError, Scope};
@@ -15,7 +15,7 @@ use crate::together::{self, Brief, Column, Item, Row};
 /// Faults leave no gap: the first is kept, and [`finish`](SheetSteps::finish), the only way to what is written, gives it
 /// instead.
 pub struct SheetSteps {
-    extent: Extent,
+    output: OutputUnits,
     scope: Scope,
     done: Vec<Part>,
     part: Part,
@@ -68,10 +68,10 @@ pub struct SheetStep<'a> {
 }
 
 impl SheetSteps {
-    /// No steps yet of a case of this extent, in a part of this title.
-    pub fn new(title: &str, extent: Extent) -> SheetSteps {
+    /// No steps yet of a case that is written so, in a part of this title.
+    pub fn new(title: &str, output: OutputUnits) -> SheetSteps {
         SheetSteps {
-            extent,
+            output,
             scope: Scope::new(),
             done: Vec::new(),
             part: Part::of(title, None),
@@ -86,9 +86,9 @@ impl SheetSteps {
         self.scope.clone()
     }
 
-    /// Steps of the same extent that know as much, to be thrown away.
+    /// Steps in the same units that know as much, to be thrown away.
     pub fn scratch(&self) -> SheetSteps {
-        SheetSteps { scope: self.scope.clone(), ..SheetSteps::new("", self.extent) }
+        SheetSteps { scope: self.scope.clone(), ..SheetSteps::new("", self.output) }
     }
 
     /// A quantity that is known already, told again where another situation has another under its name.
@@ -142,7 +142,7 @@ impl SheetSteps {
 
     /// A value of the case, SI, in the unit it is shown in.
     pub fn measured(&self, si: f64, unit: SheetUnit) -> Measured {
-        Measured::of(si, unit).in_extent(self.extent)
+        Measured::of(si, unit).in_output(self.output)
     }
 
     /// A quantity that later formulas may use, and that stands among the inputs under its symbol.
@@ -201,12 +201,12 @@ impl SheetSteps {
         let drawn = self.draw(step);
         self.write(drawn);
         step.reference.clone_into(&mut self.reference);
-        self.scope.insert(step.name.to_owned(), step.result.in_extent(self.extent));
+        self.scope.insert(step.name.to_owned(), step.result.in_output(self.output));
     }
 
     fn draw(&self, step: &SheetStep<'_>) -> Result<Item, SheetFault> {
         let SheetStep { about, reference, name, formula, result, key } = *step;
-        let result = result.in_extent(self.extent);
+        let result = result.in_output(self.output);
         let place = format!("the step for `{name}`");
         let shown = if about.is_empty() && reference == self.reference { "" } else { reference };
         let symbols = read(&place, formula)?;
@@ -404,7 +404,7 @@ mod tests {
 
     /// Steps of which one, in the middle, is `wrong`.
     fn with(wrong: impl Fn(&mut SheetSteps)) -> Result<String, SheetFault> {
-        let mut steps = SheetSteps::new("Part", Extent::PerMetre);
+        let mut steps = SheetSteps::new("Part", standfast_cases::units::Extent::PerMetre.into());
         steps.know("a", 3.0, METRE);
         steps.add("Half of `a`", "", ["b", "a/2"], 1.5, METRE, "");
         wrong(&mut steps);

@@ -57,7 +57,7 @@ impl Points {
         let (Some(said), Some(omega)) = (&self.omega_by_name, columns.get(4)) else { return };
         for (row, &value) in omega.iter().enumerate() {
             if value != 0.0 && value.is_finite() && skip.get(row) != Some(&true) {
-                faults.minded.add("omega-as-share", row, || {
+                faults.minded.warnings.add("omega-as-share", row, || {
                     format!(
                         "the column omega, here {value}, is taken for ω = V/(2B q_u), the share of the base that V crushes, 0 for a rigid \
                          base, and not for an angular frequency; {said} says that it is ω"

@@ -10,6 +10,7 @@ use standfast_cases::results::{ResultKind, ResultValue};
 use standfast_cases::suggest::{closest, key_meant};
 use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult, heading};
 use standfast_cases::typed::number_and_rest;
+use standfast_cases::units::ShownUnit;
 use standfast_cases::{CaseError, CaseFile, Id, Warning};
 
 use crate::results::{ColumnWords, FieldKind, NO_NAME, NO_WORD, ResultField, Values};
@@ -20,7 +21,18 @@ use crate::{Interface, Mapping, TableError, TableOptions};
 #[derive(Debug, Clone)]
 pub struct CaseTable {
     file: CaseFile,
-    results: Vec<SweepResult>,
+    results: AskedResults,
+}
+
+/// The results that a table of cases has.
+#[derive(Debug, Clone)]
+enum AskedResults {
+    /// All that the case has.
+    All,
+    /// Those that matter where nothing else is said.
+    WhatMatters,
+    /// These, in this order.
+    These(Vec<SweepResult>),
 }
 
 impl CaseTable {
@@ -30,13 +42,26 @@ impl CaseTable {
     /// If the file's own values do not go together.
     pub fn of(file: CaseFile) -> Result<CaseTable, CaseError> {
         file.case()?;
-        Ok(CaseTable { file, results: Vec::new() })
+        Ok(CaseTable { file, results: AskedResults::All })
+    }
+
+    /// The file that it is of.
+    #[cfg(feature = "xlsx")]
+    pub(crate) fn file(&self) -> &CaseFile {
+        &self.file
     }
 
     /// Keeps these results only, in this order; all if there are none.
     #[must_use]
     pub fn with_results(self, results: Vec<SweepResult>) -> CaseTable {
+        let results = if results.is_empty() { AskedResults::All } else { AskedResults::These(results) };
         CaseTable { results, ..self }
+    }
+
+    /// Keeps what matters: what happens, how near another answer is, and what the criteria ask for.
+    #[must_use]
+    pub fn with_what_matters(self) -> CaseTable {
+        CaseTable { results: AskedResults::WhatMatters, ..self }
     }
 }
 
@@ -131,6 +156,10 @@ pub(crate) struct CaseRows {
     results: Vec<SweepResult>,
     situations: Arc<[String]>,
     varied: Varied,
+    /// True if the case asks something of its results.
+    has_criteria: bool,
+    /// The units of the results, where a table has them in its headings and the numbers are not SI.
+    units: Vec<Option<ShownUnit>>,
     /// True if a text may be a plain number.
     plain_texts: bool,
 }
@@ -141,6 +170,7 @@ impl ResultField {
         name: "problem",
         kind: FieldKind::Text,
         said: Some(ColumnWords { unit: None, words: "what is wrong with a row that has no results" }),
+        has_heading: false,
     };
 }
 
@@ -164,7 +194,26 @@ impl CaseRows {
         let warnings = column_warnings(&case.file, found, &places);
         let varied = Varied { columns: of_columns, notes: sweep.notes(), warnings };
         let situations = sweep.situations().into();
-        Ok((CaseRows { sweep, results, situations, varied, plain_texts: options.plain_texts }, places))
+        let has_criteria = !sweep.case().all_criteria().is_empty();
+        let units = results.iter().map(|_| None).collect();
+        let plain_texts = options.plain_texts;
+        Ok((CaseRows { sweep, results, situations, varied, has_criteria, units, plain_texts }, places))
+    }
+
+    /// Writes results in the units of the case, which stand in the headings.
+    pub(crate) fn in_units(self) -> CaseRows {
+        let output = self.sweep.case().output;
+        let unit = |result: &SweepResult| match result.kind() {
+            ResultKind::Number(Some(dimension)) => Some(output.unit(dimension)),
+            _ => None,
+        };
+        CaseRows { units: self.results.iter().map(unit).collect(), ..self }
+    }
+
+    /// Digits that the case asks for.
+    #[cfg(feature = "xlsx")]
+    pub(crate) fn digits(&self) -> Option<usize> {
+        self.sweep.case().output.digits()
     }
 
     pub(crate) fn varied(&self) -> Varied {
@@ -179,12 +228,13 @@ impl CaseRows {
 
     /// The columns of the results.
     pub(crate) fn fields(&self) -> Vec<ResultField> {
-        self.results.iter().map(|result| self.field(*result)).collect()
+        self.results.iter().zip(&self.units).map(|(result, unit)| self.field(*result, *unit)).collect()
     }
 
-    fn field(&self, result: SweepResult) -> ResultField {
+    fn field(&self, result: SweepResult, unit: Option<ShownUnit>) -> ResultField {
         let extent = self.sweep.case().extent;
-        let (kind, unit) = match result.kind() {
+        let has_heading = unit.is_some();
+        let (kind, si) = match result.kind() {
             _ if result == SweepResult::Situation => (FieldKind::Name(self.situations.clone()), None),
             ResultKind::Number(dimension) => {
                 (FieldKind::Number, dimension.map(|dimension| extent.of(dimension).si()))
@@ -194,7 +244,9 @@ impl CaseRows {
             ResultKind::Modes => (FieldKind::Modes, None),
             ResultKind::Names => (FieldKind::Text, None),
         };
-        ResultField { name: result.name(), kind, said: Some(ColumnWords { unit, words: result.words() }) }
+        let unit = unit.map(ShownUnit::name).or(si);
+        let said = Some(ColumnWords { unit, words: result.words() });
+        ResultField { name: result.name(), kind, said, has_heading }
     }
 
     /// The value that a text in a column says, or what is wrong with it.
@@ -231,7 +283,7 @@ impl CaseRows {
     /// The results of rows; those marked in `skip` get none.
     pub(crate) fn answer(&self, columns: &[&[f64]], skip: &[bool], faults: &mut Faults) -> Vec<Values> {
         let rows = columns[0].len();
-        let fields = self.results.iter().map(|result| self.field(*result).kind);
+        let fields = self.fields().into_iter().map(|field| field.kind);
         let mut values: Vec<_> = fields.map(|kind| Values::empty(&kind, rows)).collect();
         let mut scratch = self.sweep.scratch();
         let mut row_values = vec![0.0; columns.len()];
@@ -253,16 +305,19 @@ impl CaseRows {
             let warnings = answer.as_ref().map(standfast_cases::sweep::Answer::warnings).unwrap_or_default();
             for (place, warning) in warnings.iter().enumerate() {
                 if warnings[..place].iter().all(|other| other.name() != warning.name()) {
-                    faults.minded.add(warning.name(), row, || warning.to_string());
+                    faults.minded.warnings.add(warning.name(), row, || warning.to_string());
                 }
             }
-            for (values, result) in values.iter_mut().zip(&self.results) {
+            if let Some(answer) = answer.as_ref().filter(|_| self.has_criteria) {
+                faults.minded.check(answer.assessment(), row);
+            }
+            for ((values, result), unit) in values.iter_mut().zip(&self.results).zip(&self.units) {
                 if let Values::Text(texts) = values {
                     texts.push(names(&warnings));
                     continue;
                 }
                 let value = answer.as_ref().map_or(ResultValue::Nothing, |answer| answer.get(*result));
-                push(values, value);
+                push(values, in_unit(value, *unit));
             }
         }
         values
@@ -278,6 +333,14 @@ fn names(warnings: &[Warning]) -> Option<String> {
     let mut known = BTreeSet::new();
     names.retain(|name| known.insert(*name));
     (!names.is_empty()).then(|| names.join(" "))
+}
+
+/// A number in a unit.
+fn in_unit(value: ResultValue, unit: Option<ShownUnit>) -> ResultValue {
+    match (value, unit) {
+        (ResultValue::Number(si), Some(unit)) => ResultValue::Number(unit.of_si(si)),
+        (value, _) => value,
+    }
 }
 
 /// Appends the value of a row.
@@ -304,19 +367,27 @@ fn push(values: &mut Values, value: ResultValue) {
 /// The results asked for, or all that the case has.
 fn asked(sweep: &Sweep, case: &CaseTable, interface: Interface) -> Result<Vec<SweepResult>, TableError> {
     let all = sweep.results();
-    for (i, result) in case.results.iter().enumerate() {
+    let criteria = sweep.case().all_criteria();
+    let these = match &case.results {
+        AskedResults::All => {
+            return Ok(all.into_iter().filter(|result| !result.is_by_name(&criteria)).collect());
+        }
+        AskedResults::WhatMatters => {
+            return Ok(all.into_iter().filter(|result| result.matters(&criteria)).collect());
+        }
+        AskedResults::These(these) => these,
+    };
+    for (i, result) in these.iter().enumerate() {
         if !all.contains(result) {
             let results = all.iter().map(|result| result.name()).collect();
             let option = interface.columns();
             return Err(TableError::NoSuchResult { option, column: result.name().to_owned(), results });
         }
-        if case.results[..i].contains(result) {
+        if these[..i].contains(result) {
             return Err(TableError::ResultTwice { option: interface.columns(), column: result.name() });
         }
     }
-    let criteria = sweep.case().all_criteria();
-    let plain = || all.iter().copied().filter(|result| !result.is_by_name(&criteria)).collect();
-    Ok(if case.results.is_empty() { plain() } else { case.results.clone() })
+    Ok(these.clone())
 }
 
 /// Looks for the columns that vary the case.

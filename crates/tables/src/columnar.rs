@@ -1,5 +1,7 @@
 //! Tables as columns: Parquet files, Arrow IPC files and streams, and text that comes from them or becomes them.
 
+#[cfg(feature = "xlsx")]
+mod about;
 mod csv;
 mod ipc;
 mod parquet;
@@ -26,20 +28,22 @@ use crate::guard::guarded;
 use crate::memory::inputs::{Inputs, Numbers};
 use crate::pieces::{Done, TableInput, answer_pieces};
 use crate::results::{SYMBOLS, Values};
-use crate::row_warning::RowWarnings;
+use crate::row_remarks::RowRemarks;
 use crate::text::{self as rows, Header};
 use crate::{Progress, RowProblem, Summary, TableError, TableOptions};
 use csv::write_batch;
 use parquet::{self as pq, Encoder, Group, Part};
 use sink::{Output, Remembering, Sink, Writing};
 use source::{Piece, Reading, Source};
+#[cfg(feature = "xlsx")]
+use workbook::SheetColumns;
 
 /// Writes a batch as the sheet of a workbook.
 #[cfg(feature = "xlsx")]
 pub(crate) fn write_sheet(batch: &RecordBatch, output: impl Write) -> Result<(), TableError> {
     let words = |cause| TableError::Write(io::Error::other(cause));
     let rows = Some(batch.num_rows() as u64);
-    let sheet = workbook::Sheet::create(output, &batch.schema(), 0, rows);
+    let sheet = workbook::Sheet::create(output, &batch.schema(), SheetColumns::default(), rows);
     let mut sheet = sheet.map_err(|error| error.into_table(words))?;
     sheet.write(batch).map_err(|error| error.into_table(words))?;
     sheet.finish().map(|_| ()).map_err(words)
@@ -67,8 +71,13 @@ pub(crate) fn answer<W: Write + Send>(
     let header = reading.header_row();
     let summary =
         answer_pieces(options, header, progress, || source.next(), |piece| worker.work(piece), write)?;
-    guarded(|panic| panic, || sink.finish()).map_err(unwritten)?;
-    Ok(Summary { varied: reading.task().varied(), ..summary })
+    let summary = Summary { varied: reading.task().varied(), ..summary };
+    let finish = || {
+        sink.say(options, &reading, &summary)?;
+        sink.finish()
+    };
+    guarded(|panic| panic, finish).map_err(unwritten)?;
+    Ok(summary)
 }
 
 /// Maker of a [`Done`] from a [`Piece`], on any thread.
@@ -220,7 +229,7 @@ struct Tally {
     rows: usize,
     bad: u64,
     first: Option<(usize, RowProblem)>,
-    minded: RowWarnings,
+    minded: RowRemarks,
 }
 
 impl Tally {

@@ -58,7 +58,9 @@ fn text(
 ) -> Result<Summary, TableError> {
     let (mut text, header) =
         guarded(|cause| options.damaged(cause), || Text::open(input.stream(), TEXT, options))?;
-    output.write_all(&header.task.header(&header.bytes, header.end)).map_err(TableError::Write)?;
+    output
+        .write_all(&header.task.header(&header.bytes, header.separators, header.end))
+        .map_err(TableError::Write)?;
     let work = |piece| {
         let answered = header.answer(piece);
         let rows = options.rows_to_write(answered.parsed.len(), answered.first_row());

@@ -81,7 +81,7 @@ pub enum TableError {
         /// The table.
         name: String,
         /// The column.
-        column: &'static str,
+        column: String,
     },
     /// `--map` names a column that the problem does not have.
     #[error("--map {ours}=…: the problem has no column {ours}")]

@@ -48,6 +48,7 @@ mod pipeline;
 mod plain;
 mod problem;
 mod results;
+mod row_remarks;
 mod row_warning;
 mod task;
 mod text;
@@ -67,6 +68,7 @@ pub use plain::{PlainColumn, PlainValues, write_columns};
 pub use problem::{ResultColumn, TableProblem};
 #[cfg(feature = "memory")]
 pub use results::{NO_NAME, NO_WORD, Values};
+pub use row_remarks::WorstRow;
 pub use row_warning::RowWarning;
 pub use standfast_cases::Interface;
 pub use written::{WrittenColumn, written};
@@ -143,6 +145,8 @@ pub struct TableOptions {
     /// True if a text may be a plain number, as every number of a text is; otherwise it has its unit, as in a case
     /// file.
     pub plain_texts: bool,
+    /// Name and version of the program that answers, for a workbook to say.
+    pub program: Option<String>,
     /// Number of threads; the result does not depend on it.
     pub threads: usize,
     /// The modes of all rows, known beforehand: for the benchmark, which measures what computing them adds to reading
@@ -168,6 +172,7 @@ impl TableOptions {
             on_error: OnError::Stop,
             interface: Interface::Program,
             plain_texts: true,
+            program: None,
             threads: 1,
             known_modes: None,
         }
@@ -187,6 +192,8 @@ pub struct Summary {
     pub varied: Option<Varied>,
     /// Warnings of rows whose cases are unusual.
     pub minded: Vec<RowWarning>,
+    /// The worst row of each criterion of the case.
+    pub worst: Vec<WorstRow>,
 }
 
 /// Answers every row of a table.

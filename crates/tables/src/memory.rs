@@ -10,7 +10,7 @@ use arrow_schema::{ArrowError, Field, Schema};
 
 use crate::pipeline;
 use crate::results::Values;
-use crate::row_warning::RowWarnings;
+use crate::row_remarks::RowRemarks;
 use crate::{OnError, Progress, RowProblem, Summary, TableError, TableOptions, TablePlace, Varied};
 use inputs::Inputs;
 
@@ -43,7 +43,7 @@ struct AnsweredRows {
     values: Vec<Values>,
     /// Faults of rows, in their order.
     problems: Vec<(usize, RowProblem)>,
-    minded: RowWarnings,
+    minded: RowRemarks,
 }
 
 impl MemoryTable {
@@ -102,7 +102,7 @@ impl MemoryTable {
         let mut values: Vec<Values> =
             self.inputs.task.fields.iter().map(|field| Values::empty(&field.kind, 0)).collect();
         let mut without = Vec::new();
-        let mut minded = RowWarnings::default();
+        let mut minded = RowRemarks::default();
         let mut summary = Summary { varied: self.varied(), ..Summary::default() };
         let take = |answered: AnsweredRows| {
             let AnsweredRows { rows, values: of_rows, problems, minded: of_these } = answered;
@@ -124,7 +124,7 @@ impl MemoryTable {
             Ok(())
         };
         pipeline::run(self.options.threads, next, work, take, |cause| self.options.damaged(cause))?;
-        summary.minded = minded.into_warnings();
+        (summary.minded, summary.worst) = minded.into_parts();
         Ok(MemoryAnswer { fields: self.fields(), values, without, summary })
     }
 

@@ -37,7 +37,7 @@ impl MotionTable {
         let (mut text, header) = Text::begin(text, TEXT, name, head, needed)?;
         let mut rows = Vec::new();
         while let Some(piece) = text.next()? {
-            let mut found = Rows::new(&piece.bytes);
+            let mut found = Rows::new(&piece.bytes, header.separators);
             while found.advance() {
                 let problem = found.check(&header.names).err();
                 let mut cells: Vec<String> = found.record.iter().map(lossy).collect();

@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::Read;
 
-use crate::row_warning::RowWarnings;
+use crate::row_remarks::RowRemarks;
 use crate::{
     OnError, Progress, RowProblem, Summary, TableError, TableFormat, TableOptions, TablePlace, pipeline,
 };
@@ -33,8 +33,8 @@ pub(crate) struct Done<Output> {
     pub(crate) first: Option<(usize, Option<u64>, RowProblem)>,
     /// Share of the piece in the whole, in the unit of the [`Progress`].
     pub(crate) units: u64,
-    /// Warnings of its rows.
-    pub(crate) minded: RowWarnings,
+    /// What is to be said of its rows.
+    pub(crate) minded: RowRemarks,
     pub(crate) output: Output,
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
     work: impl Fn(Piece) -> Result<Done<Output>, TableError> + Sync,
     mut write: impl FnMut(Output) -> Result<(), TableError>,
 ) -> Result<Summary, TableError> {
-    let (mut summary, mut minded) = (Summary::default(), RowWarnings::default());
+    let (mut summary, mut minded) = (Summary::default(), RowRemarks::default());
     let take = |done: Done<Output>| {
         let error = done.first.map(|(row, line, problem)| TableError::Row {
             name: options.name.clone(),
@@ -76,7 +76,8 @@ pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
         Ok(())
     };
     pipeline::run(options.threads, next, work, take, |cause| options.damaged(cause))?;
-    Ok(Summary { minded: minded.into_warnings(), ..summary })
+    let (minded, worst) = minded.into_parts();
+    Ok(Summary { minded, worst, ..summary })
 }
 
 impl TableOptions {

@@ -4,22 +4,35 @@ use std::sync::Arc;
 
 use standfast::{Mode, Modes, Verdict};
 
+use crate::text::Separators;
+
 /// A column of results.
 #[derive(Debug, Clone)]
 pub(crate) struct ResultField {
     pub(crate) name: &'static str,
     pub(crate) kind: FieldKind,
     /// The unit of its numbers, and what it is; said where a format has room for it.
-    #[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
     pub(crate) said: Option<ColumnWords>,
+    /// True if its heading has the unit, behind the name.
+    pub(crate) has_heading: bool,
+}
+
+impl ResultField {
+    /// The heading of the column: its name, and in brackets the unit.
+    pub(crate) fn heading(&self) -> String {
+        match self.said.and_then(|said| said.unit).filter(|_| self.has_heading) {
+            Some(unit) => format!("{} [{unit}]", self.name),
+            None => self.name.to_owned(),
+        }
+    }
 }
 
 /// Unit and words of a column, where a format has room for them.
 #[derive(Debug, Clone, Copy)]
-#[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
 pub(crate) struct ColumnWords {
     /// `None` for what has no unit.
     pub(crate) unit: Option<&'static str>,
+    #[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
     pub(crate) words: &'static str,
 }
 
@@ -102,12 +115,16 @@ impl Values {
     }
 
     /// Appends the result of a row to a line of CSV.
-    pub(crate) fn push_field(&self, row: usize, line: &mut Vec<u8>) {
+    pub(crate) fn push_field(&self, row: usize, separators: Separators, line: &mut Vec<u8>) {
         let start = line.len();
         self.push_text(row, line);
+        if let (Values::Number(_), b',') = (self, separators.decimal) {
+            line[start..].iter_mut().filter(|byte| **byte == b'.').for_each(|byte| *byte = b',');
+        }
         // Words of our own need no quotation marks.
         let foreign = matches!(self, Values::Name(..) | Values::Text(_));
-        if foreign && line[start..].iter().any(|byte| matches!(byte, b'"' | b',' | b'\n' | b'\r')) {
+        let is_special = |byte: &u8| matches!(byte, b'"' | b'\n' | b'\r') || *byte == separators.column;
+        if foreign && line[start..].iter().any(is_special) {
             let text = line.split_off(start);
             line.push(b'"');
             for byte in text {

@@ -6,9 +6,9 @@ use standfast_cases::units::Unit;
 use crate::answers::Points;
 use crate::case::CaseRows;
 use crate::results::{ResultField, Values};
-use crate::row_warning::RowWarnings;
-use crate::text::number;
-use crate::{OnError, RowProblem, TableError, TableOptions, Varied};
+use crate::row_remarks::RowRemarks;
+use crate::text::{Separators, number};
+use crate::{OnError, RowProblem, TableError, TableFormat, TableOptions, Varied};
 
 /// Results to compute of every row.
 #[derive(Debug)]
@@ -66,8 +66,8 @@ pub(crate) struct Faults {
     pub(crate) first: Option<Fault>,
     /// All of them, where it is asked for.
     pub(crate) all: Option<Vec<Fault>>,
-    /// Warnings of the rows that have a result.
-    pub(crate) minded: RowWarnings,
+    /// What is to be said of the rows that have a result.
+    pub(crate) minded: RowRemarks,
 }
 
 impl Faults {
@@ -88,10 +88,14 @@ impl Task {
     /// # Errors
     /// If the table lacks columns or has a result already, or the options name a result that there is not, or one twice.
     pub(crate) fn of(options: &TableOptions, found: &[String]) -> Result<(Task, Vec<usize>), TableError> {
-        let (task, places) = Task::apart(options, found)?;
-        let exists = task.fields.iter().find(|field| found.iter().any(|column| column == field.name));
-        if let Some(field) = exists {
-            return Err(TableError::ResultExists { name: options.name.clone(), column: field.name });
+        // What people open has the units of the case; what programs read stays SI.
+        let in_units = matches!(options.to, TableFormat::Csv | TableFormat::Xlsx);
+        let (task, places) = Task::with(options, found, in_units)?;
+        let is_there = |field: &&ResultField| {
+            found.iter().any(|column| *column == field.name || *column == field.heading())
+        };
+        if let Some(field) = task.fields.iter().find(is_there) {
+            return Err(TableError::ResultExists { name: options.name.clone(), column: field.heading() });
         }
         Ok((task, places))
     }
@@ -101,6 +105,14 @@ impl Task {
     /// # Errors
     /// As [`of`](Task::of), but for a result that the table has.
     pub(crate) fn apart(options: &TableOptions, found: &[String]) -> Result<(Task, Vec<usize>), TableError> {
+        Task::with(options, found, false)
+    }
+
+    fn with(
+        options: &TableOptions,
+        found: &[String],
+        in_units: bool,
+    ) -> Result<(Task, Vec<usize>), TableError> {
         let (rows, mut fields, places) = match &options.case {
             None => {
                 let results = options.results()?;
@@ -108,6 +120,7 @@ impl Task {
                     name: column.name(),
                     kind: column.kind(),
                     said: None,
+                    has_heading: false,
                 };
                 let fields = results.iter().map(field).collect();
                 let places = options.places(found)?;
@@ -117,6 +130,7 @@ impl Task {
             }
             Some(case) => {
                 let (rows, places) = CaseRows::of(options, case, found)?;
+                let rows = if in_units { rows.in_units() } else { rows };
                 let fields = rows.fields();
                 (Rows::Case(Box::new(rows)), fields, places)
             }
@@ -143,6 +157,17 @@ impl Task {
         }
     }
 
+    /// Significant digits that numbers of results are shown with.
+    #[cfg(feature = "xlsx")]
+    pub(crate) fn digits(&self) -> usize {
+        const DIGITS: usize = 4;
+        let asked = match &self.rows {
+            Rows::Points(_) => None,
+            Rows::Case(rows) => rows.digits(),
+        };
+        asked.unwrap_or(DIGITS)
+    }
+
     /// Columns of a case that vary, with notes and warnings.
     pub(crate) fn varied(&self) -> Option<Varied> {
         match &self.rows {
@@ -152,11 +177,11 @@ impl Task {
     }
 
     /// The line of a text that names the columns of the table and the results.
-    pub(crate) fn header(&self, columns: &[u8], end: &[u8]) -> Vec<u8> {
+    pub(crate) fn header(&self, columns: &[u8], separators: Separators, end: &[u8]) -> Vec<u8> {
         let mut line = columns.to_vec();
         for field in &self.fields {
-            line.push(b',');
-            line.extend_from_slice(field.name.as_bytes());
+            line.push(separators.column);
+            line.extend_from_slice(field.heading().as_bytes());
         }
         line.extend_from_slice(end);
         line

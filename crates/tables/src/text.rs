@@ -8,10 +8,11 @@ use std::ops::Range;
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
 use standfast_cases::sweep::PLAIN;
+use standfast_cases::typed::number_and_rest;
 
 use crate::pieces::Done;
 use crate::results::Values;
-use crate::row_warning::RowWarnings;
+use crate::row_remarks::RowRemarks;
 use crate::task::{Fault, Faults, RowFault, Task};
 use crate::{RowProblem, TableError, TableHead, TableOptions};
 use cut::{CutError, Pieces};
@@ -25,6 +26,39 @@ pub(crate) struct Text<R> {
     name: String,
 }
 
+/// What parts columns, and the places of a number before and behind its point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Separators {
+    /// Between columns.
+    pub(crate) column: u8,
+    /// In numbers.
+    pub(crate) decimal: u8,
+}
+
+impl Default for Separators {
+    fn default() -> Separators {
+        Separators { column: b',', decimal: b'.' }
+    }
+}
+
+impl Separators {
+    /// Those of a text whose first line, read as columns parted by commas, is this: a semicolon or a tab in the one column there is parts
+    /// others. Numbers have a decimal comma where one of the first row does.
+    fn of(names: &[String], bytes: &[u8]) -> Separators {
+        let [line] = names else { return Separators::default() };
+        let parting = [b';', b'\t'].into_iter().find(|byte| line.as_bytes().contains(byte));
+        let Some(column) = parting else { return Separators::default() };
+        let mut rows = Rows::new(bytes, Separators { column, decimal: b'.' });
+        let has_comma = |field: &[u8]| {
+            field.contains(&b',')
+                && field.iter().all(|byte| matches!(byte, b'0'..=b'9' | b',' | b'+' | b'-' | b' '))
+        };
+        // Below the names, or the units.
+        let decimal = (0..3).any(|_| rows.advance() && rows.record.iter().any(has_comma));
+        Separators { column, decimal: if decimal { b',' } else { b'.' } }
+    }
+}
+
 /// Header of a table.
 pub(crate) struct Header {
     /// The columns' names.
@@ -35,6 +69,8 @@ pub(crate) struct Header {
     pub(crate) bytes: Vec<u8>,
     /// End of its line.
     pub(crate) end: &'static [u8],
+    /// What parts its columns.
+    pub(crate) separators: Separators,
     /// Task of the rows.
     pub(crate) task: Task,
 }
@@ -53,6 +89,8 @@ pub(crate) struct FirstLine {
     /// The line as it is in the file, without its end.
     bytes: Vec<u8>,
     end: &'static [u8],
+    /// What parts its columns.
+    pub(crate) separators: Separators,
 }
 
 impl FirstLine {
@@ -77,8 +115,8 @@ impl<R: Read> Text<R> {
         let (text, line) = Text::begin(source, size, &options.name, options.head, || options.needed())?;
         let task = Task::of(options, &line.names);
         let (task, places) = task.map_err(|error| line.refused(&options.name, error))?;
-        let FirstLine { names, bytes, end } = line;
-        Ok((text, Header { names, places, bytes, end, task }))
+        let FirstLine { names, bytes, end, separators } = line;
+        Ok((text, Header { names, places, bytes, end, separators, task }))
     }
 
     /// Reads the rows at its head, in which columns are `needed`.
@@ -99,11 +137,24 @@ impl<R: Read> Text<R> {
         let line = 1 + u64::from(above);
         let mut text = Text { pieces: Pieces::new(source, size), first: None, line, name: name.to_owned() };
         let bytes = if skipped { text.piece()? } else { None }.ok_or_else(empty)?;
-        let mut rows = Rows::new(&bytes);
+        let read = |rows: &Rows<'_>| -> Vec<String> {
+            rows.record.iter().map(|name| lossy(name).trim().to_owned()).collect()
+        };
+        let mut rows = Rows::new(&bytes, Separators::default());
         if !rows.advance() {
             return Err(empty());
         }
-        let mut names: Vec<String> = rows.record.iter().map(|name| lossy(name).trim().to_owned()).collect();
+        let separators = Separators::of(&read(&rows), &bytes);
+        drop(rows);
+        let bytes = if separators == Separators::default() {
+            bytes
+        } else {
+            text.pieces.part_by(separators.column, bytes);
+            text.piece()?.ok_or_else(empty)?
+        };
+        let mut rows = Rows::new(&bytes, separators);
+        rows.advance();
+        let mut names = read(&rows);
         let Range { start, end } = rows.range;
         let line_end: &[u8] = if bytes[end..].starts_with(b"\r\n") { b"\r\n" } else { b"\n" };
         let mut own = bytes[start..end].to_vec();
@@ -114,14 +165,14 @@ impl<R: Read> Text<R> {
             }
             let units = rows.record.iter().map(lossy).chain(std::iter::repeat(String::new()));
             names = names.into_iter().zip(units).map(|(name, unit)| with_unit(name, &unit)).collect();
-            let mut writer = csv::Writer::from_writer(Vec::new());
+            let mut writer = csv::WriterBuilder::new().delimiter(separators.column).from_writer(Vec::new());
             // Writing to memory never fails.
             writer.write_record(&names).expect("memory has room");
             own = writer.into_inner().expect("memory has room");
             own.truncate(own.trim_ascii_end().len());
         }
         let end = rows.range.end;
-        let line = FirstLine { names, bytes: own, end: line_end };
+        let line = FirstLine { names, bytes: own, end: line_end, separators };
         text.line += feeds(&bytes[..end]);
         text.first = Some(bytes[end..].to_vec());
         Ok((text, line))
@@ -173,7 +224,7 @@ fn skip_lines(source: &mut impl Read, lines: u32) -> io::Result<bool> {
 
 /// Separator that seems to part the columns of a header that has one only.
 fn separator(names: &[String]) -> Option<&'static str> {
-    [(';', "semicolons"), ('\t', "tabs"), ('|', "bars")]
+    [('|', "bars")]
         .into_iter()
         .find_map(|(separator, words)| names.iter().any(|name| name.contains(separator)).then_some(words))
 }
@@ -192,9 +243,11 @@ pub(crate) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    pub(crate) fn new(bytes: &'a [u8]) -> Rows<'a> {
+    pub(crate) fn new(bytes: &'a [u8], separators: Separators) -> Rows<'a> {
         // A row of the wrong length is for us to report.
-        let reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes);
+        let mut reader = ReaderBuilder::new();
+        reader.has_headers(false).flexible(true).delimiter(separators.column);
+        let reader = reader.from_reader(bytes);
         Rows { bytes, reader, record: ByteRecord::new(), range: 0..0 }
     }
 
@@ -252,7 +305,7 @@ pub(crate) struct Parsed {
 
 impl Header {
     fn parse(&self, Piece { bytes, line }: Piece) -> Parsed {
-        let mut found = Rows::new(&bytes);
+        let mut found = Rows::new(&bytes, self.separators);
         let mut rows = Vec::new();
         let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); self.places.len()];
         let mut skip = Vec::new();
@@ -317,7 +370,7 @@ pub(crate) struct AnsweredRows {
     bad: u64,
     /// The first row without result, its line, and what is wrong with it.
     first: Option<(usize, u64, RowProblem)>,
-    minded: RowWarnings,
+    minded: RowRemarks,
 }
 
 impl AnsweredRows {
@@ -352,7 +405,7 @@ impl Parsed {
     }
 
     fn problem(&self, header: &Header, fault: &Fault) -> RowProblem {
-        let mut row = Rows::new(&self.bytes[self.rows[fault.row].clone()]);
+        let mut row = Rows::new(&self.bytes[self.rows[fault.row].clone()], header.separators);
         row.advance();
         header.problem(&row.record, fault.wrong.clone())
     }
@@ -365,14 +418,14 @@ impl Parsed {
             let bytes = &self.bytes[range.clone()];
             match self.skip.get(row) {
                 Some(true) => {
-                    fill_up(bytes, header.names.len(), &mut fields);
+                    fill_up(bytes, header.names.len(), header.separators, &mut fields);
                     text.extend_from_slice(&fields);
                 }
                 _ => text.extend_from_slice(bytes),
             }
             for values in results {
-                text.push(b',');
-                values.push_field(row, &mut text);
+                text.push(header.separators.column);
+                values.push_field(row, header.separators, &mut text);
             }
             text.extend_from_slice(header.end);
         }
@@ -381,9 +434,9 @@ impl Parsed {
 }
 
 /// A row with as many fields as the header has.
-fn fill_up(row: &[u8], length: usize, text: &mut Vec<u8>) {
+fn fill_up(row: &[u8], length: usize, separators: Separators, text: &mut Vec<u8>) {
     text.clear();
-    let mut rows = Rows::new(row);
+    let mut rows = Rows::new(row, separators);
     rows.advance();
     if rows.record.len() == length {
         text.extend_from_slice(row);
@@ -391,7 +444,7 @@ fn fill_up(row: &[u8], length: usize, text: &mut Vec<u8>) {
     }
     rows.record.truncate(length);
     (rows.record.len()..length).for_each(|_| rows.record.push_field(b""));
-    let mut writer = csv::Writer::from_writer(std::mem::take(text));
+    let mut writer = csv::WriterBuilder::new().delimiter(separators.column).from_writer(std::mem::take(text));
     // Writing to memory never fails.
     let _ = writer.write_byte_record(&rows.record);
     *text = writer.into_inner().unwrap_or_default();
@@ -400,7 +453,11 @@ fn fill_up(row: &[u8], length: usize, text: &mut Vec<u8>) {
 
 /// The number that a field holds.
 pub(crate) fn number(field: &str) -> Option<f64> {
-    field.trim().parse().ok()
+    let field = field.trim();
+    // With a decimal comma, as far as it is one number.
+    let by_comma =
+        || number_and_rest(field).ok().filter(|(_, rest)| rest.is_empty()).map(|(number, _)| number);
+    field.parse().ok().or_else(by_comma)
 }
 
 pub(crate) fn lossy(bytes: &[u8]) -> String {

@@ -26,7 +26,7 @@ from ._arrays import Onset, OnsetArrays, classify, onset, symbols
 from ._arrow import ArrowArray, ArrowTable
 from ._assess import Assessment, assess
 from ._contact import Contact, ContactArrays, contact, contact_conditions
-from ._design import Boundary, Design, design
+from ._design import Boundary, Design, Minimum, design
 from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
 from ._explain import Explanation, explain
 from ._figure import Figure
@@ -61,6 +61,7 @@ __all__ = [
     "Indeterminate",
     "LimitStates",
     "LimitStatesArrays",
+    "Minimum",
     "Mode",
     "ModeArray",
     "ModeNames",

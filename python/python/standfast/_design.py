@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -17,7 +17,7 @@ from ._progress import shown
 from ._ranges import ends_of
 from ._types import Progress
 from ._warnings import mind
-from .designs import BoundaryDocument, DesignDocument
+from .designs import BoundaryDocument, DesignDocument, MinimumDocument
 
 
 class Design(DesignDocument, Rendered):
@@ -87,6 +87,25 @@ class Boundary(BoundaryDocument, Rendered):
         return Boundary, (self._text, self._json, self.csv, self.svg)
 
 
+class Minimum(MinimumDocument, Rendered):
+    """The least cost with which several quantities meet a target: :func:`design`'s answer with ``minimise``.
+
+    ``print`` shows the text of ``standfast design --minimise``; the keys of its JSON document, which ``docs/minimum.schema.json``
+    describes, are attributes.
+    """
+
+    _what = "this minimum"
+
+    @property
+    def value(self) -> dict[str, float]:
+        """The values found under their names, in SI units: as they are printed, and assessed so."""
+        return {quantity.vary: quantity.value for quantity in self.quantities}
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{quantity.vary} {quantity.printed}" for quantity in self.quantities)
+        return f"<Minimum {self.minimise} for {self.target}: {self.cost:.4g} with {values}>"
+
+
 Case = str | os.PathLike[str] | Mapping[str, object]
 
 
@@ -105,6 +124,15 @@ def design(
 def design(
     case: Case,
     *,
+    vary: str | Sequence[str],
+    minimise: Literal["volume", "mass"],
+    target: str | None = None,
+    progress: Progress = None,
+) -> Minimum: ...
+@overload
+def design(
+    case: Case,
+    *,
     vary: str,
     target: str | None = None,
     greatest: bool = False,
@@ -118,7 +146,8 @@ def design(
 def design(
     case: Case,
     *,
-    vary: str,
+    vary: str | Sequence[str],
+    minimise: Literal["volume", "mass"] | None = None,
     target: str | None = None,
     greatest: bool = False,
     lower: float | str | None = None,
@@ -127,7 +156,7 @@ def design(
     and_lower: float | str | None = None,
     and_upper: float | str | None = None,
     progress: Progress = None,
-) -> Design | Boundary:
+) -> Design | Boundary | Minimum:
     """Find the least, or greatest, value of a quantity that meets a target in every situation of a case.
 
     The value is rounded to the safe side and assessed as it is printed; one more or less in its last digit fails.
@@ -137,6 +166,8 @@ def design(
         vary: the quantity: ``"width"``, ``"height"``, ``"mass"``, ``"friction"``, ``"water_level"``, ``"crest_height"``, or any
             number of the case by table and key, as ``"wave.period"`` or ``"load[2].force"``; with where to look behind it, in place of
             ``lower`` and ``upper``, as ``"width=10 m..20 m"``.
+        minimise: ``"volume"`` or ``"mass"``: the least of it with two or three quantities, each with its range behind it if it is to be looked
+            for elsewhere than from half to twice the present value; ``vary`` is then a list, as ``["width=10 m..20 m", "height"]``.
         target: ``"rest"``, ``"factor=1.2"`` (both safety factors), ``"no-rock"``, ``"no-slide"``, ``"criteria"`` of the case,
             ``"utilisation=0.9"`` of them, or one criterion, as ``"bearing_max=300kPa"`` or ``"load_factor=1.2"``. Without one the criteria
             of the case; without any that it rests, in time that it does not overturn.
@@ -152,7 +183,7 @@ def design(
     Ctrl-C ends the call at once.
 
     Returns:
-        A :class:`Design`; with ``and_`` a :class:`Boundary`.
+        A :class:`Design`; with ``and_`` a :class:`Boundary`, with ``minimise`` a :class:`Minimum`.
 
     Raises:
         NoSolution: where no value meets the target, or it is met without an end on the side that is wanted. The message says what to do.
@@ -171,11 +202,15 @@ def design(
     >>> dict(zip(by_friction.at.tolist(), by_friction.value.tolist()))[0.6]
     15.46
     """
+    if minimise is not None:
+        others = {"greatest": greatest, "lower": lower, "upper": upper, "and_": and_, "and_lower": and_lower, "and_upper": and_upper}
+        return _minimum(case, vary, minimise, target, progress, others)
     for name, text in (("vary", vary), ("target", target), ("and_", and_)):
         if not isinstance(text, str) and not (text is None and name != "vary"):
             raise TypeError(f"{name} is {text!r}; expected a text")
     if not isinstance(greatest, (bool, np.bool_)):
         raise TypeError(f"greatest is {greatest!r}; expected True or False")
+    assert isinstance(vary, str)
     file = case_text(case)
     vary, ends = ends_of(vary, "vary", _end(lower, "lower"), _end(upper, "upper"))
     and_ends = _end(and_lower, "and_lower"), _end(and_upper, "and_upper")
@@ -190,6 +225,25 @@ def design(
             mind(slips)
             return Design(text, document)
         return Boundary(*_standfast.boundary(file, vary, wanted, ends, (and_, and_ends), told))
+
+
+def _minimum(
+    case: Case, vary: str | Sequence[str], minimise: str, target: str | None, progress: Progress, others: Mapping[str, object]
+) -> Minimum:
+    """The least of ``minimise``; ``others`` are arguments that have no meaning beside it."""
+    given = [name for name, value in others.items() if value not in (None, False)]
+    if given:
+        raise TypeError(f"{' and '.join(given)} beside minimise; expected ranges behind the names in vary, as 'width=10 m..20 m'")
+    names = [vary] if isinstance(vary, str) else list(vary)
+    for name, text in (("target", target), ("minimise", minimise), *(("vary", one) for one in names)):
+        if not isinstance(text, str) and not (text is None and name == "target"):
+            raise TypeError(f"{name} is {text!r}; expected a text")
+    ranges = [ends_of(name, "vary", None, None) for name in names]
+    quantities = [(name, lower or "", upper or "") for name, (lower, upper) in ranges]
+    with shown(progress, None) as told:
+        text, document, slips = _standfast.minimum(case_text(case), quantities, target, minimise, told)
+        mind(slips)
+        return Minimum(text, document)
 
 
 def _end(value: Any, name: str) -> str | None:

@@ -18,6 +18,7 @@ MODULES = {
     "designs": {
         "design": ("DesignDocument", "what `design` answers with one quantity"),
         "boundary": ("BoundaryDocument", "what `design` answers with two quantities"),
+        "minimum": ("MinimumDocument", "what `design` answers with `minimise`"),
     },
     "motions": {
         "simulate": ("MotionDocument", "what `simulate` answers in one situation of a case"),

@@ -171,6 +171,9 @@ def boundary(
     and_: tuple[str, _Ends],
     progress: _Progress,
 ) -> tuple[str, str, str, str | None]: ...
+def minimum(
+    file: tuple[str, str], vary: Sequence[tuple[str, str, str]], target: str | None, cost: str, progress: _Progress
+) -> tuple[str, str, list[tuple[str, str]]]: ...
 def title_block() -> list[str]: ...
 def sheet(
     file: tuple[str, str],

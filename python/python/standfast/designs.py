@@ -1,5 +1,5 @@
-"""The parts of a design: classes with a property for each key of the JSON documents that ``docs/design.schema.json`` and
-``docs/boundary.schema.json`` describe.
+"""The parts of a design: classes with a property for each key of the JSON documents that ``docs/design.schema.json``,
+``docs/boundary.schema.json`` and ``docs/minimum.schema.json`` describe.
 
 Units are SI; forces and masses are per metre run or, of a single object, of the whole. ``None`` says that there is no such thing;
 a number without bound is ``math.inf``.

@@ -3,7 +3,7 @@
 use standfast_cases::capital;
 use standfast_cases::case::history_shapes;
 use standfast_cases::key::{Key, Kind, Moves, Table};
-use standfast_cases::units::Dimension;
+use standfast_cases::units::{Dimension, Extent};
 
 /// The page of all keys.
 pub fn page() -> String {
@@ -142,6 +142,13 @@ fn takes(kind: Kind) -> String {
         Kind::File => "the name of a file beside the case".to_owned(),
         Kind::Truth => "`true` or `false`".to_owned(),
         Kind::Choice { words, .. } => words.to_owned(),
+        Kind::Unit(dimension) => {
+            let units = |dimension: Dimension| dimension.understood();
+            match Extent::Whole.of(dimension) {
+                whole if whole == dimension => units(dimension),
+                whole => format!("{}; of an object {}", units(dimension), units(whole)),
+            }
+        }
         Kind::List(dimension) => format!("a list, each {} in {}", dimension.words(), dimension.understood()),
         Kind::Factors => "names and factors, zero or more, or two factors in a list".to_owned(),
         Kind::Settings => "names of keys, in quotes, and their values".to_owned(),

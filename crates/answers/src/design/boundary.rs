@@ -95,7 +95,7 @@ impl DesignBoundary {
         if up.variable.id() == across.variable.id() {
             return Err(DesignError::Twice { name: up.variable.id().to_string(), spelling });
         }
-        let present = Varied { subject: &subject, follows, held: None }.present(design.target)?;
+        let present = Varied { subject: &subject, follows, held: &[] }.present(design.target)?;
         let grid = Grid { subject: &subject, follows, up: &up, across: &across, target: design.target };
         let (round, values) = columns(&across);
         if design.target.asks_for_rise()
@@ -156,8 +156,8 @@ struct Grid<'a> {
 impl Grid<'_> {
     /// Asks the search at a value of the quantity across.
     fn at<T>(&self, value: f64, ask: impl FnOnce(&Search<'_>) -> T) -> T {
-        let held = Some((&self.across.variable, value));
-        let varied = Varied { subject: self.subject, follows: self.follows, held };
+        let held = [(&self.across.variable, value)];
+        let varied = Varied { subject: self.subject, follows: self.follows, held: &held };
         ask(&Search { varied: &varied, quantity: self.up, target: self.target, parts: self.parts() })
     }
 

@@ -135,6 +135,32 @@ pub enum DesignError {
         /// Advice on the request to make instead.
         help: String,
     },
+    /// Too many quantities for a least cost, or none.
+    #[error("{found} quantities to vary; expected from one to {most}, each by {}", spelling.vary)]
+    Quantities {
+        /// Number of quantities given.
+        found: usize,
+        /// The most.
+        most: usize,
+        /// Spelling of the request.
+        spelling: &'static Spelling,
+    },
+    /// Quantities that do not change the cost.
+    #[error("the {cost} does not change with {}", names.join(", "))]
+    NoCost {
+        /// The quantities.
+        names: Vec<String>,
+        /// What is to be least.
+        cost: &'static str,
+    },
+    /// A probability is asked for at every point of a search that tries thousands.
+    #[error(
+        "the target {target} asks for a probability, which is not found at the thousands of points that a least cost takes"
+    )]
+    ChanceAtLeastCost {
+        /// The target.
+        target: Target,
+    },
     /// No value meets the target, whatever another quantity is.
     #[error("whatever {name} is {range}, the target is not met; at {at}: {why}")]
     UnmetThroughout {
@@ -208,6 +234,10 @@ impl Explained for DesignError {
             DesignError::Twice { spelling, .. } => {
                 format!("{} takes another quantity of the case, as in {}", spelling.and, spelling.two)
             }
+            DesignError::NoCost { cost, .. } => {
+                format!("vary dimensions of the body or of its parts, or what else the {cost} hangs on")
+            }
+            DesignError::ChanceAtLeastCost { .. } => "give criteria on factors as the target".into(),
             _ => return None,
         };
         Some(help)

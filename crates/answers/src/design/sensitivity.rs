@@ -76,7 +76,7 @@ pub struct Sensitivity {
 pub fn sensitivities(file: &CaseFile) -> Result<Vec<Sensitivity>, CaseError> {
     let subject = Subject::of(file)?;
     let present = Assessment::of(&subject.case).ok();
-    let varied = Varied { subject: &subject, follows: false, held: None };
+    let varied = Varied { subject: &subject, follows: false, held: &[] };
     Ok(all(&varied, present.as_ref(), Portion::UNSEEN).expect("nobody stops what nobody watches"))
 }
 

@@ -100,7 +100,7 @@ impl OuterState {
 /// A value with what it comes to, or why it does not.
 pub(super) struct Trial {
     value: f64,
-    answer: Result<Assessment, CaseError>,
+    pub(super) answer: Result<Assessment, CaseError>,
     pub(super) met: bool,
 }
 
@@ -207,11 +207,8 @@ impl Search<'_> {
         portion: Portion<'_>,
     ) -> Result<ExactEnd, Stopped> {
         let Some(mut fails) = fails else { return Ok(ExactEnd { meets, fails }) };
-        // Near zero, what counts is the size of the range.
-        let [from, to] = self.quantity.range;
-        let size = 1e-3 * from.abs().max(to.abs());
         let near = if self.target.asks_for_chance(self.varied.case()) { NEAR_OF_CHANCE } else { NEAR };
-        let near = near * meets.abs().max(size);
+        let near = near * self.size_at(meets);
         let halvings = ((meets - fails).abs() / near).log2().ceil().max(1.0);
         let steps = portion.steps(halvings as usize);
         while (meets - fails).abs() > near {
@@ -225,6 +222,23 @@ impl Search<'_> {
             steps.advance();
         }
         Ok(ExactEnd { meets, fails: Some(fails) })
+    }
+
+    /// A value that meets the target so near to one that fails, if there is one.
+    pub(super) fn near_end(&self, fails: Option<f64>, mut meets: f64, near: f64) -> f64 {
+        let Some(mut fails) = fails else { return meets };
+        let near = near * self.size_at(meets);
+        while (meets - fails).abs() > near {
+            let middle = fails + (meets - fails) / 2.0;
+            *(if self.attempt(middle).met { &mut meets } else { &mut fails }) = middle;
+        }
+        meets
+    }
+
+    /// What distances from a value are counted in: near zero, the size of the range.
+    fn size_at(&self, value: f64) -> f64 {
+        let [from, to] = self.quantity.range;
+        value.abs().max(1e-3 * from.abs().max(to.abs()))
     }
 
     /// An end rounded `inwards`, not beyond the other end of its stretch, in as few digits from four on as it takes to meet the

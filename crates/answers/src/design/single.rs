@@ -77,7 +77,7 @@ impl SingleChanges {
         let target = target.unwrap_or_else(|| subject.own_target());
         let follows = subject.follows(target)?;
         answerable(target, &subject)?;
-        let varied = Varied { subject: &subject, follows, held: None };
+        let varied = Varied { subject: &subject, follows, held: &[] };
         let present = varied.present(target)?;
         if target.asks_for_rise() && !present.tried().any(Assessed::rises) {
             return Err(DesignError::NothingRises { target });
@@ -102,7 +102,7 @@ impl SingleChanges {
         let subject = &self.subject;
         let ends = Ends { options: ["", ""], written: [None, None], spread: 5.0 };
         let quantity = Quantity::of(variable.name(), &subject.numbers, &subject.case, &ends)?;
-        let varied = Varied { subject, follows: self.follows, held: None };
+        let varied = Varied { subject, follows: self.follows, held: &[] };
         let parts = if self.target.asks_for_chance(&subject.case) { CHANCE_PARTS } else { PARTS };
         let search = Search { varied: &varied, quantity: &quantity, target: self.target, parts };
         let outwards = Outwards::of(&search, portion);

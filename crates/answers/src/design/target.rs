@@ -202,7 +202,9 @@ fn value_of(key: Key, name: &'static str, value: Option<&str>) -> Result<Target,
         fault: fault(&problem),
         example: symbols(info.kind, written).unwrap_or_else(|| example.trim_matches('"').to_owned()),
     })?;
-    Criterion::of(key, &value).map(Target::Criterion).ok_or(TargetError::NoValue { name, example })
+    Criterion::of(key, &value, Extent::PerMetre.into())
+        .map(Target::Criterion)
+        .ok_or(TargetError::NoValue { name, example })
 }
 
 /// The symbols of modes in a text as the list that a case file has of them, where it is made of such.

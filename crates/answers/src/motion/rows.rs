@@ -323,7 +323,7 @@ fn find(column: &str, inputs: &Inputs) -> Result<Option<Varied>, ColumnError> {
 
 /// True if entries of a kind are words.
 fn word(kind: Kind) -> bool {
-    matches!(kind, Kind::Text | Kind::File | Kind::Truth | Kind::Choice { .. })
+    matches!(kind, Kind::Text | Kind::File | Kind::Truth | Kind::Choice { .. } | Kind::Unit(_))
 }
 
 /// Refuses the name of a table of the case, or what begins like a key and is none of it.

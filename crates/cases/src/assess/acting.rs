@@ -6,13 +6,17 @@ use super::{Assessed, Assessment, combination, verdict};
 use crate::case::{Acting, Case, Direction, PointForce};
 use crate::key::Table;
 use crate::layout::{self, columns, digits, paragraph, row};
+use crate::units::Dimension;
 
 /// One line for each situation, the worst first.
 pub(super) fn summary(assessment: &Assessment) -> String {
     let case = &assessment.case;
     let alone = case.combinations.is_empty();
     let mut rows = match alone {
-        true => vec![row!["", "force", "at"], row!["load", case.extent.force_unit(), "m"]],
+        true => vec![
+            row!["", "force", "at"],
+            row!["load", case.output.symbol(Dimension::Force), case.output.symbol(Dimension::Length)],
+        ],
         false => vec![row!["", ""], row!["", "combination"]],
     };
     rows[0].extend(row!["", "SF", "SF", "leaves", "", ""]);
@@ -25,12 +29,17 @@ pub(super) fn summary(assessment: &Assessment) -> String {
         row.push(assessment.name(assessed).unwrap_or_default());
         if let Acting::Alone(index) = assessed.acting {
             let PointForce { magnitude, direction, elevation, distance, .. } = &case.forces[index];
+            let length = |x: f64| case.output.value(Dimension::Length, x);
             let at = match (direction, distance) {
                 (Direction::Turning(_), _) => "couple".to_owned(),
-                (Direction::Sideways(_), _) | (_, None) => digits(*elevation),
-                (_, Some(distance)) => format!("{} from O", digits(*distance)),
+                (Direction::Sideways(_), _) | (_, None) => length(*elevation),
+                (_, Some(distance)) => format!("{} from O", length(*distance)),
             };
-            row.extend(row![digits(magnitude / 1e3), at]);
+            let dimension = match direction {
+                Direction::Turning(_) => Dimension::Moment,
+                _ => Dimension::Force,
+            };
+            row.extend(row![case.output.value(dimension, *magnitude), at]);
         }
         row.extend(results(assessed));
         row
@@ -96,7 +105,7 @@ pub(super) fn heading(assessment: &Assessment, assessed: &Assessed) -> String {
 fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
     if let Direction::Turning(side) = force.direction {
         let way = if side == Slip::Left { "↺ counter-clockwise" } else { "↻ clockwise" };
-        return vec![row!["couple M", format!("{} {way}", case.extent.kilonewton_metres(force.magnitude))]];
+        return vec![row!["couple M", format!("{} {way}", case.output.moment(force.magnitude))]];
     }
     let (arrow, towards) = match force.direction.word() {
         "left" => ("←", "to the left"),
@@ -104,16 +113,20 @@ fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
         "down" => ("↓", "downwards"),
         _ => ("↑", "upwards"),
     };
-    let mut rows =
-        vec![row!["force F", format!("{} {arrow} {towards}", case.extent.kilonewtons(force.magnitude))]];
+    let mut rows = vec![row!["force F", format!("{} {arrow} {towards}", case.output.force(force.magnitude))]];
     match (force.direction, force.distance) {
         (Direction::Sideways(_), _) | (_, None) => {
             let above = force.elevation - case.body.centroid_height();
             let side = if above < 0.0 { "below" } else { "above" };
-            let centre = format!("{} m {side} the centre of mass", digits(above.abs()));
-            rows.push(row!["elevation", format!("{} m above the base, {centre}", digits(force.elevation))]);
+            let centre = format!("{} {side} the centre of mass", case.output.length(above.abs()));
+            rows.push(row![
+                "elevation",
+                format!("{} above the base, {centre}", case.output.length(force.elevation))
+            ]);
         }
-        (_, Some(distance)) => rows.push(row!["distance", format!("{} m right of O", digits(distance))]),
+        (_, Some(distance)) => {
+            rows.push(row!["distance", format!("{} right of O", case.output.length(distance))])
+        }
     }
     if let Some(lever) = &force.lever {
         rows.push(row!["on", lever.clone()]);

@@ -5,6 +5,7 @@ use standfast::{Bearing, ClassicalActions, GrossOverturning, Outcome, Stability}
 
 use super::{Assessed, holding};
 use crate::layout::{self, columns, digits, paragraph, row};
+use standfast_inputs::OutputUnits;
 
 /// Reason why there is no bearing pressure, in words; `None` where there is one.
 pub fn no_bearing(bearing: Bearing) -> Option<&'static str> {
@@ -15,23 +16,22 @@ pub fn no_bearing(bearing: Bearing) -> Option<&'static str> {
     }
 }
 
-fn number(x: f64, unit: &str) -> String {
-    if x.is_finite() { format!("{}{unit}", digits(x)) } else { "none".into() }
+fn length(output: OutputUnits, x: f64) -> String {
+    if x.is_finite() { output.length(x) } else { "none".into() }
 }
 
 pub(super) fn actions(assessed: &Assessed) -> String {
     let ClassicalActions { heel, buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment } =
         assessed.outcome.actions;
-    let kilonewtons = |x: f64| assessed.extent.kilonewtons(x);
-    let kilonewton_metres = |x: f64| assessed.extent.kilonewton_metres(x);
+    let output = assessed.output;
     let rows = [
         row![
             "W'",
-            kilonewtons(buoyant_weight),
-            format!("at t = {} from the heel {}", number(weight_arm, " m"), heel.letter())
+            output.force(buoyant_weight),
+            format!("at t = {} from the heel {}", length(output, weight_arm), heel.letter())
         ],
-        row!["U", kilonewtons(uplift), format!("M_U = {} about the heel", kilonewton_metres(uplift_moment))],
-        row!["P", kilonewtons(force), format!("M_p = {} about the base", kilonewton_metres(force_moment))],
+        row!["U", output.force(uplift), format!("M_U = {} about the heel", output.moment(uplift_moment))],
+        row!["P", output.force(force), format!("M_p = {} about the base", output.moment(force_moment))],
     ];
     columns(&rows, 2, &[])
 }
@@ -40,7 +40,8 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     let full = &assessed.outcome.full;
     let stability = &assessed.outcome.stability;
     let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
-    let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { layout::factor(factor) };
+    let output = assessed.output;
+    let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { output.factor(factor) };
     let gross = gross(assessed);
     let [heel_is_held, toe_is_held] = holding::hold_about(assessed);
     let goda = match (heel_is_held, gross.is_some()) {
@@ -63,7 +64,7 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     if let Some(gross) = gross {
         let corner = if gross.is_about_heel() { "heel" } else { "toe" };
         let by = format!("by gross moments, about the {corner}");
-        rows.push(row!["", by, layout::factor(gross.overturning())]);
+        rows.push(row!["", by, output.factor(gross.overturning())]);
     }
     rows.extend(bearing(assessed));
     let mut text = columns(&rows, 2, &[]);
@@ -167,8 +168,8 @@ fn gross_words(gross: &GrossOverturning, assessed: &Assessed) -> String {
     let buoyancy = match gross.buoyancy {
         0.0 => String::new(),
         force => {
-            let force = assessed.extent.kilonewtons(force);
-            let moment = assessed.extent.kilonewton_metres(gross.buoyancy_moment);
+            let force = assessed.output.force(force);
+            let moment = assessed.output.moment(gross.buoyancy_moment);
             format!(", with buoyancy U_s = {force} and M_s = {moment} about the heel")
         }
     };
@@ -180,29 +181,30 @@ fn gross_words(gross: &GrossOverturning, assessed: &Assessed) -> String {
 
 fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {
     let Stability { bearing, resultant_arm, .. } = assessed.outcome.stability;
+    let output = assessed.output;
     let base = assessed.situation.body().base_width();
     let mut rows = Vec::new();
     match bearing {
         Bearing::Pressed { heel, toe, contact, share } => {
-            let kilopascals = |p: f64| format!("{} kPa", digits(p / 1e3));
-            let larger = |one: f64, other: f64| match one > other && digits(one) != digits(other) {
-                true => ", the larger",
-                false => "",
-            };
-            rows.push(row!["bearing", "at the heel", kilopascals(heel) + larger(heel, toe)]);
-            rows.push(row!["", "at the toe", kilopascals(toe) + larger(toe, heel)]);
-            let share = format!("{} m ({} % of the base)", digits(contact), digits(100.0 * share));
+            let larger =
+                |one: f64, other: f64| match one > other && output.pressure(one) != output.pressure(other) {
+                    true => ", the larger",
+                    false => "",
+                };
+            rows.push(row!["bearing", "at the heel", output.pressure(heel) + larger(heel, toe)]);
+            rows.push(row!["", "at the toe", output.pressure(toe) + larger(toe, heel)]);
+            let share = format!("{} ({} % of the base)", output.length(contact), digits(100.0 * share));
             rows.push(row!["", "contact", share]);
         }
         other => rows.push(row!["bearing", no_bearing(other).unwrap_or_default(), "none"]),
     }
     if let Some(arm) = resultant_arm {
-        rows.push(row!["resultant", "t_e from the heel", number(arm, " m")]);
+        rows.push(row!["resultant", "t_e from the heel", length(output, arm)]);
     }
     if let (Bearing::Pressed { .. }, Some(eccentricity)) =
         (bearing, assessed.outcome.stability.eccentricity(base))
     {
-        rows.push(row!["", "eccentricity |B_c/2 − t_e|", number(eccentricity, " m")]);
+        rows.push(row!["", "eccentricity |B_c/2 − t_e|", length(output, eccentricity)]);
     }
     rows
 }

@@ -34,7 +34,7 @@ pub fn changes(case: &Case, index: usize) -> Vec<(&'static str, String)> {
         found.map_or_else(String::new, |variable| {
             let number = variable.value(inputs, under);
             match variable.dimension() {
-                Some(dimension) => format!(" = {}", dimension.written(number)),
+                Some(dimension) => format!(" = {}", under.output.written(dimension, number)),
                 None if change.id.key.name().ends_with("_deg") => format!(" = {}°", digits(number)),
                 None => format!(" = {}", digits(number)),
             }

@@ -80,7 +80,7 @@ pub(in super::super) fn render(case: &Case, assessed: &Assessed) -> String {
     let mut rows = Vec::new();
     match foundation.limit {
         Some(Limit::Strength(strength)) => {
-            rows.push(row!["strength", "q_u", Dimension::Pressure.written(strength)]);
+            rows.push(row!["strength", "q_u", case.output.pressure(strength)]);
             if let Some(omega) = ground.omega {
                 rows.push(row!["share that V crushes", "ω = V/(2B q_u)", digits(omega)]);
             }
@@ -100,7 +100,7 @@ pub(in super::super) fn render(case: &Case, assessed: &Assessed) -> String {
             rows.push(row!["ground", "", told]);
             let whole = soil.centric_resistance(case.body.base_width() / 2.0);
             let length = case.body.plan().side(case.body.width());
-            rows.push(row!["bears upright", "V_0", assessed.extent.kilonewtons(whole * length)]);
+            rows.push(row!["bears upright", "V_0", assessed.output.force(whole * length)]);
         }
         None => {}
     }
@@ -115,9 +115,7 @@ pub(in super::super) fn render(case: &Case, assessed: &Assessed) -> String {
     if let Some(elastic) = ground.elastic.as_ref().filter(|elastic| elastic.rotation.is_none()) {
         let words = format!(
             "No rotation bears the moment of the full load: the most is {} about the middle of the base.",
-            assessed
-                .extent
-                .kilonewton_metres(elastic.largest.moment * case.body.plan().side(case.body.width()))
+            assessed.output.moment(elastic.largest.moment * case.body.plan().side(case.body.width()))
         );
         text += &paragraph(&words, 2);
     }
@@ -129,31 +127,34 @@ pub(in super::super) fn render(case: &Case, assessed: &Assessed) -> String {
 
 /// Rows of the reaction and of the resistance to it.
 fn reaction(assessed: &Assessed, ground: &BaseResponse) -> Vec<Vec<String>> {
-    let metres = |length: f64| format!("{} m", digits(length));
+    let output = assessed.output;
     let mut rows = Vec::new();
     if let Some(pivot) = ground.pivot().filter(|_| ground.omega.is_some_and(|omega| omega < 1.0)) {
         let acts = if ground.neutral().is_some() { "acts" } else { "acts as a turn begins" };
-        rows.push(row!["pivot", "from the edge", format!("{}, where the reaction {acts}", metres(pivot))]);
+        rows.push(row![
+            "pivot",
+            "from the edge",
+            format!("{}, where the reaction {acts}", output.length(pivot))
+        ]);
     }
     if let Some(neutral) = ground.neutral() {
         rows.push(row![
             "neutral point",
             "from the edge",
-            format!("{}, about which it turns", metres(neutral))
+            format!("{}, about which it turns", output.length(neutral))
         ]);
     }
     if let Some(reaction) = &ground.reaction {
-        rows.push(row!["effective width", "B' = 2(B − |e|)", metres(reaction.effective_width())]);
+        rows.push(row!["effective width", "B' = 2(B − |e|)", output.length(reaction.effective_width())]);
         let pressure = reaction.effective_pressure();
-        let pressure =
-            if pressure.is_finite() { Dimension::Pressure.written(pressure) } else { "none".to_owned() };
+        let pressure = if pressure.is_finite() { output.pressure(pressure) } else { "none".to_owned() };
         rows.push(row!["pressure on it", "V/B'", pressure]);
     }
     if let Some(resistance) = ground.resistance {
-        rows.push(row!["resistance", "R", assessed.extent.kilonewtons(resistance)]);
+        rows.push(row!["resistance", "R", assessed.output.force(resistance)]);
     }
     if let Some(factor) = ground.factor {
-        rows.push(row!["ground factor", "R/V", layout::factor(factor)]);
+        rows.push(row!["ground factor", "R/V", output.factor(factor)]);
     }
     if let Some(factors) = ground.load_factors.filter(|_| assessed.rises()) {
         let word = |factor: f64| match factor {

@@ -5,7 +5,8 @@ use standfast::{Held, Mode};
 
 use super::Assessed;
 use crate::case::{Case, Direction, Resistance};
-use crate::layout::{columns, digits, paragraph, row};
+use crate::layout::{columns, paragraph, row};
+use standfast_inputs::OutputUnits;
 
 /// What holds a body of a situation beside friction: the resistances, each with its place, and the whole.
 pub fn told<'a>(case: &'a Case, assessed: &Assessed) -> Option<(&'a [Resistance], Held)> {
@@ -32,32 +33,36 @@ pub fn hold_about(assessed: &Assessed) -> [bool; 2] {
 }
 
 /// Where a resistance holds the body to, and where it acts.
-pub fn place(resistance: &Resistance) -> String {
+pub fn place(resistance: &Resistance, output: OutputUnits) -> String {
     match (resistance.direction, resistance.distance) {
         (Direction::Sideways(_), _) | (_, None) => {
             let side = resistance.direction.word();
-            format!("to the {side} at {} m", digits(resistance.elevation))
+            format!("to the {side} at {}", output.length(resistance.elevation))
         }
-        (_, Some(distance)) => format!("down at {} m from O", digits(distance)),
+        (_, Some(distance)) => format!("down at {} from O", output.length(distance)),
     }
 }
 
 pub(super) fn render(case: &Case, assessed: &Assessed) -> String {
     let Some((resistances, held)) = told(case, assessed) else { return String::new() };
-    let kilonewtons = |force: f64| assessed.extent.kilonewtons(force);
+    let output = assessed.output;
     let mut rows = Vec::new();
     if case.under(assessed.acting).adhesion.is_some() {
-        let words = format!("over A' = {} m of the base", digits(held.adhering));
-        rows.push(row!["adhesion c_a A'", kilonewtons(held.adhesion), words]);
+        let words = format!("over A' = {} of the base", output.length(held.adhering));
+        rows.push(row!["adhesion c_a A'", output.force(held.adhesion), words]);
     }
     for (index, resistance) in resistances.iter().enumerate() {
         let used = match held.needed {
-            Some(needed) if needed[index] > 0.0 => format!("rest needs {}", kilonewtons(needed[index])),
+            Some(needed) if needed[index] > 0.0 => format!("rest needs {}", output.force(needed[index])),
             Some(_) => "rest does not need it".to_owned(),
             None => "not enough for rest".to_owned(),
         };
-        let words = format!("{}; {used}", place(resistance));
-        rows.push(row![resistance.name.clone(), format!("R = {}", kilonewtons(resistance.counted())), words]);
+        let words = format!("{}; {used}", place(resistance, output));
+        rows.push(row![
+            resistance.name.clone(),
+            format!("R = {}", output.force(resistance.counted())),
+            words
+        ]);
     }
     let mut text = "\nHeld beside friction\n".to_owned() + &columns(&rows, 2, &[]);
     if !resistances.is_empty() {

@@ -6,7 +6,7 @@ use standfast::{Plan, Wrench};
 use super::{Assessed, Component};
 use crate::case::{Case, Waves, Weight};
 use crate::layout::{columns, digits, row};
-use crate::units::Extent;
+use crate::units::{Dimension, Extent};
 use standfast_inputs::datum::Datum;
 
 /// Note on the effect that added mass leaves out.
@@ -37,31 +37,34 @@ pub fn left_out(case: &Case) -> Vec<&'static str> {
 }
 
 pub(super) fn body(case: &Case) -> String {
-    let Case { body, extent, .. } = case;
-    let metres = |x: f64| format!("{} m", digits(x));
+    let Case { body, extent, output, .. } = case;
     let across = if body.plan() == Plan::Circle { "diameter 2B" } else { "width 2B" };
-    let mut rows = vec![row![across, metres(body.width())], row!["height 2H", metres(body.height())]];
+    let mut rows =
+        vec![row![across, output.length(body.width())], row!["height 2H", output.length(body.height())]];
     if let (Extent::Whole, Plan::Rectangle { length }) = (extent, body.plan()) {
-        rows.push(row!["length out of the plane", metres(length)]);
+        rows.push(row!["length out of the plane", output.length(length)]);
     }
-    rows.push(row!["mass m", extent.mass(body.mass())]);
+    rows.push(row!["mass m", output.mass(body.mass())]);
     let gravity = format!("g = {} m/s²", digits(case.gravity));
-    rows.push(row!["weight m g", format!("{} ({gravity})", extent.kilonewtons(body.mass() * case.gravity))]);
+    rows.push(row!["weight m g", format!("{} ({gravity})", output.force(body.mass() * case.gravity))]);
     if case.added_mass.mass() > 0.0 {
-        let mass = format!("{}, moves with the body horizontally", extent.mass(case.added_mass.mass()));
+        let mass = format!("{}, moves with the body horizontally", output.mass(case.added_mass.mass()));
         rows.push(row!["added mass of water", mass]);
     }
     rows.extend(parts(case));
     rows.push(row!["slenderness γ = H/B", digits(body.slenderness())]);
+    if case.floor_deg != 0.0 {
+        rows.push(row!["floor", floor_words(case)]);
+    }
     if !body.is_uniform() {
         let place = format!(
             "{} above the base, {} right of O, {} left of O'",
-            metres(body.centroid_height()),
-            metres(body.heel_distance()),
-            metres(body.toe_distance())
+            output.length(body.centroid_height()),
+            output.length(body.heel_distance()),
+            output.length(body.toe_distance())
         );
         rows.push(row!["centre of mass", place]);
-        let inertia = format!("{} about it", extent.inertia(body.moment_of_inertia()));
+        let inertia = format!("{} about it", output.inertia(body.moment_of_inertia()));
         rows.push(row!["moment of inertia", inertia]);
     }
     if case.kinetic_friction == case.friction {
@@ -72,9 +75,13 @@ pub(super) fn body(case: &Case) -> String {
     }
     if let Some(water) = &case.water {
         let levels = if water.left() == water.right() {
-            metres(water.left())
+            output.length(water.left())
         } else {
-            format!("{} at the left, {} at the right", metres(water.left()), metres(water.right()))
+            format!(
+                "{} at the left, {} at the right",
+                output.length(water.left()),
+                output.length(water.right())
+            )
         };
         rows.push(row!["still water", format!("{levels} above the base; {} kg/m³", digits(water.density()))]);
     }
@@ -85,6 +92,15 @@ pub(super) fn body(case: &Case) -> String {
         rows.push(row!["weight counted as", case.weight_words()]);
     }
     columns(&rows, 2, &[])
+}
+
+/// How the floor lies, and in which directions forces are told.
+pub fn floor_words(case: &Case) -> String {
+    let way = if case.floor_deg > 0.0 { "right" } else { "left" };
+    format!(
+        "rises to the {way} at {}°; forces are told along and across the base",
+        digits(case.floor_deg.abs())
+    )
 }
 
 /// Levels of the base, the crest, the water and the ground.
@@ -129,11 +145,17 @@ pub fn share(load: &Load) -> String {
 
 /// The loads one by one, and their sum under the full load.
 pub(super) fn components(assessed: &Assessed) -> String {
-    let [force, moment] = [assessed.extent.force_unit(), assessed.extent.moment_unit()];
-    let mut rows = vec![row!["", "", "left", "down", "moment at C"], row!["load", "", force, force, moment]];
+    let output = assessed.output;
+    let [force, moment] = [Dimension::Force, Dimension::Moment].map(|dimension| output.symbol(dimension));
+    let mut rows =
+        vec![row!["", "", "left", "down", "moment at C"], row!["load", "", force.as_str(), force, moment]];
     let numbers = |wrench: &Wrench| {
         // `0.0 −` rather than `−`, so that nothing becomes −0.
-        [0.0 - wrench.x, wrench.p, wrench.m].map(|x| digits(x / 1e3))
+        [
+            output.value(Dimension::Force, 0.0 - wrench.x),
+            output.value(Dimension::Force, wrench.p),
+            output.value(Dimension::Moment, wrench.m),
+        ]
     };
     for Component { name, load, wrench } in assessed.components() {
         let share = share(&load);

@@ -5,7 +5,7 @@ use standfast::contact::opening::OpeningState;
 use standfast::{BaseOpening, OpeningRule};
 
 use super::Assessed;
-use crate::layout::{columns, digits, paragraph, percent, row};
+use crate::layout::{columns, paragraph, percent, row};
 
 /// The base of a situation, where its opening changes the water under it or drains lie there.
 pub fn told(assessed: &Assessed) -> Option<BaseOpening> {
@@ -36,33 +36,35 @@ pub(super) fn render(assessed: &Assessed) -> String {
     let corner = if side(&opening) == "left" { "O" } else { "O'" };
     let contact = opening.contact(base);
     let mut rows = Vec::new();
-    let head = format!("{} kPa", digits(opening.open_pressure() / 1e3));
+    let output = assessed.output;
+    let head = output.pressure(opening.open_pressure());
     match opening.state {
         OpeningState::Closed => rows.push(row!["closed", "no part of the base is pulled"]),
         OpeningState::Open { .. } => {
-            let opened =
-                format!("{} m from {corner} on, where {head} stand, the higher head", digits(base - contact));
+            let opened = format!(
+                "{} from {corner} on, where {head} stand, the higher head",
+                output.length(base - contact)
+            );
             rows.push(row!["opened", opened]);
             let share = percent(contact / base);
-            rows.push(row!["pressed", format!("{} m ({share} of the base)", digits(contact))]);
+            rows.push(row!["pressed", format!("{} ({share} of the base)", output.length(contact))]);
         }
         OpeningState::Through => {
             rows.push(row!["opened", format!("from end to end: {head} stand under the whole base")])
         }
     }
-    let kilonewtons = |force: f64| assessed.extent.kilonewtons(force);
     let closed = match opening.state {
         OpeningState::Closed => String::new(),
-        _ => format!("; {} if nothing opened", kilonewtons(opening.uplift_closed)),
+        _ => format!("; {} if nothing opened", output.force(opening.uplift_closed)),
     };
-    rows.push(row!["uplift of the water", kilonewtons(opening.uplift) + &closed]);
+    rows.push(row!["uplift of the water", output.force(opening.uplift) + &closed]);
     if let Some(drain) = opening.drain {
         let works = if opening.drain_works() == Some(true) {
             "works"
         } else {
             "is lost: the base has opened beyond it"
         };
-        let place = format!("at {} m from O, {}", digits(drain.distance), works);
+        let place = format!("at {} from O, {works}", output.length(drain.distance));
         rows.push(row!["drain", place]);
     }
     if let Some(factor) = opening.opens_at.filter(|_| assessed.rises()) {

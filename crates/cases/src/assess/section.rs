@@ -5,7 +5,7 @@ mod under;
 use standfast::loads::{Action, Face, Load, LoadId, LoadSource, PressureAt};
 use standfast::section::{Part, Vertex, WaterTable};
 use standfast::wave::WavePhase;
-use standfast::{BaseEdges, Body, InputError, Situation, Slip};
+use standfast::{BaseEdges, Body, InputError, Situation, Slip, Wrench};
 use standfast_figures::{
     Arrow, Backfill, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
 };
@@ -19,7 +19,7 @@ use crate::case::{
     WaveFormula, Waves, soil_of,
 };
 use crate::layout::digits;
-use crate::units::Extent;
+use standfast_inputs::OutputUnits;
 
 const SCALES: &str = "Lengths are to one scale, pressures to another, arrows of forces to a third; the smallest of these are drawn \
     longer, to be seen. Values are those of the case, before any factor of a combination.";
@@ -67,7 +67,8 @@ pub(super) fn with_section<T>(
     let worst = assessment.governing();
     let reaction = worst.ground.as_ref().and_then(|ground| under::reaction(case, worst, ground));
     let situation = case.situation(Acting::All, Trial::AS_GIVEN)?;
-    let extent = case.extent;
+    let output = case.output;
+    let look = Look { output, slope: case.floor_deg.to_radians() };
     let BaseEdges { left, right } = case.body.base_edges();
     let (widths, heights) = dimensions(case);
     let sketched = sketched_fills(situation.loads());
@@ -75,6 +76,7 @@ pub(super) fn with_section<T>(
     let backfills: Vec<Backfill> = case.soils.iter().map(backfill).chain(sketched).collect();
     let is_on_soil = matches!(worst.ground.as_ref().and_then(|ground| ground.limit), Some(Limit::Ground(_)));
     let mut notes = notes(case);
+    notes.extend((case.floor_deg != 0.0).then(|| on_slope(case)));
     notes.extend((!case.soils.is_empty()).then(|| SOIL_BESIDE.to_owned()));
     notes.extend(has_sketch.then(|| FILLED.to_owned()));
     notes.extend(is_on_soil.then(|| SOIL.to_owned()));
@@ -85,19 +87,19 @@ pub(super) fn with_section<T>(
         (Vec::new(), Vec::new(), Arrows { loads: Vec::new(), has_sums: false });
     for load in situation.loads() {
         let sum = (drawn == Pressures::Summed || is_beside_soil(load))
-            .then(|| resultant(extent, &situation, load))
+            .then(|| resultant(look, &situation, load))
             .flatten();
         of.has_sums |= sum.is_some() && drawn == Pressures::Summed;
-        if let Some(arrow) = sum.or_else(|| arrow(extent, &situation, load)) {
+        if let Some(arrow) = sum.or_else(|| arrow(look, &situation, load)) {
             arrows.push(arrow);
             of.loads.push(load.id);
         } else {
-            pressures.extend(pressed(extent, &situation, load));
+            pressures.extend(pressed(look, &situation, load));
         }
     }
     // Behind the loads, of which each arrow is one.
-    arrows.extend(case.resistances.iter().map(|resistance| held(extent, &case.body, resistance)));
-    notes.extend(case.forces.iter().filter_map(|force| couple(extent, force)));
+    arrows.extend(case.resistances.iter().map(|resistance| held(output, &case.body, resistance)));
+    notes.extend(case.forces.iter().filter_map(|force| couple(output, force)));
     let section = Section {
         title: case.title.as_deref().unwrap_or_default(),
         parts: &parts(case),
@@ -223,16 +225,12 @@ fn sketched_fills(loads: &[Load]) -> Vec<Backfill> {
     fills
 }
 
-pub(super) fn metres(length: f64) -> String {
-    format!("{} m", digits(length))
-}
-
 /// Widths in rows, and heights in columns.
 fn dimensions(case: &Case) -> (Vec<Vec<Measure>>, Vec<Vec<Measure>>) {
     let body = &case.body;
     let (half, BaseEdges { left, right }) = (body.width() / 2.0, body.base_edges());
     let measure = |from: f64, to: f64, name: &str| {
-        let label = format!("{name}{}", metres(to - from));
+        let label = format!("{name}{}", case.output.length(to - from));
         Measure { ends: (from, to), label }
     };
     let mut widths = vec![vec![measure(-half, half, "")]];
@@ -259,7 +257,7 @@ fn levels(case: &Case) -> Vec<Level> {
         };
         let datum =
             case.inputs().datum().map_or(String::new(), |datum| format!(", {}", datum.written(elevation)));
-        let label = format!("{name} {sign}{}{datum}", metres(elevation.abs()));
+        let label = format!("{name} {sign}{}{datum}", case.output.length(elevation.abs()));
         Level { side, elevation, label, is_water }
     };
     let mut levels =
@@ -319,28 +317,50 @@ fn is_beside_soil(load: &Load) -> bool {
     load.source == LoadSource::EarthPressure && !load.permanent
 }
 
+/// How loads are drawn and told.
+#[derive(Clone, Copy)]
+struct Look {
+    output: OutputUnits,
+    /// Rise of the floor to the right, radians.
+    slope: f64,
+}
+
+impl Look {
+    /// The forces of a load as they are in space: of one that presses on a face, along and across the base.
+    fn in_space(self, load: &Load, wrench: Wrench) -> Wrench {
+        if self.slope == 0.0 || matches!(load.action, Action::Pressure { .. }) {
+            return wrench;
+        }
+        let (sin, cos) = self.slope.sin_cos();
+        // What is left of a number that is zero.
+        let clean = |x: f64| if x.abs() <= 1e-12 * wrench.x.hypot(wrench.p) { 0.0 } else { x };
+        let Wrench { x, p, m } = wrench;
+        Wrench { x: clean(x * cos + p * sin), p: clean(p * cos - x * sin), m }
+    }
+}
+
 /// Name, size and direction of a load, in words.
-fn words(extent: Extent, situation: &Situation, load: &Load, sideways: bool) -> String {
-    let wrench = situation.wrench_of(load);
+fn words(look: Look, situation: &Situation, load: &Load, sideways: bool) -> String {
+    let wrench = look.in_space(load, situation.wrench_of(load));
     let (size, way) = match sideways {
         true => (wrench.x, if wrench.x < 0.0 { "to the left" } else { "to the right" }),
         false => (wrench.p, if wrench.p < 0.0 { "upwards" } else { "downwards" }),
     };
-    format!("{}, {} {way}", drawn_words(load), extent.kilonewtons(size.abs()))
+    format!("{}, {} {way}", drawn_words(load), look.output.force(size.abs()))
 }
 
-fn pressed(extent: Extent, situation: &Situation, load: &Load) -> Option<Pressed> {
+fn pressed(look: Look, situation: &Situation, load: &Load) -> Option<Pressed> {
     let Action::Pressure { face, diagram } = &load.action else { return None };
     let point = |point: &PressureAt| {
-        (point.position, point.pressure, format!("{} kPa", digits(point.pressure / 1e3)).replace('-', "−"))
+        (point.position, point.pressure, look.output.pressure(point.pressure).replace('-', "−"))
     };
     let points: Vec<_> = diagram.points().iter().map(point).collect();
     let acts = points.iter().any(|(_, pressure, _)| *pressure != 0.0);
     let sideways = matches!(face, Face::Left | Face::Right);
-    acts.then(|| Pressed { face: *face, points, words: words(extent, situation, load, sideways) })
+    acts.then(|| Pressed { face: *face, points, words: words(look, situation, load, sideways) })
 }
 
-fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
+fn arrow(look: Look, situation: &Situation, load: &Load) -> Option<Arrow> {
     let body = situation.body();
     let centre = (body.centroid_offset(), body.centroid_height());
     let (at, is_inside) = match &load.action {
@@ -349,15 +369,17 @@ fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
             let force = load.forces(body, situation.gravity()).into_iter().next()?;
             ((centre.0 + force.at[0], centre.1 + force.at[1]), false)
         }
-        Action::Force { at, .. } => ((at.x, at.y), load.source == LoadSource::Buoyancy),
+        Action::Force { at, .. } => {
+            ((at.x, at.y), matches!(load.source, LoadSource::Buoyancy | LoadSource::Weight))
+        }
         Action::Resultant(_) if load.source == LoadSource::Couple => return None,
         _ => (centre, true),
     };
-    placed(extent, situation, load, at, is_inside)
+    placed(look, situation, load, at, is_inside)
 }
 
 /// A pressure as one arrow; `None` of one whose resultant does not lie on its face, as of pressures that cancel.
-fn resultant(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
+fn resultant(look: Look, situation: &Situation, load: &Load) -> Option<Arrow> {
     let Action::Pressure { face, diagram } = &load.action else { return None };
     let body = situation.body();
     let (force, moment) = diagram.resultant_on(body, *face);
@@ -371,29 +393,31 @@ fn resultant(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow
     };
     // What presses from below is drawn into the body, where it has room.
     let is_inside = *face == Face::Base;
-    (0.0..=end).contains(&place).then(|| placed(extent, situation, load, at, is_inside)).flatten()
+    (0.0..=end).contains(&place).then(|| placed(look, situation, load, at, is_inside)).flatten()
 }
 
 /// A force at a place of the body, or on its mass.
-fn placed(
-    extent: Extent,
-    situation: &Situation,
-    load: &Load,
-    at: (f64, f64),
-    is_inside: bool,
-) -> Option<Arrow> {
+fn placed(look: Look, situation: &Situation, load: &Load, at: (f64, f64), is_inside: bool) -> Option<Arrow> {
     let body = situation.body();
-    let wrench = situation.wrench_of(load);
+    let wrench = look.in_space(load, situation.wrench_of(load));
     let sideways = wrench.x.abs() > wrench.p.abs();
     let (size, towards) = match sideways {
         true => (wrench.x, (wrench.x.signum(), 0.0)),
         false => (wrench.p, (0.0, -wrench.p.signum())),
     };
-    let mut words = words(extent, situation, load, sideways);
+    let towards = match load.action {
+        Action::Pressure { .. } => towards,
+        // In the frame of the base.
+        _ => {
+            let (sin, cos) = look.slope.sin_cos();
+            (towards.0 * cos + towards.1 * sin, towards.1 * cos - towards.0 * sin)
+        }
+    };
+    let mut words = words(look, situation, load, sideways);
     if !is_inside || matches!(load.action, Action::Pressure { .. }) {
         let place = match sideways {
-            true => format!(", {} above the base", metres(at.1)),
-            false => format!(", {} right of O", metres(at.0 + body.base_edges().left)),
+            true => format!(", {} above the base", look.output.length(at.1)),
+            false => format!(", {} right of O", look.output.length(at.0 + body.base_edges().left)),
         };
         words += &place.replace(" -", " −");
     }
@@ -402,13 +426,13 @@ fn placed(
         towards,
         is_inside,
         size: size.abs(),
-        label: extent.kilonewtons(size.abs()),
+        label: look.output.force(size.abs()),
         words,
     })
 }
 
 /// A force with a limit, as much as it holds.
-fn held(extent: Extent, body: &Body, resistance: &Resistance) -> Arrow {
+fn held(output: OutputUnits, body: &Body, resistance: &Resistance) -> Arrow {
     let size = resistance.counted();
     let left = body.base_edges().left;
     let (towards, x) = match resistance.direction {
@@ -417,23 +441,32 @@ fn held(extent: Extent, body: &Body, resistance: &Resistance) -> Arrow {
         }
         _ => ((0.0, -1.0), resistance.distance.unwrap_or(left) - left),
     };
-    let most = extent.kilonewtons(size);
+    let most = output.force(size);
     Arrow {
         at: (x, resistance.elevation),
         towards,
         is_inside: false,
         size,
         label: format!("≤ {most}"),
-        words: format!("{}, holds up to {most} {}", resistance.name, holding::place(resistance)),
+        words: format!("{}, holds up to {most} {}", resistance.name, holding::place(resistance, output)),
     }
 }
 
 /// A couple in words, which is not drawn.
-fn couple(extent: Extent, force: &PointForce) -> Option<String> {
+fn couple(output: OutputUnits, force: &PointForce) -> Option<String> {
     let Direction::Turning(side) = force.direction else { return None };
     let name = force.name.as_deref().unwrap_or("couple");
     let way = if side == Slip::Left { "counter-clockwise" } else { "clockwise" };
-    Some(format!("Not drawn: {name}, a couple of {} {way}.", extent.kilonewton_metres(force.magnitude)))
+    Some(format!("Not drawn: {name}, a couple of {} {way}.", output.moment(force.magnitude)))
+}
+
+/// Note on a tilted floor.
+fn on_slope(case: &Case) -> String {
+    let way = if case.floor_deg > 0.0 { "right" } else { "left" };
+    format!(
+        "The floor rises to the {way} at {}°: the section is drawn on its base, and weight and forces lean against it.",
+        digits(case.floor_deg.abs())
+    )
 }
 
 fn notes(case: &Case) -> Vec<String> {

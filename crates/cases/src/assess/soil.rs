@@ -5,6 +5,8 @@ use standfast::loads::{Earthquake, Face};
 
 use crate::case::{Case, SoilFill};
 use crate::layout::{columns, digits, paragraph, row};
+use crate::units::Dimension;
+use standfast_inputs::OutputUnits;
 
 /// The words of the formula of the coefficients of a soil, and where it is from.
 pub fn formula(fill: &SoilFill) -> &'static str {
@@ -42,12 +44,9 @@ pub(super) fn render(case: &Case) -> String {
     case.soils.iter().map(|fill| one(case, fill)).collect()
 }
 
-fn metres(x: f64) -> String {
-    format!("{} m", digits(x))
-}
-
 fn one(case: &Case, fill: &SoilFill) -> String {
     let SoilFill { soil, water, pressure, name, .. } = fill;
+    let output = case.output;
     let state = match soil.state {
         EarthState::Active => "active",
         EarthState::AtRest => "at rest",
@@ -64,31 +63,33 @@ fn one(case: &Case, fill: &SoilFill) -> String {
     } else {
         format!("; batter {}°", digits(soil.batter_deg))
     };
-    let mut rows = vec![row!["ground", format!("{} above the base, {slope}{batter}", metres(soil.top))]];
+    let mut rows =
+        vec![row!["ground", format!("{} above the base, {slope}{batter}", output.length(soil.top))]];
     match water.filter(|water| water.level > 0.0) {
-        Some(water) => rows.push(row!["water in it", format!("{} above the base", metres(water.level))]),
+        Some(water) => {
+            rows.push(row!["water in it", format!("{} above the base", output.length(water.level))])
+        }
         None => rows.push(row!["water in it", "none"]),
     }
     let layers = soil.layers.iter().zip(&pressure.coefficients).zip(soil.bounds());
     for ((layer, of), [upper, lower]) in layers {
         let heading = match soil.layers.len() {
             1 => "friction".to_owned(),
-            _ => format!("{} to {} m", digits(upper), digits(lower)),
+            _ => format!("{} to {}", output.value(Dimension::Length, upper), output.length(lower)),
         };
-        rows.push(row![heading, layer_words(layer, of.k)]);
+        rows.push(row![heading, layer_words(layer, of.k, output)]);
         if layer.soil.cohesion > 0.0 && !fill.is_passive() {
-            let words = format!("c = {} kPa, K_c = {}", digits(layer.soil.cohesion / 1e3), digits(of.k_c));
+            let words = format!("c = {}, K_c = {}", output.pressure(layer.soil.cohesion), digits(of.k_c));
             rows.push(row!["", words]);
         }
     }
     let of = |points: &[EarthPoint]| acting(case, resultant(points));
-    for (place, words) in diagram(&pressure.soil).into_iter().enumerate() {
+    for (place, words) in diagram(&pressure.soil, output).into_iter().enumerate() {
         rows.push(row![if place == 0 { "pressure" } else { "" }, words]);
     }
     rows.push(row![if fill.is_passive() { "resists" } else { "pushes" }, of(&pressure.soil)]);
     if !pressure.surcharge.is_empty() {
-        let words =
-            format!("{} kPa on the ground: {}", digits(soil.surcharge / 1e3), of(&pressure.surcharge));
+        let words = format!("{} on the ground: {}", output.pressure(soil.surcharge), of(&pressure.surcharge));
         rows.push(row!["surcharge", words]);
     }
     text += &columns(&rows, 2, &[]);
@@ -102,9 +103,9 @@ fn one(case: &Case, fill: &SoilFill) -> String {
 
 /// What pushes, at which height, and what drags down, of a pressure per metre run.
 fn acting(case: &Case, [push, elevation, drag]: [f64; 3]) -> String {
-    let whole = |force: f64| case.extent.kilonewtons(force * along(case));
+    let whole = |force: f64| case.output.force(force * along(case));
     let drags = if drag == 0.0 { String::new() } else { format!(", drags down {}", whole(drag)) };
-    format!("{} at {}{drags}", whole(push), metres(elevation))
+    format!("{} at {}{drags}", whole(push), case.output.length(elevation))
 }
 
 /// How long the body is along the soil, m.
@@ -112,29 +113,29 @@ pub(super) fn along(case: &Case) -> f64 {
     case.body.plan().side(case.body.width())
 }
 
-fn layer_words(SoilLayer { soil, .. }: &SoilLayer, k: f64) -> String {
-    let kilonewtons = |weight: f64| digits(weight / 1e3);
+fn layer_words(SoilLayer { soil, .. }: &SoilLayer, k: f64, output: OutputUnits) -> String {
+    let weighs = |weight: f64| output.value(Dimension::UnitWeight, weight);
     let mut words = format!(
         "φ = {}°, δ = {}°: K = {}; {}",
         digits(soil.friction_angle_deg),
         digits(soil.wall_friction_deg),
         digits(k),
-        kilonewtons(soil.unit_weight)
+        weighs(soil.unit_weight)
     );
     if let Some(saturated) = soil.unit_weight_saturated {
-        words += &format!(", under water {}", kilonewtons(saturated));
+        words += &format!(", under water {}", weighs(saturated));
     }
-    words + " kN/m³"
+    words + " " + &output.symbol(Dimension::UnitWeight)
 }
 
 /// A pressure from the top down, in lines of a few points.
-fn diagram(points: &[EarthPoint]) -> Vec<String> {
+fn diagram(points: &[EarthPoint], output: OutputUnits) -> Vec<String> {
     /// Points in a line.
     const LINE: usize = 3;
     let mut words: Vec<String> = Vec::new();
     for point in points.iter().rev() {
-        let at = if point.elevation == 0.0 { "the base".to_owned() } else { metres(point.elevation) };
-        let said = format!("{} kPa at {at}", digits(point.normal / 1e3));
+        let at = if point.elevation == 0.0 { "the base".to_owned() } else { output.length(point.elevation) };
+        let said = format!("{} at {at}", output.pressure(point.normal));
         if words.last() != Some(&said) {
             words.push(said);
         }

@@ -131,7 +131,7 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     let under = case.under(assessed.acting);
     let mut text = if under.soils == case.soils { String::new() } else { soil::render(under) };
     if let Some(wave) = under.wave.as_ref().filter(|_| under.wave != case.wave) {
-        text += &sea::pressures(wave, case.extent);
+        text += &sea::pressures(wave, case.output);
         text += "\n";
     }
     text += "Forces and moments\n";

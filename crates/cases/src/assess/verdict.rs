@@ -7,7 +7,7 @@ use super::{Assessed, AssessmentView, BaseResponse, predicate};
 use crate::case::{Made, soil_of};
 use crate::layout::{self, columns, digits, percent, row};
 use crate::summary::{listed, quoted};
-use crate::units::Extent;
+use standfast_inputs::OutputUnits;
 
 /// Note on ground that fails.
 const NO_MOTION: &str = "The ground cannot bear the reaction. How the body then moves is not computed.";
@@ -17,7 +17,7 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
     let full = &assessed.outcome.full;
     let mut sentences = Vec::new();
     if full.is_lifted() {
-        sentences.push(lifted(full, assessed.extent));
+        sentences.push(lifted(full, assessed.output));
     }
     let factor = factor_at_rest(assessed).map_or(String::new(), |factor| format!(", {factor}"));
     sentences.push(format!(
@@ -26,8 +26,8 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
     ));
     if let Some(neutral) = assessed.ground.as_ref().and_then(BaseResponse::neutral) {
         sentences.push(format!(
-            "The base crushes under that corner: the body turns about a point {} m inside it.",
-            digits(neutral)
+            "The base crushes under that corner: the body turns about a point {} inside it.",
+            assessed.output.length(neutral)
         ));
     }
     sentences.push(uniqueness(assessed));
@@ -86,7 +86,7 @@ fn risen(assessed: &Assessed, factor: f64) -> Option<String> {
     match variable[..] {
         [force] if force.source == LoadSource::Force => {
             let wrench = assessed.situation.wrench_of(force);
-            Some(assessed.extent.kilonewtons(factor * wrench.x.hypot(wrench.p)))
+            Some(assessed.output.force(factor * wrench.x.hypot(wrench.p)))
         }
         [first, ..] if variable.iter().all(|load| is_shaken_sideways(load)) => {
             let acceleration = first.factor * assessed.earthquake?.horizontal().abs();
@@ -134,8 +134,8 @@ pub fn risen_loads(assessed: &Assessed) -> String {
     if names.len() > 3 { "the variable loads".to_owned() } else { listed(&names) }
 }
 
-fn lifted(full: &Response, extent: Extent) -> String {
-    let lift = extent.kilonewtons(0.0 - full.wrench.p);
+fn lifted(full: &Response, output: OutputUnits) -> String {
+    let lift = output.force(0.0 - full.wrench.p);
     if full.wrench.p == 0.0 {
         "The loads carry the whole weight: nothing presses the body on its base, and safety factors mean nothing.".to_owned()
     } else if full.mode() == Some(Mode::Flight) {
@@ -205,7 +205,7 @@ pub(super) fn stages(assessed: &Assessed, view: &AssessmentView) -> String {
         let force = in_air.filter(|_| stage.from > 0.0).map(|reduced| {
             let weight = assessed.situation.body().mass() * assessed.situation.gravity();
             let k = stage.from * reduced.point.k();
-            format!("from F = {} (k = {}) on", assessed.extent.kilonewtons(k * weight), digits(k))
+            format!("from F = {} (k = {}) on", assessed.output.force(k * weight), digits(k))
         });
         let mode = stage.verdict.map_or("none", Verdict::symbol);
         row![digits(stage.from), digits(stage.to), mode, force.unwrap_or_default(), also]

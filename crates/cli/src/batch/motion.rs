@@ -53,7 +53,7 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     if let Some(column) =
         appended.iter().copied().find(|result| header.iter().any(|column| *column == **result))
     {
-        return Err(TableError::ResultExists { name, column }.into());
+        return Err(TableError::ResultExists { name, column: column.to_owned() }.into());
     }
     let threads = threads(args.threads);
     let places: Vec<usize> = (0..table.rows().len()).collect();

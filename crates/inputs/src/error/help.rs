@@ -285,6 +285,9 @@ impl Problem {
                 format!("names there: {}; what one case alone has goes into its combination", names.join(", "))
             }
             Problem::NamelessLoad => "name = \"crane\"".into(),
+            Problem::TiltedFloor { .. } => {
+                "leave floor_deg out, or enter what acts as a [[load]] or a [[pressure]] on a face".into()
+            }
             Problem::OpeningNotFor { .. } => "opening = \"closed\" keeps the straight line of pressure".into(),
             Problem::FilledSide { side } => {
                 let other = if *side == "right" { "left" } else { "right" };
@@ -514,6 +517,7 @@ pub fn expected_type(kind: Kind) -> &'static str {
         Kind::OneOf(..) => "a list of three numbers",
         Kind::Truth => "true or false",
         Kind::Choice { words, .. } => words,
+        Kind::Unit(_) => "the name of a unit, in quotes",
         Kind::List(_) => "a list of numbers, each plain or in quotes with its unit",
         Kind::Factors => "names of loads with their factors, in braces",
         Kind::Settings => "names of keys with their values, in braces",

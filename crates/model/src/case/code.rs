@@ -281,10 +281,10 @@ pub(super) fn filled(
                 Some(_) => options.one_of("ground", &["soil", "rock"], "\"soil\" or \"rock\"")?,
             };
             let most = base / if rock == 1 { 4.0 } else { 6.0 };
-            criteria.extend(Criterion::of(Key::GreatestEccentricity, &Value::Number(most)));
+            criteria.extend(Criterion::of(Key::GreatestEccentricity, &Value::Number(most), inputs.output()));
             // A passive soil asks for more.
             if passive {
-                criteria.extend(Criterion::of(Key::LeastSliding, &Value::Number(2.0)));
+                criteria.extend(Criterion::of(Key::LeastSliding, &Value::Number(2.0), inputs.output()));
             }
         }
         _ => options.only(&[])?,
@@ -303,7 +303,10 @@ pub(super) fn filled(
     changes.extend(drained.filter_map(|id| divided(id, set.materials[0])));
     let strength = Some(Id::from(Key::Strength)).filter(of);
     changes.extend(strength.and_then(|id| divided(id, set.materials[1])));
-    let of_set = set.criteria.iter().filter_map(|(key, bound)| Criterion::of(*key, &Value::Number(*bound)));
+    let of_set = set
+        .criteria
+        .iter()
+        .filter_map(|(key, bound)| Criterion::of(*key, &Value::Number(*bound), inputs.output()));
     let of_set = of_set.filter(|criterion| criteria.iter().all(|other| other.key != criterion.key));
     criteria.extend(of_set.collect::<Vec<_>>());
     let [sliding, bearing, passive, ties] = set.resist;

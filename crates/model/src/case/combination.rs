@@ -605,7 +605,7 @@ impl Reader<'_> {
         let spelled = spelled(name, self.inputs);
         let name = spelled.as_deref().unwrap_or(name);
         let apart = |table: &Table| {
-            !matches!(table, Table::Top | Table::Datum | Table::Combination | Table::Criteria)
+            !matches!(table, Table::Top | Table::Datum | Table::Output | Table::Combination | Table::Criteria)
         };
         let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table)).filter(apart);
         let mut keys = tables.flat_map(|table| {
@@ -715,10 +715,12 @@ impl Reader<'_> {
         let id = Id::new(Key::CombinationCriteria, index);
         let Some(bounds) = self.inputs.bounds(id) else { return Ok(None) };
         let criteria = bounds.iter().enumerate().map(|(place, (key, value))| {
-            Criterion::of(*key, value).filter(|criterion| !criterion.is_chance()).ok_or_else(|| {
-                let problem = Problem::CriterionOfAll { name: key.name() };
-                Fault::new(problem, Place::Element(id, place))
-            })
+            Criterion::of(*key, value, self.inputs.output())
+                .filter(|criterion| !criterion.is_chance())
+                .ok_or_else(|| {
+                    let problem = Problem::CriterionOfAll { name: key.name() };
+                    Fault::new(problem, Place::Element(id, place))
+                })
         });
         criteria.collect::<Result<_, _>>().map(Some)
     }

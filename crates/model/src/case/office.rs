@@ -66,8 +66,9 @@ impl Reader<'_> {
             }
             holds.push((name.clone(), *by));
         }
+        let output = self.inputs.output();
         let criteria = file.bounds().iter().map(|(key, bound)| {
-            let criterion = Criterion::of(*key, bound).filter(|criterion| !criterion.is_chance());
+            let criterion = Criterion::of(*key, bound, output).filter(|criterion| !criterion.is_chance());
             criterion.ok_or_else(|| Fault::new(Problem::CriterionOfAll { name: key.name() }, at))
         });
         Ok(Filled {

@@ -6,7 +6,7 @@ use standfast::loads::{AddedMass, Earthquake, StillWater, Uplift};
 use standfast::{Body, InputError, OpeningRule, Plan, Scalar, Section};
 use standfast_motion::MotionError;
 
-use super::{Foundation, Waves, Weight};
+use super::{Foundation, Limit, Waves, Weight};
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Range, Table};
@@ -202,6 +202,28 @@ impl Reader<'_> {
                 Err(disagree((right_key, levels[1]), (self.still_water_key(), depth)))
             }
             _ => Ok(water),
+        }
+    }
+
+    /// Refuses what is not worked out for a tilted floor, where there is one.
+    pub(super) fn floor<T>(&self, weight: &Weight<T>, ground: Option<&Foundation>) -> Result<(), Fault> {
+        let Some(slope) = self.number(Key::FloorDeg).filter(|slope| *slope != 0.0) else { return Ok(()) };
+        const OTHERS: [(Table, &str); 8] = [
+            (Table::Water, "still water"),
+            (Table::Wave, "a wave"),
+            (Table::AddedMass, "water that moves with the body"),
+            (Table::Backfill, "soil beside the body"),
+            (Table::Resistance, "a tie"),
+            (Table::Motion, "the motion in time"),
+            (Table::LoadHistory, "a load over time"),
+            (Table::Storm, "a storm"),
+        ];
+        let others = OTHERS.iter().find(|(table, _)| self.inputs.has(*table)).map(|(_, what)| *what);
+        let weight = matches!(weight, Weight::Buoyant { .. }).then_some("a buoyant weight");
+        let fails = ground.is_some_and(|ground| matches!(ground.limit, Some(Limit::Ground(_))));
+        match others.or(weight).or(fails.then_some("ground that fails")) {
+            Some(what) => Err(Fault::new(Problem::TiltedFloor { slope, what }, Key::FloorDeg)),
+            None => Ok(()),
         }
     }
 

@@ -96,7 +96,7 @@ pub(super) fn changes(steps: &mut SheetSteps, assessment: &Assessment, assessed:
     let values: Vec<(Id, f64)> = of_all.values_in(index).collect();
     for (id, value) in values {
         let written = |number: f64, inputs: &Inputs| match inputs.dimension(id) {
-            Some(dimension) => dimension.written(number),
+            Some(dimension) => case.output.written(dimension, number),
             None => plain(number),
         };
         let of_file = of_all.inputs().number(id).map(|number| written(number, of_all.inputs()));

@@ -2,10 +2,13 @@
 
 use standfast::section::PartMass;
 use standfast::{BaseEdges, Body, Plan, Section};
+use standfast_cases::assess::floor_words;
 use standfast_cases::units::Extent;
 use standfast_cases::{Case, Id, Inputs, Key};
 
-use crate::measured::{ACCELERATION, AREA, DENSITY, INERTIA, KILONEWTON, MASS, METRE, NONE, UNIT_WEIGHT};
+use crate::measured::{
+    ACCELERATION, AREA, DEGREE, DENSITY, INERTIA, KILONEWTON, MASS, METRE, NONE, UNIT_WEIGHT,
+};
 use crate::steps::SheetSteps;
 use crate::symbols::numbered;
 
@@ -19,6 +22,10 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, inputs: &Inputs) {
     } else {
         steps.know("w", body.width(), METRE);
         steps.know("h_body", body.height(), METRE);
+    }
+    if case.floor_deg != 0.0 {
+        steps.know("ε_f", case.floor_deg, DEGREE);
+        steps.note(&format!("The floor {}.", floor_words(case)));
     }
     steps.know("μ", case.friction, NONE);
     steps.know("μ_k", case.kinetic_friction, NONE);

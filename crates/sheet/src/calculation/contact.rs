@@ -115,7 +115,7 @@ mod tests {
     fn a_contact_problem_without_an_answer_leaves_no_sheet() -> Result<(), InputError> {
         let situation = Situation::new(Body::new(6.0, 7.0, 100e3)?, 0.6, 9.81)?;
         let wrench = Wrench { x: f64::NAN, p: 981e3, m: 0.0 };
-        assert!(steps(&mut SheetSteps::new("Loads", Extent::PerMetre), &situation, &wrench).is_err());
+        assert!(steps(&mut SheetSteps::new("Loads", Extent::PerMetre.into()), &situation, &wrench).is_err());
         Ok(())
     }
 }

@@ -11,7 +11,7 @@ use standfast_cases::assess::Component;
 use standfast_cases::assess::ground::left_out;
 use standfast_cases::case::{Foundation, Limit};
 use standfast_cases::layout::plain;
-use standfast_cases::units::{Dimension, Extent};
+use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case, Inputs, Key};
 
 use self::soil::NamedReaction;
@@ -116,7 +116,7 @@ impl Sheet<'_> {
     fn crushing(&self, steps: &mut SheetSteps, strength: f64) {
         match self.inputs.number(Key::Strength).filter(|given| *given != strength) {
             Some(given) => {
-                let words = format!("{}/{}", Dimension::Pressure.written(given), plain(given / strength));
+                let words = format!("{}/{}", self.assessed.output.pressure(given), plain(given / strength));
                 steps.told("Strength of the base, divided", "q_u", strength, KILOPASCAL, &words, "");
             }
             None => steps.know("q_u", strength, KILOPASCAL),

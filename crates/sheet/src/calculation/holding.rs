@@ -154,14 +154,14 @@ fn press(steps: &mut SheetSteps, named: &[Named<'_>], heel: Corner, base: f64, t
 /// The limit of a resistance, and what rest needs of it.
 fn limit(steps: &mut SheetSteps, assessed: &Assessed, one: &Named<'_>, needed: Option<f64>) {
     let Resistance { name, limit, share, divisor, .. } = one.resistance;
-    let mut words = assessed.extent.kilonewtons(*limit);
+    let mut words = assessed.output.force(*limit);
     if *share != 1.0 {
         words += &format!(" × {}", digits(*share));
     }
     if *divisor != 1.0 {
         words += &format!("/{}", digits(*divisor));
     }
-    let about = format!("The most that {name} holds, {}", place(one.resistance));
+    let about = format!("The most that {name} holds, {}", place(one.resistance, assessed.output));
     steps.told(&about, &one.symbol, one.resistance.counted(), KILONEWTON, &words, "");
     let needs = format!("r_{}", one.symbol.trim_start_matches("R_"));
     match needed {

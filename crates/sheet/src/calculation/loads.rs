@@ -4,14 +4,14 @@ use maud::{Markup, html};
 use standfast::loads::{Action, Earthquake, Face, Load, LoadSource, PressureAt, PressureDiagram};
 use standfast::{Body, Plan, Wrench};
 use standfast_cases::assess::{Component, left_out, share};
-use standfast_cases::case::{FacePressure, PointForce, WaveFormula, Weight};
+use standfast_cases::case::{FacePressure, WaveFormula, Weight, said_by};
 use standfast_cases::key::Table;
 use standfast_cases::units::Extent;
-use standfast_cases::{Assessed, Case, Key};
+use standfast_cases::{Assessed, Case, Key, Place};
 
 use super::{opening, soil};
 use crate::measured::{
-    ACCELERATION, AREA, DENSITY, KILONEWTON, KILOPASCAL, MASS, METRE, MOMENT, Measured, NONE, number,
+    ACCELERATION, AREA, DENSITY, KILONEWTON, KILOPASCAL, MASS, METRE, MOMENT, Measured, NONE,
 };
 use crate::steps::{SheetStep, SheetSteps};
 use crate::symbols::{numbered, point};
@@ -48,9 +48,13 @@ pub(super) fn grouped(formula: &str) -> String {
 
 pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components: &[Component]) {
     steps.heading("Loads, at the centre of mass");
-    steps.note(
-        "`X` to the right, `V` downwards, `M` counter-clockwise about the centre of mass C. `V` is the net vertical force.",
-    );
+    steps.note(match case.floor_deg {
+        0.0 => "`X` to the right, `V` downwards, `M` counter-clockwise about the centre of mass C. `V` is the net vertical force.",
+        _ => {
+            "`X` along the base to the right, `V` onto it, `M` counter-clockwise about the centre of mass C. Weight, forces and inertia keep \
+             their directions in space; a level force without a distance acts at mid-width."
+        }
+    });
     added_mass(steps, case);
     for (i, component) in components.iter().enumerate() {
         one(steps, case, assessed, i, component);
@@ -67,7 +71,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, co
         ("V", "downwards", total.p, KILONEWTON, of(|wrench| wrench.p, 1)),
         ("M", "moment at C", total.m, MOMENT, of(|wrench| wrench.m, 2)),
     ];
-    table(steps, case.extent, components, total);
+    table(steps, components, total);
     for (name, words, value, unit, formula) in sums {
         let about = format!("Sum under the full load, {words}");
         match formula {
@@ -82,8 +86,8 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, co
 }
 
 /// The loads one by one, in a table.
-fn table(steps: &mut SheetSteps, extent: Extent, components: &[Component], total: &Wrench) {
-    let (force, moment) = (extent.force_unit(), extent.moment_unit());
+fn table(steps: &mut SheetSteps, components: &[Component], total: &Wrench) {
+    let [force, moment] = [KILONEWTON, MOMENT].map(|unit| steps.measured(0.0, unit).unit.text);
     let full = html! {
         table.numbers data-table="components" {
             thead { tr { th { "Load" } th { "Share" } th.n { "X" br; (force) } th.n { "V" br; (force) } th.n { "M" br; (moment) } } }
@@ -92,10 +96,10 @@ fn table(steps: &mut SheetSteps, extent: Extent, components: &[Component], total
                     tr {
                         td { (i + 1) " " (name) }
                         td { (share(load)) }
-                        (cells(wrench))
+                        (cells(steps, wrench))
                     }
                 }
-                tr.sum { td { "Sum" } td {} (cells(total)) }
+                tr.sum { td { "Sum" } td {} (cells(steps, total)) }
             }
         }
     };
@@ -103,10 +107,10 @@ fn table(steps: &mut SheetSteps, extent: Extent, components: &[Component], total
     steps.push(full, Brief::Nothing);
 }
 
-fn cells(wrench: &Wrench) -> Markup {
+fn cells(steps: &SheetSteps, wrench: &Wrench) -> Markup {
     html! {
-        @for value in [wrench.x, wrench.p, wrench.m] {
-            td.n { data value=(value / 1e3 + 0.0) { (number(value / 1e3 + 0.0)) } }
+        @for (value, unit) in [(wrench.x, KILONEWTON), (wrench.p, KILONEWTON), (wrench.m, MOMENT)] {
+            td.n { (steps.measured(value, unit).number_html("")) }
         }
     }
 }
@@ -258,7 +262,8 @@ fn given(steps: &mut SheetSteps, case: &Case, load: &Load) {
         LoadSource::Force => {
             if let Action::Force { at, right, up } = load.action {
                 let [force, elevation, distance] = force_symbols(case, load);
-                steps.know_input(&force, if up == 0.0 { right.abs() } else { up.abs() }, KILONEWTON);
+                // Of one component alone on a level floor, whose size is that of the force.
+                steps.know_input(&force, right.hypot(up), KILONEWTON);
                 steps.know_input(&elevation, at.y, METRE);
                 steps.know_input(&distance, at.x + case.body.base_edges().left, METRE);
             }
@@ -296,14 +301,9 @@ fn along(body: &Body, extent: Extent) -> PlanFactor {
 
 /// The symbols of a force, its elevation and its distance from O.
 pub(super) fn force_symbols(case: &Case, load: &Load) -> [String; 3] {
-    let forces: Vec<_> = case.forces.iter().filter(|force| force.of.0 == Table::Load).collect();
-    let is_it = |force: &&PointForce| {
-        let other = force.load(&case.body);
-        other.name == load.name && other.action == load.action && other.permanent == load.permanent
-    };
-    let index = forces.iter().position(is_it).unwrap_or_default();
-    [Key::Force, Key::Elevation, Key::LoadDistance]
-        .map(|key| numbered(key.info().symbol, index, forces.len()))
+    let Place::Table(_, index) = said_by(load.id) else { return Default::default() };
+    let count = case.inputs().count(Table::Load);
+    [Key::Force, Key::Elevation, Key::LoadDistance].map(|key| numbered(key.info().symbol, index, count))
 }
 
 /// The moment of a couple, counter-clockwise, before any factor.
@@ -316,11 +316,8 @@ fn case_couple(load: &Load) -> f64 {
 
 /// The symbol of a couple.
 pub(super) fn couple_symbol(case: &Case, load: &Load) -> String {
-    let couples: Vec<_> = case.forces.iter().filter(|force| force.of.0 == Table::Moment).collect();
-    let is_it =
-        |couple: &&PointForce| couple.name == load.name && couple.load(&case.body).action == load.action;
-    let index = couples.iter().position(is_it).unwrap_or_default();
-    numbered(Key::Couple.info().symbol, index, couples.len())
+    let Place::Table(_, index) = said_by(load.id) else { return String::new() };
+    numbered(Key::Couple.info().symbol, index, case.inputs().count(Table::Moment))
 }
 
 /// The width of a crown wall that waves press under.
@@ -365,6 +362,11 @@ fn formulas(
         given.as_ref().zip(tried.as_ref()).is_some_and(|(given, tried)| of(given) * of(tried) < 0.0)
     };
     let way = |turned: bool, text: &str| if turned { less(text) } else { some(text) };
+    if case.floor_deg != 0.0
+        && let Some(formulas) = on_slope(case, assessed, component, [x, v], factor, way, turned)
+    {
+        return formulas;
+    }
     let [force, elevation, distance] = force_symbols(case, &component.load);
     match component.load.source {
         LoadSource::Weight => match case.parts_weighed(assessed.acting, &component.load) {
@@ -430,6 +432,59 @@ fn formulas(
             _ => [None, some(sum), Some(format!("{v} b_1 − {factor}{lever}"))],
         },
         _ => [None, None, None],
+    }
+}
+
+/// Formulas of a load that keeps its direction in space, along and across a floor that rises to the right; `None` of what presses on a
+/// face, or turns alone.
+fn on_slope(
+    case: &Case,
+    assessed: &Assessed,
+    component: &Component,
+    [x, v]: [&str; 2],
+    factor: &str,
+    way: impl Fn(bool, &str) -> Option<String>,
+    turned: impl Fn(fn(&Earthquake) -> f64) -> bool,
+) -> Option<[Option<String>; 3]> {
+    let both = |[x, v]: [(bool, &str); 2], m: Option<String>| Some([way(x.0, x.1), way(v.0, v.1), m]);
+    match component.load.source {
+        LoadSource::Weight => match case.parts_weighed(assessed.acting, &component.load) {
+            None => both([(true, "m g sin(ε_f)"), (false, "m g cos(ε_f)")], None),
+            Some(parts) => {
+                let sum = |term: &dyn Fn(usize) -> String| {
+                    parts.iter().map(|part| term(part + 1)).collect::<Vec<_>>().join(" + ")
+                };
+                let mass = sum(&|n| format!("m_{n}"));
+                let across = sum(&|n| format!("m_{n} (x_{n} − x_C)"));
+                let along = sum(&|n| format!("m_{n} (y_{n} − y_C)"));
+                let moment = format!("{factor}(({along}) sin(ε_f) − ({across}) cos(ε_f)) g");
+                let [x, v] = ["sin", "cos"].map(|function| format!("({mass}) g {function}(ε_f)"));
+                both([(true, &x), (false, &v)], Some(moment))
+            }
+        },
+        LoadSource::HorizontalInertia => {
+            let turned = turned(Earthquake::horizontal);
+            both([(!turned, "m a_h cos(ε_f)"), (!turned, "m a_h sin(ε_f)")], None)
+        }
+        LoadSource::VerticalInertia => {
+            let turned = turned(Earthquake::vertical);
+            both([(!turned, "m a_v sin(ε_f)"), (turned, "m a_v cos(ε_f)")], None)
+        }
+        LoadSource::Force => {
+            let [force, elevation, distance] = force_symbols(case, &component.load);
+            let (sin, cos) = case.floor_deg.to_radians().sin_cos();
+            let Wrench { x: along, p, .. } = component.wrench;
+            // Back in space: to the right, and down.
+            let (right, down) = (along * cos + p * sin, p * cos - along * sin);
+            let moment = format!("−{x} ({elevation} − y_C) − {v} ({distance} − b_1)");
+            let [of_sin, of_cos] = ["sin", "cos"].map(|function| format!("{force} {function}(ε_f)"));
+            let parts = match right.abs() > down.abs() {
+                true => [(right < 0.0, of_cos), (right < 0.0, of_sin)],
+                false => [(down > 0.0, of_sin), (down < 0.0, of_cos)],
+            };
+            both(parts.each_ref().map(|(less, text)| (*less, text.as_str())), Some(moment))
+        }
+        _ => None,
     }
 }
 

@@ -3,22 +3,23 @@
 
 use maud::{Markup, PreEscaped, html};
 use standfast::{Corner, Motion};
-use standfast_cases::describe::{MOTION, RELATIVE};
+use standfast_cases::describe::{MOTION, MotionPart, RELATIVE};
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case};
 
 use crate::fault::SheetFault;
 use crate::mathml::{prose, symbol};
-use crate::measured::{ACCELERATION, INERTIA, KILONEWTON, MASS, METRE, ROTATION, number};
+use crate::measured::{ACCELERATION, INERTIA, KILONEWTON, MASS, METRE, ROTATION, SheetUnit};
 use crate::steps::SheetSteps;
 use crate::together::Row;
 
 /// The motion of the body, without what is zero: as a table, and as rows.
-fn table(case: &Case, motion: &Motion) -> Result<(Markup, Vec<Row>), SheetFault> {
+fn table(steps: &SheetSteps, motion: &Motion) -> Result<(Markup, Vec<Row>), SheetFault> {
+    let measured =
+        |part: &MotionPart| steps.measured((part.of)(motion), part.dimension.map_or(ROTATION, SheetUnit::of));
     let mut rows = Vec::new();
     for part in MOTION.iter().filter(|part| (part.of)(motion) != 0.0) {
-        let (unit, si) = part.on_paper(case.extent);
-        let value = (part.of)(motion) / si;
+        let value = measured(part);
         rows.push(Row {
             name: part.symbol.to_owned(),
             key: format!("motion.{}", part.key),
@@ -26,8 +27,8 @@ fn table(case: &Case, motion: &Motion) -> Result<(Markup, Vec<Row>), SheetFault>
             head: html! {
                 (PreEscaped(symbol(part.symbol))) ", " (prose(&part.words.replace("f_y", "`f_y`"))?)
             },
-            unit: html! { span.unit { (unit) } },
-            cell: html! { data value=(value) data-quantity={ "motion." (part.key) } { (number(value)) } },
+            unit: html! { span.unit { (value.unit.text) } },
+            cell: value.number_html(&format!("motion.{}", part.key)),
         });
     }
     let full = html! {
@@ -35,13 +36,12 @@ fn table(case: &Case, motion: &Motion) -> Result<(Markup, Vec<Row>), SheetFault>
             thead { tr { th {} th { "Quantity" } th.n { "of this body" } th {} } }
             tbody {
                 @for part in MOTION.iter().filter(|part| (part.of)(motion) != 0.0) {
-                    @let (unit, si) = part.on_paper(case.extent);
-                    @let value = (part.of)(motion) / si;
+                    @let value = measured(part);
                     tr {
                         td { (PreEscaped(symbol(part.symbol))) }
                         td { (prose(&part.words.replace("f_y", "`f_y`"))?) }
-                        td.n { data value=(value) data-quantity={ "motion." (part.key) } { (number(value)) } }
-                        td { (unit) }
+                        td.n { (value.number_html(&format!("motion.{}", part.key))) }
+                        td { (value.unit.text) }
                     }
                 }
             }
@@ -60,7 +60,7 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, he
         false => "Motion and reactions at onset, full load applied at once",
     });
     if !rests || f_x != 0.0 || f_y != 0.0 {
-        steps.quantities(table(case, motion));
+        steps.quantities(table(steps, motion));
     }
     if assessed.earthquake.is_some() {
         steps.note(RELATIVE);

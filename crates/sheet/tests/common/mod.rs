@@ -105,6 +105,16 @@ fn more() -> Vec<(String, String)> {
     let list = [
         ("earthquake in water", format!("{body}[water]\nlevel = 5\ndensity = 1000\n[earthquake]\nhorizontal = \"-0.3 g\"\nvertical = \"0.1 g\"\n[added_mass]\nsides = 2\n")),
         ("one side", format!("{body}[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = \"0.2 g\"\n[added_mass]\nsides = \"right\"\n")),
+        ("sloping floor", format!("{}[[load]]\nname = \"push\"\nforce = 90e3\nelevation = 5\ntogether = true\n[[load]]\nname = \"hook\"\nforce = 40e3\ndirection = \"up\"\n\
+            elevation = 6\ndistance = 1\ntogether = true\n[earthquake]\nhorizontal = \"0.05 g\"\nvertical = \"0.03 g\"\n[[moment]]\nmoment = 50e3\ntogether = true\n",
+            body.replace("friction", "floor_deg = 6\nfriction"))),
+        ("floor that falls", format!("{}[[combination]]\nname = \"light\"\nfactors = {{ weight = 0.9, \"weight.stone\" = 1.1 }}\n",
+            "[body]\nfriction = 0.5\nfloor_deg = -4\n[[part]]\ngroup = \"stone\"\nleft = 0\nwidth = 4\nbottom = 0\nheight = 2\ndensity = 2400\n[[part]]\nleft = 1\n\
+            width = 2\nbottom = 2\nheight = 3\ndensity = 2000\n[[load]]\nname = \"push\"\nforce = 9e3\nelevation = 4\npermanent = true\n")),
+        ("in feet", format!("[output]\nforce = \"kip/ft\"\npressure = \"psf\"\nlength = \"ft\"\ndigits = 6\n{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\n\
+            [ground]\nstrength = 600e3\n[criteria]\nSF_sliding = 1.2\nbearing_max = 400e3\neccentricity = 2\n")),
+        ("in tonnes", format!("[output]\nforce = \"tf/m\"\npressure = \"kgf/cm2\"\nlength = \"cm\"\n{dam}{ice}[[backfill]]\nname = \"sand\"\nface = \"right\"\n\
+            top = 4\nfriction_angle_deg = 33\nunit_weight = 18e3\nunit_weight_saturated = 20e3\n")),
         ("added mass given", format!("{body}[earthquake]\nhorizontal = \"0.2 g\"\n[added_mass]\nmass = 20e3\n")),
         ("pressures, scaled", format!("{body}[[pressure]]\nname = \"left\"\nface = \"left\"\nelevation = [0, 2, 2, 7]\npressure = [3e3, 1e3, 9e3, -2e3]\nscale = 1.3\n\
             [[pressure]]\nface = \"top\"\ndistance = [1, 6]\npressure = [4e3, 2e3]\npermanent = true\n\
@@ -291,6 +301,13 @@ fn unit(text: &str) -> f64 {
         "t/m" | "kN/m" | "kPa" | "kN m/m" | "t m²/m" => 1e3,
         "t" | "kN" | "kN m" | "t m²" => 1e3,
         "°" => PI / 180.0,
+        "ft" => 0.3048,
+        "cm" => 0.01,
+        "kip/ft" => 4_448.221_615_260_5 / 0.3048,
+        "kip ft/ft" => 4_448.221_615_260_5,
+        "psf" => 4.448_221_615_260_5 / (0.3048 * 0.3048),
+        "tf/m" | "tf m/m" => 9_806.65,
+        "kgf/cm²" => 98_066.5,
         // A sum of units, or what follows a number in a sentence.
         other => panic!("`{other}` is no unit"),
     }
@@ -319,16 +336,24 @@ pub fn si(element: ElementRef<'_>, attribute: &str) -> Option<f64> {
         || row
             .and_then(|row| row.select(&of).next())
             .is_some_and(|of| of.text().collect::<String>().trim() == "°");
-    let column = if common_column(element) { 1e3 } else { 1.0 };
+    let column = common_column(element).unwrap_or(1.0);
     let scale =
         if degree { PI / 180.0 } else { text.map_or(1.0, |text| unit(&text.text().collect::<String>())) };
     Some(value * scale * column)
 }
 
-/// True if the number is a force of the table of motions, whose unit stands in the next column.
-fn common_column(element: ElementRef<'_>) -> bool {
-    let name = element.attr("data-quantity").unwrap_or_default();
-    matches!(name, "motion.f_x" | "motion.f_y") && within(element, "motion")
+/// Size of the unit of a number of the table of motions, which stands in the next column.
+fn common_column(element: ElementRef<'_>) -> Option<f64> {
+    let row = element.ancestors().filter_map(ElementRef::wrap).find(|above| above.value().name() == "tr")?;
+    let is_in_table = element.attr("data-quantity")?.starts_with("motion.") && within(element, "motion");
+    let last = row.select(&Selector::parse("td:last-child").unwrap()).last()?.text().collect::<String>();
+    (is_in_table && !last.is_empty()).then(|| unit(&last))
+}
+
+/// The sizes of the units in the head of the table of loads.
+pub fn units_of_loads(html: &Html, scope: &str) -> Vec<f64> {
+    let heads = select(html, &format!("{scope} [data-table=components] thead th.n"));
+    heads.iter().map(|head| unit(&head.text().last().unwrap_or_default().replace('\u{202f}', " "))).collect()
 }
 
 pub fn within(element: ElementRef<'_>, class: &str) -> bool {

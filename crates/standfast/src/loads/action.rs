@@ -224,6 +224,42 @@ impl<T: Scalar> Action<T> {
         BodyForce { at, size, follows: false }
     }
 
+    /// Action in the frame of a base that rises to the right by `slope` radians: weight, forces and accelerations keep their directions in
+    /// space, pressures press on their faces.
+    ///
+    /// ```text
+    /// along the base  x cos ε + y sin ε        across it  y cos ε − x sin ε
+    /// ```
+    #[must_use]
+    pub fn on_slope(self, body: &Body<T>, gravity: T, slope: f64) -> Action<T> {
+        let (sin, cos) = slope.sin_cos();
+        let (sin, cos) = (T::computed(sin), T::computed(cos));
+        let turned = |right: T, up: T| {
+            let along = right.clone() * cos.clone() + up.clone() * sin.clone();
+            (along, up * cos.clone() - right * sin.clone())
+        };
+        match self {
+            Action::Weight => {
+                let at = BodyPoint { x: body.centroid_offset(), y: body.centroid_height() };
+                let (right, up) = turned(T::of(0.0), -body.mass() * gravity);
+                Action::Force { at, right, up }
+            }
+            Action::Force { at, right, up } => {
+                let (right, up) = turned(right, up);
+                Action::Force { at, right, up }
+            }
+            Action::Inertia { right, up } => {
+                let (right, up) = turned(right, up);
+                Action::Inertia { right, up }
+            }
+            Action::Resultant(Wrench { x, p, m }) => {
+                let (x, up) = turned(x, -p);
+                Action::Resultant(Wrench { x, p: -up, m })
+            }
+            pressed @ (Action::Pressure { .. } | Action::Drag { .. }) => pressed,
+        }
+    }
+
     /// The wrench at the centre of mass of `body`, upright, at the acceleration of gravity `gravity` (m/s²).
     pub fn upright(&self, body: &Body<T>, gravity: T) -> Wrench<T> {
         match self {

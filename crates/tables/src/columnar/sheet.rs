@@ -29,6 +29,9 @@ enum Cell {
     Text(String),
 }
 
+/// Words in place of the value of a formula that no program has kept in the workbook.
+const NOT_KEPT: &str = "a formula without its value; open the workbook in a spreadsheet and save it";
+
 /// Characters of a cell, as Excel has it.
 const CHARACTERS: usize = 32_767;
 
@@ -97,10 +100,26 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
     let Some(header) = header else {
         return Err(TableError::Empty { name: options.name.clone(), needed: options.needed() });
     };
+    drop(cells);
+    for (.., cells) in &mut columns {
+        cells.resize_with(rows, || Cell::Empty);
+    }
+    let has_empty = columns.iter().any(|(.., cells)| cells.iter().any(|cell| matches!(cell, Cell::Empty)));
+    if has_empty {
+        let mut formulas = workbook.worksheet_cells_reader(&sheet).map_err(damaged)?;
+        while let Some(formula) = formulas.next_formula().map_err(damaged)? {
+            let (row, column) = formula.get_position();
+            let Ok(place) = columns.binary_search_by_key(&column, |(column, ..)| *column) else { continue };
+            let index = row.checked_sub(header + below).map(|index| index as usize);
+            let cell = index.and_then(|index| columns[place].2.get_mut(index));
+            if let Some(cell @ Cell::Empty) = cell.filter(|_| !formula.get_value().is_empty()) {
+                *cell = Cell::Text(NOT_KEPT.to_owned());
+            }
+        }
+    }
     let (fields, arrays): (Vec<_>, Vec<_>) = columns
         .into_iter()
-        .map(|(_, name, mut cells)| {
-            cells.resize_with(rows, || Cell::Empty);
+        .map(|(_, name, cells)| {
             let array = array(cells);
             (Field::new(name, array.data_type().clone(), true), array)
         })

@@ -10,7 +10,10 @@ use arrow_schema::{DataType, SchemaRef};
 use super::parquet::{self as pq, Encoder, Group};
 use super::source::Reading;
 use super::table;
-use crate::{TableError, TableFormat, TableOptions};
+#[cfg(feature = "xlsx")]
+use super::workbook::SheetColumns;
+use crate::text::Separators;
+use crate::{Summary, TableError, TableFormat, TableOptions};
 
 /// Format in which pieces are written.
 pub(super) enum Writing {
@@ -75,7 +78,7 @@ impl<W: Write + Send> Sink<W> {
             return Err(TableError::Nested { name: options.name.clone(), column, found, format });
         }
         if options.to == TableFormat::Csv {
-            let line = task.header(&table::header(&schema), b"\n");
+            let line = task.header(&table::header(&schema), Separators::default(), b"\n");
             output.write_all(&line).map_err(|error| unwritten(error.to_string()))?;
             return Ok((Sink::Text(output), Writing::Text));
         }
@@ -100,8 +103,9 @@ impl<W: Write + Send> Sink<W> {
             #[cfg(feature = "xlsx")]
             TableFormat::Xlsx => {
                 let texts = if let Reading::Text(header) = reading { header.names.len() } else { 0 };
+                let columns = SheetColumns { texts, results: task.fields.len(), digits: task.digits() };
                 let sheet =
-                    super::workbook::Sheet::create(output, &schema, texts, source.map(pq::Source::rows));
+                    super::workbook::Sheet::create(output, &schema, columns, source.map(pq::Source::rows));
                 let sheet = sheet.map_err(|error| error.into_table(unwritten))?;
                 (Sink::Sheet(Box::new(sheet)), Writing::Arrow(schema))
             }
@@ -138,6 +142,23 @@ impl<W: Write + Send> Sink<W> {
             _ => unreachable!("a piece is made for its sink"),
         }
         .map_err(Unwritten::Words)
+    }
+
+    /// Says beside the table of a workbook what it was answered with, and what came of it.
+    pub(super) fn say(
+        &mut self,
+        options: &TableOptions,
+        reading: &Reading,
+        summary: &Summary,
+    ) -> Result<(), String> {
+        match self {
+            #[cfg(feature = "xlsx")]
+            Sink::Sheet(sheet) if options.case.is_some() => {
+                let fields = &reading.task().fields;
+                sheet.add(|workbook| super::about::write(workbook, options, fields, summary, 1))
+            }
+            _ => Ok(()),
+        }
     }
 
     pub(super) fn finish(self) -> Result<(), String> {

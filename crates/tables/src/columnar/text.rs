@@ -26,7 +26,7 @@ impl Header {
             (0..self.names.len()).map(|place| number(place).is_none() || in_unit(place).is_some()).collect();
         let mut texts: Vec<Vec<Option<String>>> = vec![Vec::new(); self.names.len()];
         if as_text.contains(&true) {
-            let mut rows = Rows::new(&parsed.bytes);
+            let mut rows = Rows::new(&parsed.bytes, self.separators);
             while rows.advance() {
                 for (place, column) in texts.iter_mut().enumerate().filter(|(place, _)| as_text[*place]) {
                     let field = rows.record.get(place).filter(|field| !field.is_empty());

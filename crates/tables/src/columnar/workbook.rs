@@ -25,21 +25,35 @@ pub(super) struct Sheet<W> {
     rows: u64,
     /// Columns of the table that come from text, in which numbers are to be numbers.
     texts: usize,
+    /// The first column of results.
+    results: usize,
     formats: Formats,
 }
 
+/// Columns of a table by what they hold.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SheetColumns {
+    /// So many at the beginning come from text.
+    pub(super) texts: usize,
+    /// So many at the end are results.
+    pub(super) results: usize,
+    /// Significant digits that numbers among those are shown with, about.
+    pub(super) digits: usize,
+}
+
 struct Formats {
+    result: Format,
     day: Format,
     moment: Format,
     span: Format,
 }
 
 impl<W: Write> Sheet<W> {
-    /// Begins a sheet with a header in bold that stays in sight. The first `texts` columns come from text; `rows` is known.
+    /// Begins a sheet with a header in bold that stays in sight; `rows` is known.
     pub(super) fn create(
         output: W,
         schema: &Schema,
-        texts: usize,
+        columns: SheetColumns,
         rows: Option<u64>,
     ) -> Result<Sheet<W>, Unwritten> {
         check_room(rows.unwrap_or_default(), schema.fields().len())?;
@@ -59,11 +73,14 @@ impl<W: Write> Sheet<W> {
         }
         let format = |code: &str| Format::new().set_num_format(code);
         let formats = Formats {
+            result: format(&number_format(columns.digits)),
             day: format("yyyy-mm-dd"),
             moment: format("yyyy-mm-dd hh:mm:ss"),
             span: format("[h]:mm:ss"),
         };
-        Ok(Sheet { output, workbook, rows: 0, texts, formats })
+        let SheetColumns { texts, results, .. } = columns;
+        let results = schema.fields().len().saturating_sub(results);
+        Ok(Sheet { output, workbook, rows: 0, texts, results, formats })
     }
 
     pub(super) fn write(&mut self, batch: &RecordBatch) -> Result<(), Unwritten> {
@@ -76,10 +93,18 @@ impl<W: Write> Sheet<W> {
             self.rows += 1;
             let at = u32::try_from(self.rows).unwrap_or(u32::MAX);
             for (place, column) in (0..).zip(&columns) {
-                column.write(row, sheet, (at, place), &self.formats)?;
+                column.write(row, sheet, (at, place), usize::from(place) >= self.results, &self.formats)?;
             }
         }
         Ok(())
+    }
+
+    /// Writes other sheets behind it.
+    pub(super) fn add(
+        &mut self,
+        write: impl FnOnce(&mut Workbook) -> Result<(), XlsxError>,
+    ) -> Result<(), String> {
+        write(&mut self.workbook).map_err(|error| error.to_string())
     }
 
     pub(super) fn finish(mut self) -> Result<W, String> {
@@ -87,6 +112,15 @@ impl<W: Write> Sheet<W> {
         self.output.write_all(&bytes).map_err(|error| error.to_string())?;
         Ok(self.output)
     }
+}
+
+/// Format that shows about so many significant digits of a number, without a power of ten.
+fn number_format(digits: usize) -> String {
+    let decimals = |places: usize| match digits.saturating_sub(places) {
+        0 => "0".to_owned(),
+        count => format!("0.{}", "0".repeat(count)),
+    };
+    format!("[>=1000]{};[>=10]{};{}", decimals(4), decimals(2), decimals(1))
 }
 
 fn check_room(rows: u64, columns: usize) -> Result<(), Unwritten> {
@@ -154,6 +188,7 @@ impl Column {
         row: usize,
         sheet: &mut Worksheet,
         (at, place): (u32, u16),
+        is_result: bool,
         formats: &Formats,
     ) -> Result<(), XlsxError> {
         let is_null = match self {
@@ -168,6 +203,9 @@ impl Column {
             return Ok(());
         }
         match self {
+            Column::Numbers(column) if column.value(row).is_finite() && is_result => {
+                sheet.write_number_with_format(at, place, column.value(row), &formats.result)
+            }
             Column::Numbers(column) if column.value(row).is_finite() => {
                 sheet.write_number(at, place, column.value(row))
             }

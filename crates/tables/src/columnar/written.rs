@@ -31,7 +31,12 @@ pub(crate) fn written(format: TableFormat, columns: &[(String, WrittenColumn)]) 
                 error.into_table(|words| crate::TableError::Write(io::Error::other(words)))
             };
             let rows = Some(batch.num_rows() as u64);
-            let sheet = super::workbook::Sheet::create(&mut bytes, &batch.schema(), 0, rows);
+            let sheet = super::workbook::Sheet::create(
+                &mut bytes,
+                &batch.schema(),
+                super::workbook::SheetColumns::default(),
+                rows,
+            );
             let mut sheet = sheet.map_err(|error| other(fails(error)))?;
             sheet.write(&batch).map_err(|error| other(fails(error)))?;
             sheet.finish().map_err(other)?;

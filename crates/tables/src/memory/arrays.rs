@@ -20,7 +20,7 @@ impl Task {
 
 impl ResultField {
     fn in_arrow(&self) -> Field {
-        let field = Field::new(self.name, self.kind.data_type(), true);
+        let field = Field::new(self.heading(), self.kind.data_type(), true);
         let Some(ColumnWords { unit, words }) = self.said else { return field };
         let unit = unit.map(|unit| ("unit", unit));
         let said = unit.into_iter().chain([("description", words)]);

@@ -13,7 +13,7 @@ struct Cut {
 
 /// A text without quotation marks is cut at its last line feed, another by the rules of CSV: a field that begins with
 /// a quotation mark ends with the next one that is not doubled.
-fn cut(text: &[u8]) -> Cut {
+fn cut(text: &[u8], separator: u8) -> Cut {
     if memchr::memchr(b'"', text).is_none() {
         let feed = memchr::memrchr(b'\n', text).or_else(|| memchr::memrchr(b'\r', text));
         return Cut { end: feed.map_or(0, |feed| feed + 1), open: false };
@@ -35,7 +35,7 @@ fn cut(text: &[u8]) -> Cut {
                 end = i + 1;
                 Field::Start
             }
-            (_, b',') => Field::Start,
+            (_, byte) if byte == separator => Field::Start,
             _ => Field::Plain,
         };
     }
@@ -55,6 +55,8 @@ pub(crate) struct Pieces<R> {
     source: R,
     /// Size of a piece, about.
     size: usize,
+    /// What stands between its columns.
+    separator: u8,
     /// Read, and not yet part of a piece.
     rest: Vec<u8>,
     failed: Option<CutError>,
@@ -66,7 +68,14 @@ const LONGEST_ROW: usize = 1 << 26;
 
 impl<R: Read> Pieces<R> {
     pub(crate) fn new(source: R, size: usize) -> Pieces<R> {
-        Pieces { source, size, rest: Vec::new(), failed: None, ended: false }
+        Pieces { source, size, separator: b',', rest: Vec::new(), failed: None, ended: false }
+    }
+
+    /// Parts columns by another byte than a comma, from the beginning of a piece on that was read before.
+    pub(crate) fn part_by(&mut self, separator: u8, mut piece: Vec<u8>) {
+        self.separator = separator;
+        piece.append(&mut self.rest);
+        self.rest = piece;
     }
 
     /// The next piece, of whole rows.
@@ -78,7 +87,7 @@ impl<R: Read> Pieces<R> {
         loop {
             self.fill(size)?;
             if self.ended {
-                let Cut { end, open } = cut(&self.rest);
+                let Cut { end, open } = cut(&self.rest, self.separator);
                 let piece = if open { self.rest[..end].to_vec() } else { std::mem::take(&mut self.rest) };
                 if open {
                     self.rest.clear();
@@ -89,7 +98,7 @@ impl<R: Read> Pieces<R> {
                     true => self.failed.take().map_or(Ok(None), Err),
                 };
             }
-            let Cut { end, .. } = cut(&self.rest);
+            let Cut { end, .. } = cut(&self.rest, self.separator);
             if end > 0 {
                 let next = self.rest.split_off(end);
                 return Ok(Some(std::mem::replace(&mut self.rest, next)));

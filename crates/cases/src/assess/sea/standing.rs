@@ -2,11 +2,10 @@
 
 use standfast::wave::WavePhase;
 
-use super::{kilopascals, metres};
 use crate::case::StandingWaves;
 use crate::key::Key;
 use crate::layout::{columns, digits, row};
-use crate::units::Extent;
+use standfast_inputs::OutputUnits;
 
 /// The phase, in a word.
 pub fn phase(phase: WavePhase) -> &'static str {
@@ -16,10 +15,13 @@ pub fn phase(phase: WavePhase) -> &'static str {
     }
 }
 
-pub(super) fn sea(StandingWaves { sea, height_key, wall, wave }: &StandingWaves) -> String {
+pub(super) fn sea(
+    StandingWaves { sea, height_key, wall, wave }: &StandingWaves,
+    output: OutputUnits,
+) -> String {
     let height = match height_key {
-        Key::WaveHeight => metres(wave.height),
-        key => format!("{}, {}", metres(wave.height), key.name()),
+        Key::WaveHeight => output.length(wave.height),
+        key => format!("{}, {}", output.length(wave.height), key.name()),
     };
     let rows = [
         row!["wave height H", height],
@@ -27,11 +29,15 @@ pub(super) fn sea(StandingWaves { sea, height_key, wall, wave }: &StandingWaves)
         row!["period T", format!("{} s", digits(sea.period))],
         row![
             "wavelength L",
-            format!("{} at the wall, L0 = {}", metres(wave.wavelength), metres(wave.deep_water_wavelength))
+            format!(
+                "{} at the wall, L0 = {}",
+                output.length(wave.wavelength),
+                output.length(wave.deep_water_wavelength)
+            )
         ],
-        row!["water depth h", metres(sea.water_depth)],
-        row!["base depth h'", metres(wall.base_depth)],
-        row!["crest height h_c", format!("{} above still water", metres(wall.crest_height))],
+        row!["water depth h", output.length(sea.water_depth)],
+        row!["base depth h'", output.length(wall.base_depth)],
+        row!["crest height h_c", format!("{} above still water", output.length(wall.crest_height))],
         row!["water density", format!("{} kg/m³", digits(sea.water_density))],
     ];
     columns(&rows, 2, &[])
@@ -41,30 +47,30 @@ pub(super) fn title(StandingWaves { wave, .. }: &StandingWaves) -> String {
     format!("Pressures on the wall (Sainflou, {}), beside still water", phase(wave.phase))
 }
 
-pub(super) fn pressures(StandingWaves { wave, wall, .. }: &StandingWaves, extent: Extent) -> String {
+pub(super) fn pressures(StandingWaves { wave, wall, .. }: &StandingWaves, output: OutputUnits) -> String {
     let (side, at) = match wave.phase {
         WavePhase::Crest => ("above", "at still water"),
         WavePhase::Trough => ("below", "at the surface of the trough"),
     };
     let mut rows = vec![
-        row!["h0", metres(wave.h0), "middle of the wave above still water"],
-        row!["surface", metres(wave.surface.abs()), format!("{side} still water")],
-        row!["p1", kilopascals(wave.p1), at],
-        row!["p2", kilopascals(wave.p2), "at the bed"],
-        row!["p_b", kilopascals(wave.pb), "at the base"],
+        row!["h0", output.length(wave.h0), "middle of the wave above still water"],
+        row!["surface", output.length(wave.surface.abs()), format!("{side} still water")],
+        row!["p1", output.pressure(wave.p1), at],
+        row!["p2", output.pressure(wave.p2), "at the bed"],
+        row!["p_b", output.pressure(wave.pb), "at the base"],
     ];
     if wave.p4 > 0.0 {
-        rows.push(row!["p4", kilopascals(wave.p4), "at the crest of the wall, where the wave is cut"]);
+        rows.push(row!["p4", output.pressure(wave.p4), "at the crest of the wall, where the wave is cut"]);
     }
     rows.push(row![
         "P_w",
-        extent.kilonewtons(wave.force),
-        format!("{} above the base", metres(wave.force_moment / wave.force))
+        output.force(wave.force),
+        format!("{} above the base", output.length(wave.force_moment / wave.force))
     ]);
     if wall.uplift {
         let words = "under the seaward toe, none at the heel (recalled, not read)";
-        rows.push(row!["pu", kilopascals(wave.pu), words]);
-        rows.push(row!["U_w", extent.kilonewtons(wave.uplift), "uplift"]);
+        rows.push(row!["pu", output.pressure(wave.pu), words]);
+        rows.push(row!["U_w", output.force(wave.uplift), "uplift"]);
     }
     columns(&rows, 2, &[])
 }

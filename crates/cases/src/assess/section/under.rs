@@ -5,11 +5,9 @@ use standfast::{BaseEdges, Mode, Verdict};
 use standfast_figures::{BaseReaction, FailureSketch, Stated};
 
 use super::super::{Assessed, Assessment, BaseResponse};
-use super::metres;
 use crate::case::{Case, Limit};
 use crate::key::Key;
 use crate::layout::digits;
-use crate::units::Dimension;
 
 const FAILS: &str = "ground fails this way (a sketch)";
 const WOULD_FAIL: &str = "ground would fail this way (a sketch)";
@@ -46,14 +44,14 @@ pub(super) fn reaction(case: &Case, assessed: &Assessed, ground: &BaseResponse) 
     let labels = labels(case, assessed, ground, force);
     let name = if neutral.is_some() { "crushed" } else { "B′" };
     let wide = pressed.1 - pressed.0;
-    let width = (wide > 0.0).then(|| format!("{name} {}", metres(wide)));
+    let width = (wide > 0.0).then(|| format!("{name} {}", case.output.length(wide)));
     let failure = failure(case, assessed, ground);
     Some(BaseReaction { at, size: force.abs(), pressed, neutral, labels, width, failure })
 }
 
 /// What comes on the base, and what of it is borne where that is known: under a body that stays, or that the ground does not bear.
 fn labels(case: &Case, assessed: &Assessed, ground: &BaseResponse, force: f64) -> Vec<String> {
-    let written = |force: f64| case.extent.kilonewtons(force);
+    let written = |force: f64| case.output.force(force);
     let bears = match assessed.verdict() {
         Some(Verdict::BearingFailure) => "is borne",
         Some(Verdict::Begins(Mode::Rest)) => "can be borne",
@@ -110,7 +108,7 @@ pub(super) fn friction(case: &Case) -> Stated {
 pub(super) fn ground(case: &Case) -> Option<Stated> {
     match case.ground.as_ref()?.limit? {
         Limit::Strength(strength) => {
-            let written = Dimension::Pressure.written(strength);
+            let written = case.output.pressure(strength);
             let (value, unit) = written.split_once(' ').unwrap_or((&written, ""));
             Some(stated("strength", Key::Strength, value.to_owned(), &format!(" {unit}")))
         }
