@@ -67,7 +67,7 @@ fn forces_along_and_across_it_are_the_same() {
     let by_hand = force(-900.0 * cos, 900.0 * sin, 0.5, 2.4)
         + &force(700.0 * sin, 700.0 * cos, 0.8, 3.0)
         + &force(-along, 0.0, 0.5, 1.5).replace("force = 0.0", "force = 1e-12")
-        + &force(0.0, -across, 0.5, 1.5).replace("force = 0.0", "force = 1e-12")
+        + &force(0.0, across, 0.5, 1.5).replace("force = 0.0", "force = 1e-12")
         + &format!(
             "[[moment]]\nmoment = 150\npermanent = true\n[[load]]\nforce = {:?}\ndirection = \"up\"\nelevation = 1.5\ndistance = 0.5\npermanent = true\n",
             weight * (1.0 - cos)

@@ -68,7 +68,7 @@ fn no_point_of_a_grid_costs_less() {
         assert!(neighbour.first.as_ref().is_none_or(|(_, cost)| *cost >= minimum.found.cost));
     }
     let text = minimum.text(&());
-    assert!(text.contains("Just beyond, with a width less, at ") && text.contains("Neighbours"), "{text}");
+    assert!(text.contains("Just beyond, with width at ") && text.contains("Neighbours"), "{text}");
 }
 
 /// A trapezoid of three dimensions.

@@ -557,7 +557,7 @@ impl<T: Scalar> Case<T> {
     /// The parts of which a load of a situation is the weight, by their places, where it is that of some.
     pub fn parts_weighed(&self, acting: Acting, load: &Load<T>) -> Option<Vec<usize>> {
         let groups = self.weighed_apart(acting);
-        let is_weight = load.source == LoadSource::Weight && load.action != Action::Weight;
+        let is_weight = load.source == LoadSource::Weight && !groups.is_empty();
         is_weight.then(|| match said_by(load.id) {
             Place::Table(Table::Part, first) => self.members(&groups, self.part_groups[first].as_deref()),
             _ => self.members(&groups, None),

@@ -2,15 +2,16 @@
 //!
 //! For values of all quantities but the first, held, the values of the first that meet the target are stretches, and the least cost
 //! along it is at one of their ends, as the cost rises or falls with it throughout. So the cost is a function of the held ones alone. It
-//! is sampled on a grid, and on finer and finer ones about the best point. The point found is then moved on the grid of the numbers that
-//! are printed for as long as a neighbour costs less: the first quantity is found anew at each, rounded and proven as for one quantity.
+//! is sampled on a grid over the whole ranges, and on finer and finer ones about the best point, with the first quantity near its value
+//! there. The point found is then moved on the grid of the numbers that are printed for as long as a neighbour costs less: the first
+//! quantity is found anew at each, rounded and proven as for one quantity.
 
 use standfast::Plan;
 use standfast_model::CaseFile;
 use standfast_watch::{Portion, Stopped};
 
 use super::quantity::{DIGITS, Ends, Quantity};
-use super::set::{End, Search, Stretch};
+use super::set::{End, Search};
 use super::subject::Subject;
 use super::target::Target;
 use super::{DesignError, Spelling, Varied, answerable, in_time_note, with_unit};
@@ -23,19 +24,23 @@ use crate::rounded::{Decimal, Towards};
 const MOST: usize = 3;
 
 /// Number of parts that the range of the first quantity is cut into.
-const PARTS: u32 = 60;
+const PARTS: u32 = 40;
+
+/// Number of parts of a narrow range about a value of it, and how narrow: from a share of it to as many times it.
+const NEAR_PARTS: u32 = 8;
+const NARROW: f64 = 1.25;
 
 /// Number of parts of the range of each other one on the first grid, where there is one and where there are two.
-const GRID: [usize; 2] = [40, 12];
+const GRID: [usize; 2] = [30, 8];
 
 /// How often a finer grid is laid about the best point, each half as wide as the one before.
-const FINER: usize = 16;
+const FINER: usize = 13;
 
 /// How often the point found is moved to a neighbour at the most.
 const MOVES: usize = 100;
 
 /// Relative distance of an end of the first quantity from a value that does not meet the target, while the cost is looked for.
-const NEAR: f64 = 1e-7;
+const NEAR: f64 = 1e-5;
 
 /// What is to be least.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -234,17 +239,20 @@ impl Space<'_> {
         &self.quantities[1..]
     }
 
-    /// Asks the search of the first quantity with the others held.
-    fn at<T>(&self, held: &[f64], ask: impl FnOnce(&Search<'_>) -> T) -> T {
+    /// Asks the search of a quantity, the first in a range, with the others held.
+    fn at<T>(&self, first: &Quantity, parts: u32, held: &[f64], ask: impl FnOnce(&Search<'_>) -> T) -> T {
         let pairs: Vec<(&Variable, f64)> =
             self.others().iter().map(|quantity| &quantity.variable).zip(held.iter().copied()).collect();
         let varied = Varied { subject: self.subject, follows: self.follows, held: &pairs };
-        ask(&Search {
-            varied: &varied,
-            quantity: &self.quantities[0],
-            target: self.request.target,
-            parts: PARTS,
-        })
+        ask(&Search { varied: &varied, quantity: first, target: self.request.target, parts })
+    }
+
+    /// The first quantity in a part of its range, about a value.
+    fn near(&self, about: f64) -> Quantity {
+        let Quantity { variable, present, range: [from, to] } = &self.quantities[0];
+        let [less, more] = [about / NARROW, about * NARROW];
+        let range = [less.min(more).max(*from), less.max(more).min(*to)];
+        Quantity { variable: variable.clone(), present: *present, range }
     }
 
     /// True if some quantity changes the cost.
@@ -259,60 +267,79 @@ impl Space<'_> {
         })
     }
 
-    /// The least cost with the others held, to a few digits; infinite where no value of the first meets the target.
-    fn cost_at(&self, held: &[f64]) -> f64 {
-        self.at(held, |search| {
-            let samples = search.samples();
-            let met: Vec<bool> = samples.iter().map(|value| search.attempt(*value).met).collect();
-            let cost = |value: f64| {
-                let answer = search.attempt(value).answer;
-                answer.map_or(f64::INFINITY, |answer| self.request.cost.of(&answer.case))
-            };
-            let mut least = f64::INFINITY;
-            for place in (0..samples.len()).filter(|place| met[*place]) {
-                for beside in [place.checked_sub(1), Some(place + 1).filter(|beside| *beside < met.len())] {
-                    // Within a stretch there is no end.
-                    if beside.is_none_or(|beside| !met[beside]) {
-                        let fails = beside.map(|beside| samples[beside]);
-                        least = least.min(cost(search.near_end(fails, samples[place], NEAR)));
-                    }
-                }
-            }
-            least
+    /// The end of the values of the first quantity that meet the target where the cost is least, with the others held: its cost, a value that
+    /// meets the target and one beside it that does not, if there is one.
+    fn cheapest(&self, search: &Search<'_>) -> Option<(f64, f64, Option<f64>)> {
+        let samples = search.samples();
+        let tried: Vec<(bool, f64)> = samples
+            .iter()
+            .map(|value| {
+                let trial = search.attempt(*value);
+                let cost = trial.answer.as_ref().map(|answer| self.request.cost.of(&answer.case));
+                (trial.met, cost.unwrap_or(f64::INFINITY))
+            })
+            .collect();
+        let meeting = (0..samples.len()).filter(|place| tried[*place].0);
+        // Along the quantity the cost rises or falls throughout, so that the sample that costs least is next to the end.
+        let place = meeting.min_by(|one, other| tried[*one].1.total_cmp(&tried[*other].1))?;
+        let beside = [place.checked_sub(1), Some(place + 1)].into_iter().flatten();
+        let mut failing = beside.filter(|beside| tried.get(*beside).is_some_and(|(met, _)| !met));
+        let fails = failing.find(|beside| tried[*beside].1 < tried[place].1);
+        Some((tried[place].1, samples[place], fails.map(|beside| samples[beside])))
+    }
+
+    /// The least cost with the others held, to a few digits, and the value of the first; `None` where no value meets the target.
+    fn cost_at(&self, first: &Quantity, parts: u32, held: &[f64]) -> Option<(f64, f64)> {
+        self.at(first, parts, held, |search| {
+            let (cost, meets, fails) = self.cheapest(search)?;
+            let Some(fails) = fails else { return Some((cost, meets)) };
+            let meets = search.near_end(Some(fails), meets, NEAR);
+            let answer = search.attempt(meets).answer.ok()?;
+            Some((self.request.cost.of(&answer.case), meets))
         })
     }
 
-    /// The end of the first quantity that costs least with the others held, proven.
-    fn proven(&self, held: &[f64]) -> Result<Option<MinimumPoint>, Stopped> {
-        let stretches = self.at(held, |search| search.stretches(Portion::UNSEEN))?;
-        let ends = stretches.into_iter().flat_map(|Stretch { least, greatest }| [least, greatest]);
-        let points = ends.map(|end| {
+    /// The end of the first quantity that costs least near a value with the others held, proven.
+    fn proven(&self, about: f64, held: &[f64]) -> Result<Option<MinimumPoint>, Stopped> {
+        self.at(&self.near(about), NEAR_PARTS, held, |search| {
+            let Some((_, meets, fails)) = self.cheapest(search) else { return Ok(None) };
+            let end = search.boundary(fails, meets, Portion::UNSEEN)?;
+            let inwards =
+                if fails.is_some_and(|fails| fails > meets) { Towards::Less } else { Towards::More };
+            let [from, to] = search.quantity.range;
+            let end = search.end(&end, inwards, if inwards == Towards::More { to } else { from });
             let cost = self.request.cost.of(&end.answer.case);
-            MinimumPoint { held: held.to_vec(), end, cost }
-        });
-        Ok(points.min_by(|one, other| one.cost.total_cmp(&other.cost)))
+            Ok(Some(MinimumPoint { held: held.to_vec(), end, cost }))
+        })
     }
 
     /// The point of the least cost, and its neighbours.
     fn least(&self, portion: Portion<'_>) -> Result<(MinimumPoint, Vec<Neighbour>), DesignError> {
         let others = self.others();
         let [of_grid, of_finer, of_moves] = portion.parts([3.0, 3.0, 2.0]);
-        let mut best = (f64::INFINITY, Vec::new());
         let parts = GRID[usize::from(others.len() > 1)];
-        let axes = others.iter().map(|quantity| grid(quantity, parts)).collect();
-        let points = product(axes);
+        let points = product(others.iter().map(|quantity| grid(quantity, parts)).collect());
+        let mut best: Option<(f64, f64, Vec<f64>)> = None;
+        let mut better = |found: Option<(f64, f64)>, point: Vec<f64>| {
+            if let Some((cost, first)) = found
+                && best.as_ref().is_none_or(|(best, ..)| cost < *best)
+            {
+                best = Some((cost, first, point));
+            }
+            best.clone()
+        };
         let steps = of_grid.steps(points.len());
+        let mut found = None;
         for point in points {
             of_grid.check()?;
-            let cost = self.cost_at(&point);
-            if cost < best.0 || best.1.is_empty() {
-                best = (cost, point);
-            }
+            found = better(self.cost_at(&self.quantities[0], PARTS, &point), point);
             steps.advance();
         }
-        if best.0 == f64::INFINITY {
-            return Err(self.unmet(&best.1));
-        }
+        let Some(mut found) = found else {
+            let middle: Vec<f64> =
+                others.iter().map(|other| (other.range[0] + other.range[1]) / 2.0).collect();
+            return Err(self.unmet(&middle));
+        };
         let mut spans: Vec<f64> =
             others.iter().map(|quantity| (quantity.range[1] - quantity.range[0]) / parts as f64).collect();
         let steps = of_finer.steps(FINER);
@@ -320,24 +347,24 @@ impl Space<'_> {
             of_finer.check()?;
             let about = |place: usize| {
                 let [from, to] = others[place].range;
-                let at = |share: f64| (best.1[place] + share * spans[place]).clamp(from, to);
-                [-1.0, -0.5, 0.0, 0.5, 1.0].map(at).to_vec()
+                [-1.0, 0.0, 1.0].map(|share| (found.2[place] + share * spans[place]).clamp(from, to)).to_vec()
             };
+            let first = self.near(found.1);
             for point in product((0..others.len()).map(about).collect()) {
-                let cost = self.cost_at(&point);
-                if cost < best.0 {
-                    best = (cost, point);
+                if let Some(next) = better(self.cost_at(&first, NEAR_PARTS, &point), point) {
+                    found = next;
                 }
             }
             spans.iter_mut().for_each(|span| *span /= 2.0);
             steps.advance();
         }
-        self.moved(&best.1, of_moves)
+        self.moved(found.1, &found.2, of_moves)
     }
 
     /// The point of the grid of printed numbers that no neighbour betters, and its neighbours.
     fn moved(
         &self,
+        first: f64,
         held: &[f64],
         portion: Portion<'_>,
     ) -> Result<(MinimumPoint, Vec<Neighbour>), DesignError> {
@@ -352,7 +379,7 @@ impl Space<'_> {
         let mut best: Option<MinimumPoint> = None;
         for corner in product(corners.collect()) {
             let better = |point: &MinimumPoint| best.as_ref().is_none_or(|best| point.cost < best.cost);
-            if let Some(point) = self.proven(&corner)?.filter(better) {
+            if let Some(point) = self.proven(first, &corner)?.filter(better) {
                 best = Some(point);
             }
         }
@@ -362,7 +389,7 @@ impl Space<'_> {
             let mut neighbours = Vec::new();
             let mut next: Option<MinimumPoint> = None;
             for held in self.around(&best.held) {
-                let point = self.proven(&held)?;
+                let point = self.proven(best.end.rounded, &held)?;
                 let first = point.as_ref().map(|point| (point.end.text.clone(), point.cost));
                 neighbours.push(Neighbour { held, first });
                 let than = next.as_ref().map_or(best.cost, |next| next.cost);
@@ -394,7 +421,7 @@ impl Space<'_> {
     /// Reason why no values meet the target.
     fn unmet(&self, held: &[f64]) -> DesignError {
         let spelling = self.request.spelling;
-        let why = self.at(held, |search| search.unmet(spelling));
+        let why = self.at(&self.quantities[0], PARTS, held, |search| search.unmet(spelling));
         let Some(quantity) = self.others().first() else { return why };
         let name = self.others().iter().map(|other| other.variable.name()).collect::<Vec<_>>().join(" and ");
         let shown = self.others().iter().zip(held).map(|(other, value)| other.shown(*value));

@@ -9,9 +9,12 @@ use crate::assess::{note, title};
 use crate::case::Case;
 use crate::document::{AnswerFigure, Document};
 use crate::json::SCHEMA;
-use crate::layout::{columns, digits, paragraph, row};
+use crate::layout::{columns, paragraph, row, significant};
 use crate::summary::{Summary, listed, warned_of_case};
 use crate::units::{Dimension, Extent};
+
+/// Significant digits of a cost, enough to tell neighbours apart.
+const COST_DIGITS: usize = 6;
 
 /// The unit of a cost.
 fn unit(cost: Cost, case: &Case) -> &'static str {
@@ -25,8 +28,11 @@ fn unit(cost: Cost, case: &Case) -> &'static str {
 /// A cost as it is read.
 fn cost_words(cost: Cost, case: &Case, value: f64) -> String {
     match cost {
-        Cost::Volume => format!("{} {}", digits(value), unit(cost, case)),
-        Cost::Mass => case.extent.of(Dimension::Mass).written(value),
+        Cost::Volume => format!("{} {}", significant(value, COST_DIGITS), unit(cost, case)),
+        Cost::Mass => {
+            let mass = case.extent.of(Dimension::Mass).shown_on_paper();
+            format!("{} {}", significant(mass.of_si(value), COST_DIGITS), unit(cost, case))
+        }
     }
 }
 
@@ -55,9 +61,11 @@ impl Document for Minimum {
             ),
             met: Some(meets),
             governing: None,
-            near: found.end.beyond.brief().map(|words| {
-                format!("Just beyond, with a {} less, {words}.", self.quantities[0].variable.name())
-            }),
+            near: found
+                .end
+                .beyond
+                .brief()
+                .map(|words| format!("Just beyond, with {} {words}.", self.quantities[0].variable.name())),
             warnings,
             warned,
         })

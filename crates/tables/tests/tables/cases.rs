@@ -16,8 +16,9 @@ use calamine::{Data, Reader, Xlsx};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use standfast_cases::couple::{Variable, vary};
-use standfast_cases::results::{ResultName, ResultValue};
+use standfast_cases::results::{ResultKind, ResultName, ResultValue};
 use standfast_cases::sweep::SweepResult;
+use standfast_cases::units::Dimension;
 use standfast_cases::{Assessment, Case, CaseFile};
 use standfast_tables::{
     CaseTable, OnError, Summary, TableError, TableFormat, TableHead, TableInput, TableOptions, TableWarning,
@@ -137,6 +138,27 @@ fn words(value: ResultValue) -> String {
     }
 }
 
+/// A result as it stands in a file of an extension: in CSV and Excel in kN, kPa and mrad.
+fn in_file(result: ResultName, value: ResultValue, extension: &str) -> String {
+    let flat = matches!(extension, "csv" | "xlsx");
+    let dimension = match result.info().kind {
+        ResultKind::Number(dimension) => dimension.filter(|_| flat),
+        _ => None,
+    };
+    match (value, dimension) {
+        (ResultValue::Number(x), Some(Dimension::Force | Dimension::Moment | Dimension::Pressure)) => {
+            number(x / 1e3)
+        }
+        (ResultValue::Number(x), Some(Dimension::Angle)) => number(x * 1e3),
+        (value, _) => words(value),
+    }
+}
+
+/// True of the heading of a column: its name, which may have a unit behind it.
+fn heads(name: &str, column: &str) -> bool {
+    name == column || name.strip_prefix(column).is_some_and(|rest| rest.starts_with(" ["))
+}
+
 /// A column of a file in any format, as text; nulls are empty.
 fn read(path: &Path, column: &str) -> Vec<String> {
     let file = File::open(path).unwrap();
@@ -150,7 +172,7 @@ fn read(path: &Path, column: &str) -> Vec<String> {
         Some("xlsx") => return read_sheet(path, column),
         _ => {
             let mut reader = csv::Reader::from_reader(file);
-            let place = reader.headers().unwrap().iter().position(|name| name == column);
+            let place = reader.headers().unwrap().iter().position(|name| heads(name, column));
             let place = place.unwrap_or_else(|| panic!("no column {column}"));
             return reader.records().map(|record| record.unwrap()[place].to_owned()).collect();
         }
@@ -170,7 +192,7 @@ fn read_sheet(path: &Path, column: &str) -> Vec<String> {
     let mut workbook: Xlsx<_> = calamine::open_workbook(path).unwrap();
     let range = workbook.worksheet_range_at(0).unwrap().unwrap();
     let mut rows = range.rows();
-    let place = rows.next().unwrap().iter().position(|name| *name == column);
+    let place = rows.next().unwrap().iter().position(|name| heads(&name.to_string(), column));
     let place = place.unwrap_or_else(|| panic!("no column {column}"));
     let text = |cell: &Data| match cell {
         Data::Float(x) => number(*x),
@@ -229,7 +251,8 @@ fn every_row_is_the_assessment_of_its_case() {
                     .iter()
                     .filter(|result| result.asked_by().is_none() && (has_ground || !result.is_of_ground()))
                 {
-                    let of_all = expected.iter().map(|answer| words(result.of(answer.governing())));
+                    let of_all =
+                        expected.iter().map(|answer| in_file(*result, result.of(answer.governing()), to));
                     assert_eq!(read(result.name()), of_all.collect::<Vec<_>>(), "{output} {}", result.name());
                 }
                 if !file.case().unwrap().criteria.is_empty() {
@@ -490,4 +513,178 @@ fn a_sheet_has_titles_and_units() {
     let options = TableOptions { head: TableHead { row: NonZeroU32::new(4), has_units: false }, ..options };
     let error = answer(&folder, "in.parquet", "out.csv", &options).unwrap_err().to_string();
     assert!(error.starts_with("--header-row: "), "{error}");
+}
+
+/// In CSV and Excel a heading has the unit, that of [output] where there is one; what programs read stays SI.
+#[test]
+fn headings_have_the_units_of_the_answers() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("in.csv"), "body.width [m]\n15\n14\n").unwrap();
+    let header = |case: &str, to: &str| {
+        let options = TableOptions { case: of_case(case), ..TableOptions::new("in.csv") };
+        answer(&folder, "in.csv", to, &options).unwrap();
+        fs::read_to_string(folder.path().join(to)).unwrap_or_default()
+    };
+    let plain = header(GODA, "out.csv");
+    for heading in ["bearing_max [kPa]", "P [kN/m]", "M_p [kN m/m]", "eccentricity [m]", "SF_sliding", "mode"]
+    {
+        assert!(plain.lines().next().unwrap().split(',').any(|name| name == heading), "{heading}: {plain}");
+    }
+    let other = header(
+        &format!("[output]\nforce = \"kip/ft\"\npressure = \"ksf\"\nlength = \"ft\"\n{GODA}"),
+        "out.csv",
+    );
+    let column = |table: &str, heading: &str| -> Vec<f64> {
+        let mut lines = table.lines();
+        let place = lines.next().unwrap().split(',').position(|name| name == heading).unwrap();
+        lines.map(|line| line.split(',').nth(place).unwrap().parse().unwrap()).collect()
+    };
+    for (metric, feet, size) in [
+        ("P [kN/m]", "P [kip/ft]", 14.593_902_937_206_36),
+        ("M_p [kN m/m]", "M_p [kip ft/ft]", 4.448_221_615_260_5),
+        ("bearing_max [kPa]", "bearing_max [ksf]", 47.880_258_980_336),
+        ("eccentricity [m]", "eccentricity [ft]", 0.3048),
+    ] {
+        for (one, two) in column(&plain, metric).iter().zip(column(&other, feet)) {
+            assert!((one / two / size - 1.0).abs() < 1e-12, "{metric}: {one} {two}");
+        }
+    }
+    // A table that was answered has its columns.
+    fs::write(folder.path().join("in.csv"), &plain).unwrap();
+    let options = TableOptions { case: of_case(GODA), ..TableOptions::new("in.csv") };
+    let error = answer(&folder, "in.csv", "out.csv", &options).unwrap_err().to_string();
+    assert!(error.contains("warnings") || error.contains("mode"), "{error}");
+}
+
+/// Without columns asked for the program writes what matters.
+#[test]
+fn what_matters_is_what_happens_and_what_is_asked() {
+    let file = CaseFile::parse("case.toml", QUAY).unwrap();
+    let case = CaseTable::of(file).unwrap().with_what_matters();
+    let options = TableOptions { case: Some(case.into()), ..TableOptions::new("in.csv") };
+    let mut output = Vec::new();
+    run("body.friction\n0.5\n".as_bytes(), &mut output, &options).unwrap();
+    let text = String::from_utf8(output).unwrap();
+    let names: Vec<_> = text.lines().next().unwrap().split(',').skip(1).collect();
+    assert!(names.len() < 20 && names.contains(&"mode") && names.contains(&"SF_sliding"), "{names:?}");
+    assert!(names.contains(&"met") && !names.iter().any(|name| name.starts_with("margin_")), "{names:?}");
+}
+
+/// The worst row of each criterion, found again one row after the other; however the table is cut into pieces.
+#[test]
+fn the_worst_row_of_each_criterion_is_told() {
+    let table = Table::random(300, [("body.friction", 0.2, 0.7), ("load[1].force", 0.0, 9e5)]);
+    let file = CaseFile::parse("case.toml", QUAY).unwrap();
+    let answers = table.expected(&file);
+    let folder = tempfile::tempdir().unwrap();
+    table.write(&folder.path().join("in.parquet"));
+    for (to, threads) in [("out.csv", 1), ("out.parquet", 3), ("out.xlsx", 2)] {
+        let options = TableOptions { case: of_case(QUAY), threads, ..TableOptions::new("in.parquet") };
+        let summary = answer(&folder, "in.parquet", to, &options).unwrap();
+        assert!(!summary.worst.is_empty());
+        for worst in &summary.worst {
+            let of_row = |answer: &Assessment| {
+                let checks = answer.checks().into_iter().map(|check| check.check);
+                checks
+                    .filter(|check| check.criterion.name() == worst.criterion)
+                    .map(|check| (check.urgency(), check.met))
+                    .fold((f64::NEG_INFINITY, true), |(urgency, met), (more, is_met)| {
+                        (urgency.max(more), met && is_met)
+                    })
+            };
+            let rows: Vec<_> = answers.iter().map(of_row).collect();
+            let greatest = rows.iter().map(|row| row.0).fold(f64::NEG_INFINITY, f64::max);
+            let place = rows.iter().position(|row| row.0 == greatest).unwrap();
+            assert_eq!((worst.row, worst.rows), (place as u64, 300), "{worst:?}");
+            assert_eq!(worst.unmet, rows.iter().filter(|row| !row.1).count() as u64, "{worst:?}");
+        }
+    }
+}
+
+/// Behind the table a workbook has the worst rows and what it was answered with; numbers are shown in a few digits.
+#[test]
+fn a_workbook_says_what_it_was_answered_with() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("in.csv"), "body.friction\n0.5\n0.3\n").unwrap();
+    let program = Some("standfast 9.9.9".to_owned());
+    let options = TableOptions { case: of_case(QUAY), program, ..TableOptions::new("in.csv") };
+    let summary = answer(&folder, "in.csv", "out.xlsx", &options).unwrap();
+    let mut workbook: Xlsx<_> = calamine::open_workbook(folder.path().join("out.xlsx")).unwrap();
+    let names = calamine::Reader::sheet_names(&workbook);
+    assert_eq!(names[1..], ["summary", "inputs"]);
+    let mut sheet = |name: &str| -> Vec<Vec<String>> {
+        let range = calamine::Reader::worksheet_range(&mut workbook, name).unwrap();
+        range.rows().map(|row| row.iter().map(ToString::to_string).collect()).collect()
+    };
+    let worst = sheet("summary");
+    assert_eq!(worst.len(), 1 + summary.worst.len());
+    for (row, told) in worst[1..].iter().zip(&summary.worst) {
+        // Rows of the sheet: the first is the header.
+        assert_eq!(
+            [&row[0], &row[1], &row[5]],
+            [told.criterion, &told.required, &(told.row + 2).to_string()]
+        );
+    }
+    let inputs = sheet("inputs");
+    assert!(inputs.iter().any(|row| row[1] == "standfast 9.9.9"));
+    for line in QUAY.lines().filter(|line| !line.trim().is_empty()) {
+        assert!(inputs.iter().any(|row| row[1] == line), "{line}");
+    }
+    // The table is read again as a table.
+    let again = TableOptions { case: of_case(QUAY), ..TableOptions::new("out.xlsx") };
+    assert!(
+        answer(&folder, "out.xlsx", "again.csv", &again).unwrap_err().to_string().contains("has a column")
+    );
+}
+
+/// Semicolons and decimal commas, as spreadsheets of many countries write them: the same numbers, written the same way.
+#[test]
+fn semicolons_and_decimal_commas_are_read_and_written() {
+    let points = "note,body.width [m],wave.period\n\"a;b\",15.5,11.25\n\"two\nlines\",14,\"12.5 s\"\n";
+    let commas = "note;body.width [m];wave.period\n\"a;b\";15,5;11,25\n\"two\nlines\";14;\"12,5 s\"\n";
+    let tabs = points.replace(',', "\t");
+    let [plain, other, tabbed] = [points, commas, &tabs].map(|table| {
+        let (text, summary) = text(table, GODA, |options| options);
+        assert_eq!(summary.unwrap().rows, 2, "{text}");
+        text
+    });
+    let cells = |text: &str, delimiter: u8| -> Vec<Vec<String>> {
+        let mut reader =
+            csv::ReaderBuilder::new().delimiter(delimiter).has_headers(false).from_reader(text.as_bytes());
+        reader.records().map(|record| record.unwrap().iter().map(str::to_owned).collect()).collect()
+    };
+    let [plain, other, tabbed] = [cells(&plain, b','), cells(&other, b';'), cells(&tabbed, b'\t')];
+    assert_eq!(plain, tabbed);
+    for (row, other) in plain.iter().zip(&other).skip(1) {
+        for (cell, other) in row.iter().zip(other).skip(3) {
+            let is_number = cell.parse::<f64>().is_ok();
+            assert_eq!(if is_number { cell.replace('.', ",") } else { cell.clone() }, *other);
+        }
+    }
+    // A decimal point beside semicolons stays one.
+    let (written, _) = text("body.width [m];wave.period\n15.5;11\n", GODA, |options| options);
+    assert!(
+        written.lines().nth(1).unwrap().contains(';') && !written.lines().nth(1).unwrap().contains(','),
+        "{written}"
+    );
+    // Three digits behind a comma may be thousands.
+    let error =
+        text("body.width [m];wave.period\n15,250;11\n", GODA, |options| options).1.unwrap_err().to_string();
+    assert!(error.contains("15.25") && error.contains("15250"), "{error}");
+}
+
+/// A formula whose value no program has kept is told as such, and not as an empty cell.
+#[test]
+fn a_formula_without_its_value_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut workbook = rust_xlsxwriter::Workbook::new();
+    let sheet = workbook.add_worksheet();
+    sheet.write_row(0, 0, ["body.width", "body.friction"]).unwrap();
+    sheet.write_row(1, 0, [15.0, 0.5]).unwrap();
+    sheet.write_number(2, 1, 0.5).unwrap();
+    sheet.write_formula(2, 0, rust_xlsxwriter::Formula::new("=A2+1").set_result("")).unwrap();
+    workbook.save(folder.path().join("in.xlsx")).unwrap();
+    let options = TableOptions { case: of_case(GODA), ..TableOptions::new("in.xlsx") };
+    let error = answer(&folder, "in.xlsx", "out.csv", &options).unwrap_err().to_string();
+    assert!(error.contains("row 3") && error.contains("a formula without its value"), "{error}");
 }

@@ -47,9 +47,9 @@ fn errors_are_those_of_tables_of_cases() {
     let wrong: [&[u8]; 19] = [
         b"",
         b"\n\n",
-        b"friction;body.width\n0,3;2\n",
-        b"body.friction;body.width\n0,3;2\n",
-        b"friction\tbody.width\n0.3\t2\n",
+        b"friction|body.width\n0,3|2\n",
+        b"friction;body.width\n0,3;two\n",
+        b"friction\tbody.width\n0.3\t2\t5\n",
         b"friction,body.width\n0.3,2\n\n0.3,2,5\n",
         b"friction,body.width\n0.3,2\n0.3\n",
         b"friction,note\r\n0.3,\"two\r\nlines\"\r\n0.3\r\n",
