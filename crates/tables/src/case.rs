@@ -9,7 +9,6 @@ use standfast_cases::key::Table;
 use standfast_cases::results::{ResultKind, ResultValue};
 use standfast_cases::suggest::{closest, key_meant};
 use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult, heading};
-use standfast_cases::typed::number_and_rest;
 use standfast_cases::units::ShownUnit;
 use standfast_cases::{CaseError, CaseFile, Id, Warning};
 
@@ -256,15 +255,7 @@ impl CaseRows {
         if !number && !self.plain_texts && text.trim().parse::<f64>().is_ok() {
             return Err(format!("it is a text without a unit; expected {}", factor.expected()));
         }
-        match factor.parse(text) {
-            // A decimal comma, unless the number could be two.
-            Err(_) if text.contains(',') => {
-                let (number, unit) = number_and_rest(text.trim())?;
-                factor.parse(&format!("{number}{unit}"))
-            }
-            parsed => parsed,
-        }
-        .map_err(|error| format!("{error}; expected {}", factor.expected()))
+        factor.read(text).map_err(|error| format!("{error}; expected {}", factor.expected()))
     }
 
     /// The value that a number in a column stands for, or what is wrong with it.

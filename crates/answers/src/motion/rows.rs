@@ -216,7 +216,7 @@ impl MotionRows {
             let wrong = |problem: String| RowFault { columns: vec![*place], problem };
             match how {
                 Varied::Number(factor, variable) => {
-                    let value = factor.parse(cell);
+                    let value = factor.read(cell);
                     let value =
                         value.map_err(|error| wrong(format!("{error}; expected {}", factor.expected())))?;
                     let gravity = if factor.counts_gravity() { self.inputs.gravity() } else { 1.0 };

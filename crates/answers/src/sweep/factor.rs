@@ -8,7 +8,8 @@ use crate::explained::Explained;
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Kind, Moves, Table};
 use crate::suggest::closest;
-use crate::units::{Dimension, Unit, UnitError, in_gravity};
+use crate::typed::number_and_rest;
+use crate::units::{Dimension, GRAVITY_UNIT, Unit, UnitError, in_gravity};
 
 /// A number of a case that varies, or a factor on its loads.
 #[derive(Debug, Clone)]
@@ -284,6 +285,41 @@ impl Factor {
             (_, _, None) if text.trim().replace(',', ".").parse::<f64>().is_ok() => Err(UnitError::Separator),
             (_, _, None) => Err(UnitError::Number),
         }
+    }
+
+    /// The same of the cell of a table, which may have a decimal comma.
+    ///
+    /// # Errors
+    /// If it is neither, or its comma may be one between thousands: in words.
+    pub fn read(&self, text: &str) -> Result<f64, String> {
+        match self.parse(text) {
+            Err(_) if text.contains(',') => {
+                let (number, unit) = number_and_rest(text.trim())?;
+                self.of(number, unit.trim()).map_err(|error| error.to_string())
+            }
+            parsed => parsed.map_err(|error| error.to_string()),
+        }
+    }
+
+    /// The value of a number with a unit, or without one.
+    fn of(&self, number: f64, unit: &str) -> Result<f64, UnitError> {
+        let unknown = || UnitError::Unknown(unit.to_owned());
+        if unit.is_empty() {
+            return self.value(number);
+        }
+        let dimension = self.dimension().ok_or_else(unknown)?;
+        let in_g = unit == GRAVITY_UNIT && self.variable().is_some_and(is_shaking);
+        Ok(match (in_g, self.unit) {
+            (true, Counted::Gravity) => number,
+            (true, _) => number * self.gravity.ok_or_else(unknown)?,
+            (false, counted) => {
+                let si = dimension.unit(unit).ok_or_else(unknown)?.si(number);
+                match counted {
+                    Counted::Gravity => share(si, self.gravity.ok_or_else(unknown)?),
+                    _ => si,
+                }
+            }
+        })
     }
 
     /// Values that it takes, in words.

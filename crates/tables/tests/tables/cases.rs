@@ -1,6 +1,7 @@
 //! Tables of cases in every format against assessments of the cases they vary.
 
 use std::fs::{self, File};
+use std::io::{Read, Write};
 use std::num::NonZeroU32;
 use std::path::Path;
 use std::sync::Arc;
@@ -12,7 +13,7 @@ use arrow_cast::cast;
 use arrow_ipc::reader::{FileReader, StreamReader};
 use arrow_ipc::writer::{FileWriter, StreamWriter};
 use arrow_schema::DataType;
-use calamine::{Data, Reader, Xlsx};
+use calamine::{Data, Reader as _, Xlsx};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use standfast_cases::couple::{Variable, vary};
@@ -530,10 +531,8 @@ fn headings_have_the_units_of_the_answers() {
     {
         assert!(plain.lines().next().unwrap().split(',').any(|name| name == heading), "{heading}: {plain}");
     }
-    let other = header(
-        &format!("[output]\nforce = \"kip/ft\"\npressure = \"ksf\"\nlength = \"ft\"\n{GODA}"),
-        "out.csv",
-    );
+    let other =
+        header(&format!("[output]\nforce = \"kip/ft\"\npressure = \"ksf\"\nlength = \"ft\"\n"), "out.csv");
     let column = |table: &str, heading: &str| -> Vec<f64> {
         let mut lines = table.lines();
         let place = lines.next().unwrap().split(',').position(|name| name == heading).unwrap();
@@ -682,9 +681,22 @@ fn a_formula_without_its_value_is_told() {
     sheet.write_row(0, 0, ["body.width", "body.friction"]).unwrap();
     sheet.write_row(1, 0, [15.0, 0.5]).unwrap();
     sheet.write_number(2, 1, 0.5).unwrap();
-    sheet.write_formula(2, 0, rust_xlsxwriter::Formula::new("=A2+1").set_result("")).unwrap();
-    workbook.save(folder.path().join("in.xlsx")).unwrap();
+    sheet.write_formula(2, 0, rust_xlsxwriter::Formula::new("=A2+1").set_result("16")).unwrap();
+    let kept = workbook.save_to_buffer().unwrap();
+    // The same workbook as a program writes it that does not calculate: the formula, and no value.
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(&kept)).unwrap();
+    let mut written = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for index in 0..archive.len() {
+        let mut file = archive.by_index(index).unwrap();
+        let mut text = String::new();
+        file.read_to_string(&mut text).unwrap();
+        written.start_file(file.name(), zip::write::SimpleFileOptions::default()).unwrap();
+        written.write_all(text.replace("<v>16</v>", "").as_bytes()).unwrap();
+    }
+    fs::write(folder.path().join("in.xlsx"), written.finish().unwrap().into_inner()).unwrap();
+    fs::write(folder.path().join("kept.xlsx"), &kept).unwrap();
     let options = TableOptions { case: of_case(GODA), ..TableOptions::new("in.xlsx") };
     let error = answer(&folder, "in.xlsx", "out.csv", &options).unwrap_err().to_string();
     assert!(error.contains("row 3") && error.contains("a formula without its value"), "{error}");
+    assert_eq!(answer(&folder, "kept.xlsx", "out.csv", &options).unwrap().rows, 2);
 }
