@@ -309,7 +309,7 @@ impl Assessed {
         };
         let answered = |trial: Trial| {
             let assessed: Assessed = answer(case.decided(acting, trial)?, trial)?;
-            let is_near = |criterion: &Criterion| Check::of(*criterion, &assessed).is_near_bound();
+            let is_near = |criterion: &Criterion| Check::of(*criterion, &assessed).is_near_bound(&assessed);
             // A factor on its bound, too, is told by the numbers as they are written.
             if assessed.situation.is_as_written() || !case.criteria_of(acting).iter().any(is_near) {
                 return Ok(assessed);

@@ -3,7 +3,7 @@
 //! The utilisation of a criterion is required/value where the value has
 //! to be at least, value/required where it has to be at most: up to 1 it is met.
 
-use standfast::{Departure, Verdict};
+use standfast::{Bearing, Departure, Verdict};
 use standfast_inputs::digits::factor;
 use standfast_model::{Bound, Criterion, Key, listed_modes};
 
@@ -93,7 +93,15 @@ impl Check {
     }
 
     /// True if rounding could put the value on the other side of the bound.
-    pub(crate) fn is_near_bound(&self) -> bool {
+    pub(crate) fn is_near_bound(&self, assessed: &Assessed) -> bool {
+        /// A part of the greatest pressure under an edge below which rounding could lift it.
+        const EDGE: f64 = 1e-9;
+        // A base that is pressed from edge to edge is on no bound, as long as both edges are.
+        if let (Key::LeastContact, Bearing::Pressed { heel, toe, share: 1.0, .. }) =
+            (self.criterion.key, assessed.outcome.stability.bearing)
+        {
+            return heel.min(toe) <= EDGE * heel.max(toe);
+        }
         match (self.criterion.bound, self.value) {
             (Bound::AtLeast(bound) | Bound::AtMost(bound), ResultValue::Number(value)) => {
                 (value - bound).abs() <= 1e-12 * bound.abs()

@@ -8,8 +8,8 @@ use crate::explained::Explained;
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Kind, Moves, Table};
 use crate::suggest::closest;
-use crate::typed::number_and_rest;
 use crate::units::{Dimension, GRAVITY_UNIT, Unit, UnitError, in_gravity};
+use standfast_inputs::typed::number_and_rest;
 
 /// A number of a case that varies, or a factor on its loads.
 #[derive(Debug, Clone)]
