@@ -278,3 +278,29 @@ fn a_motion_is_asked_whether_it_overturns() {
         assert!(SingleChanges::of(&file(&text), None).unwrap().is_met, "{text}");
     }
 }
+
+/// The widths of all parts together are a number that a person can change, though the file does not write their factor: the text that is
+/// offered has it, and meets the target.
+#[test]
+fn the_widths_of_parts_are_changed_together() {
+    let text = "title = \"wall\"\n[body]\nfriction = 0.5  # on rock\n[[part]]\nleft = 0\nwidth = 3\nbottom = 0\nheight = 6\ndensity = 2400\n\
+                [[load]]\nforce = 180e3\nelevation = 2\n[criteria]\nSF_sliding = 1.5\nSF_overturning_net = 1.5\n";
+    let of = SingleChanges::of(&file(text), None).unwrap();
+    assert!(!of.is_met);
+    let rows = rows(&of);
+    let (change, row) = rows.iter().find(|(_, row)| row.vary == "body.width_scale").unwrap();
+    let Found::Helps(value) = &change.found else { panic!("{row:?}") };
+    // μ ρ g w h f ≥ 1.5 F.
+    let least = 1.5 * 180e3 / (0.5 * 2400.0 * 9.81 * 18.0);
+    assert!(value.end.rounded >= least && value.end.rounded < 1.001 * least, "{row:?}");
+    let offered = value.text.as_deref().unwrap();
+    assert!(
+        offered.contains("[body]\nwidth_scale = 1.") && offered.contains("friction = 0.5  # on rock"),
+        "{offered}"
+    );
+    assert_eq!(Assessment::of(&file(offered).case().unwrap()).unwrap().met(), Some(true));
+    // One in braces has no lines: nothing is offered for it.
+    let braces = text.replace("[body]\nfriction = 0.5  # on rock\n", "body = { friction = 0.5 }\n");
+    let of = SingleChanges::of(&file(&braces), None).unwrap();
+    assert!(of.variables.iter().all(|variable| variable.name() != "body.width_scale"));
+}

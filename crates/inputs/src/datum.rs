@@ -8,7 +8,7 @@
 
 use crate::digits::{decimal, digits};
 use crate::key::Key;
-use crate::units::{Dimension, Extent, ShownUnit, split_text};
+use crate::units::{Dimension, Extent, ShownUnit, number_of, split_text};
 
 /// Zero of a chart at a body: the level of its base.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,7 +101,7 @@ pub enum LevelFault {
 pub(crate) fn split_level(text: &str) -> Option<(f64, ShownUnit, &str)> {
     let (number, unit) = split_text(text.trim())?;
     let (unit, name) = level_unit(unit.trim())?;
-    Some((number.parse().ok()?, unit, name))
+    Some((number_of(number)?, unit, name))
 }
 
 /// The unit of length and the name of a datum in such a unit as mCD, or "m CD".
@@ -157,6 +157,7 @@ mod tests {
         for (text, number, unit, name) in [
             ("+4.10 mCD", 4.1, "m", "CD"),
             ("-8.2 m NHN", -8.2, "m", "NHN"),
+            ("−8.2 mCD", -8.2, "m", "CD"),
             ("13.5 ftMLLW", 13.5, "ft", "MLLW"),
         ] {
             let (found, of, datum) = split_level(text).unwrap();

@@ -76,6 +76,20 @@ impl CaseText {
         Some(self.replaced(written.span, &value))
     }
 
+    /// The text with a line more in the table of a key that stands nowhere, in front of the others there; `None` where that table has no line of
+    /// its own.
+    pub fn with_line(&self, id: Id, value: &str) -> Option<String> {
+        let first =
+            self.entries().iter().filter(|entry| entry.id.table == id.table && entry.id.index == id.index);
+        let start = first.map(|entry| entry.span.start).min()?;
+        let text = self.text();
+        let line = text[..start].rfind('\n').map_or(0, |feed| feed + 1);
+        // In braces, or behind a dotted name, keys have no lines.
+        let name = text[line..start].split('=').next()?.trim();
+        let known = id.table.keys().any(|key| key.entry() == name);
+        known.then(|| format!("{}{} = {value}\n{}", &text[..line], id.key.entry(), &text[line..]))
+    }
+
     /// The text with another value in the place of one, and what a comment behind it says then.
     fn replaced(&self, span: Span<usize>, value: &str) -> String {
         let text = self.text();

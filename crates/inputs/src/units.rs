@@ -457,15 +457,28 @@ pub enum UnitError {
 /// The longest number at the beginning of `text`, and what follows it.
 fn split(text: &str) -> Option<(f64, &str)> {
     let (number, rest) = split_text(text)?;
-    Some((number.parse().ok()?, rest.trim_start()))
+    Some((number_of(number)?, rest.trim_start()))
+}
+
+/// The number that a text is; its minus sign may be the one that answers are written with.
+pub fn number_of(text: &str) -> Option<f64> {
+    match text.strip_prefix('−') {
+        Some(size) if size.starts_with(|c: char| c.is_ascii_digit() || c == '.') => {
+            size.parse::<f64>().ok().map(|size| -size)
+        }
+        Some(_) => None,
+        None => text.parse().ok(),
+    }
 }
 
 /// The text of the longest number at the beginning of `text`, and what follows it.
 pub fn split_text(text: &str) -> Option<(&str, &str)> {
     // Only these, so that Rust's "inf", "nan" and "infinity" are not numbers.
-    let end =
-        text.find(|c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E')).unwrap_or(text.len());
-    (1..=end).rev().find(|end| text[..*end].parse::<f64>().is_ok()).map(|end| text.split_at(end))
+    let end = text
+        .find(|c: char| !matches!(c, '0'..='9' | '+' | '-' | '−' | '.' | 'e' | 'E'))
+        .unwrap_or(text.len());
+    let is_number = |end: &usize| text.get(..*end).and_then(number_of).is_some();
+    (1..=end).rev().find(is_number).map(|end| text.split_at(end))
 }
 
 #[cfg(test)]
@@ -495,6 +508,7 @@ mod tests {
             (Dimension::Force, "450 kN/m", 450e3),
             (Dimension::Force, "4.5e2 kN/m", 450e3),
             (Dimension::Force, " -1.5 MN/m ", -1.5e6),
+            (Dimension::Force, "−1.5 MN/m", -1.5e6),
             (Dimension::Force, "7 N/m", 7.0),
             (Dimension::Acceleration, "9.81 m/s2", 9.81),
             (Dimension::Acceleration, "9.81 m/s²", 9.81),
@@ -604,6 +618,8 @@ mod tests {
             (Dimension::Force, "2 700 kN/m", UnitError::Separator),
             (Dimension::Force, "2,700 kN/m", UnitError::Separator),
             (Dimension::Length, "1.5.2 m", unknown(".2 m")),
+            (Dimension::Length, "−−1 m", UnitError::Number),
+            (Dimension::Length, "−+1 m", UnitError::Number),
         ];
         for (quantity, text, expected) in cases {
             assert_eq!(quantity.parse(text), Err(expected), "{text}");

@@ -73,7 +73,8 @@ impl SingleChanges {
     /// # Errors
     /// If the case makes no sense, or has no such target.
     pub fn of(file: &CaseFile, target: Option<Target>) -> Result<SingleChanges, DesignError> {
-        let subject = Subject::of(file)?;
+        let widened = with_width_scale(file);
+        let subject = Subject::of(widened.as_ref().unwrap_or(file))?;
         let target = target.unwrap_or_else(|| subject.own_target());
         let follows = subject.follows(target)?;
         answerable(target, &subject)?;
@@ -185,6 +186,14 @@ impl SingleChanges {
         let answer = self.subject.answer_as_written(inputs, self.follows, chance);
         answer.is_ok_and(|answer| self.target.is_met(&answer))
     }
+}
+
+/// The file of a section of parts with the factor on its widths written, where that is silent: all of them together are a number that a person
+/// can change.
+fn with_width_scale(file: &CaseFile) -> Option<CaseFile> {
+    let id = Id::from(Key::WidthScale);
+    let is_silent = file.inputs().has(Table::Part) && file.inputs().get(id).is_none();
+    file.reread(&file.with_line(id, "1").filter(|_| is_silent)?).ok()
 }
 
 /// True of a number that a person can change: no constant of nature, of a place or of a formula, nothing that goes with another number, and no part

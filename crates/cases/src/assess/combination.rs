@@ -73,7 +73,9 @@ pub fn changes(case: &Case, index: usize) -> Vec<(&'static str, String)> {
         tell("resist", format!("bearing / {}", digits(combination.bearing)));
     }
     if let Some(criteria) = &combination.criteria {
-        criteria.iter().for_each(|criterion| tell("criteria", criterion.to_string()));
+        criteria
+            .iter()
+            .for_each(|criterion| tell("criteria", format!("{} {}", criterion.name(), criterion.required())));
     }
     told.into_iter().map(|(key, words)| (key, words.join(", "))).collect()
 }
