@@ -8,14 +8,15 @@ use crate::units::{Dimension, Extent, ShownUnit};
 /// Significant digits of numbers in text where the case asks for no other.
 const DIGITS: usize = 4;
 
-/// Units and digits in which the answers of a case are written.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Units and digits in which the answers of a case are written. It goes along with every criterion and is small: units are places among
+/// the [names](Dimension::names) of their dimension.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OutputUnits {
     extent: Extent,
-    force: Option<ShownUnit>,
-    pressure: Option<ShownUnit>,
-    length: Option<ShownUnit>,
-    digits: Option<usize>,
+    force: Option<u8>,
+    pressure: Option<u8>,
+    length: Option<u8>,
+    digits: Option<u8>,
 }
 
 impl From<Extent> for OutputUnits {
@@ -28,13 +29,20 @@ impl From<Extent> for OutputUnits {
 impl OutputUnits {
     /// With the units of these names, where a case of its extent has them, and so many digits.
     pub(crate) fn with(self, named: [Option<&str>; 3], digits: Option<usize>) -> OutputUnits {
-        let unit = |dimension, name: Option<&str>| self.extent.of(dimension).shown_raised(name?);
+        let place = |dimension, name: Option<&str>| {
+            let dimension = self.extent.of(dimension);
+            let shown = dimension.shown_raised(name?)?;
+            dimension
+                .names()
+                .position(|known| known == shown.name())
+                .and_then(|place| u8::try_from(place).ok())
+        };
         let [force, pressure, length] = named;
         OutputUnits {
-            force: unit(Dimension::Force, force),
-            pressure: unit(Dimension::Pressure, pressure),
-            length: unit(Dimension::Length, length),
-            digits,
+            force: place(Dimension::Force, force),
+            pressure: place(Dimension::Pressure, pressure),
+            length: place(Dimension::Length, length),
+            digits: digits.and_then(|digits| u8::try_from(digits).ok()),
             ..self
         }
     }
@@ -46,11 +54,17 @@ impl OutputUnits {
 
     /// The unit of a quantity, of the whole body or per metre run as the case has it. That of moments goes with that of forces.
     pub fn unit(self, dimension: Dimension) -> ShownUnit {
+        let named = |dimension, place: Option<u8>| {
+            let dimension = self.extent.of(dimension);
+            dimension.names().nth(usize::from(place?)).and_then(|name| dimension.shown_unit(name))
+        };
         let asked = match dimension {
-            Dimension::Force | Dimension::WholeForce => self.force,
-            Dimension::Moment | Dimension::WholeMoment => self.force.and_then(ShownUnit::of_moments),
-            Dimension::Pressure => self.pressure,
-            Dimension::Length => self.length,
+            Dimension::Force | Dimension::WholeForce => named(Dimension::Force, self.force),
+            Dimension::Moment | Dimension::WholeMoment => {
+                named(Dimension::Force, self.force).and_then(ShownUnit::of_moments)
+            }
+            Dimension::Pressure => named(dimension, self.pressure),
+            Dimension::Length => named(dimension, self.length),
             _ => None,
         };
         asked.unwrap_or_else(|| self.extent.of(dimension).shown_on_paper())
@@ -74,27 +88,31 @@ impl OutputUnits {
 
     /// A number without unit.
     pub fn number(self, x: f64) -> String {
-        significant(x, self.digits.unwrap_or(DIGITS))
+        significant(x, self.count())
     }
 
     /// A factor that is compared with 1, in more digits where it takes them to tell it from 1.
     pub fn factor(self, x: f64) -> String {
-        factor_in(x, self.digits.unwrap_or(DIGITS))
+        factor_in(x, self.count())
     }
 
     /// A number that is compared with another, in more digits where it takes them to tell it from that.
     pub fn apart(self, x: f64, other: f64) -> String {
-        number::apart(x, other, self.digits.unwrap_or(DIGITS)).to_string()
+        number::apart(x, other, self.count()).to_string()
     }
 
     /// A factor that is compared with another, in more digits where it takes them to tell it from that.
     pub fn beside(self, x: f64, other: f64) -> String {
-        number::beside(x, other, self.digits.unwrap_or(DIGITS)).to_string()
+        number::beside(x, other, self.count()).to_string()
     }
 
     /// Digits that the case asks for.
     pub fn digits(self) -> Option<usize> {
-        self.digits
+        self.digits.map(usize::from)
+    }
+
+    fn count(self) -> usize {
+        self.digits().unwrap_or(DIGITS)
     }
 
     /// A length, m.

@@ -531,8 +531,10 @@ fn headings_have_the_units_of_the_answers() {
     {
         assert!(plain.lines().next().unwrap().split(',').any(|name| name == heading), "{heading}: {plain}");
     }
-    let other =
-        header(&format!("[output]\nforce = \"kip/ft\"\npressure = \"ksf\"\nlength = \"ft\"\n"), "out.csv");
+    let other = header(
+        &format!("{GODA}\n[output]\nforce = \"kip/ft\"\npressure = \"ksf\"\nlength = \"ft\"\n"),
+        "out.csv",
+    );
     let column = |table: &str, heading: &str| -> Vec<f64> {
         let mut lines = table.lines();
         let place = lines.next().unwrap().split(',').position(|name| name == heading).unwrap();
@@ -690,7 +692,9 @@ fn a_formula_without_its_value_is_told() {
         let mut file = archive.by_index(index).unwrap();
         let mut text = String::new();
         file.read_to_string(&mut text).unwrap();
-        written.start_file(file.name(), zip::write::SimpleFileOptions::default()).unwrap();
+        written
+            .start_file(file.name().unwrap().to_string(), zip::write::SimpleFileOptions::default())
+            .unwrap();
         written.write_all(text.replace("<v>16</v>", "").as_bytes()).unwrap();
     }
     fs::write(folder.path().join("in.xlsx"), written.finish().unwrap().into_inner()).unwrap();
