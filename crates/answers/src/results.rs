@@ -179,7 +179,7 @@ listed! {
         }));
     HeelPressure = number("heel_pressure", Some(Dimension::Pressure), "bearing pressure at the heel", |a| pressed(a, |heel, _, _| heel));
     ToePressure = number("toe_pressure", Some(Dimension::Pressure), "bearing pressure at the toe", |a| pressed(a, |_, toe, _| toe));
-    BearingMax = number("bearing_max", Some(Dimension::Pressure), "the larger of both", |a| pressed(a, |heel, toe, _| heel.max(toe)));
+    BearingMax = number("bearing_max", Some(Dimension::Pressure), "the larger of the bearing pressures at heel and toe", |a| pressed(a, |heel, toe, _| heel.max(toe)));
     ContactLength = number("contact_length", Some(Dimension::Length), "the length of the base that is pressed",
         |a| pressed(a, |_, _, contact| contact));
     ContactShare = number("contact_share", None, "the share of the base's area that is pressed", |a| {

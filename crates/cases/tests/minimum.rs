@@ -147,3 +147,27 @@ fn what_has_no_least_cost_is_told() {
         "{error}"
     );
 }
+
+/// Below 3 m the load acts above the crest, and there is no case: the least height is where cases begin, whichever quantity comes first.
+#[test]
+fn where_cases_begin_is_an_end() {
+    let text = "[body]\nwidth = 4\nheight = 6\ndensity = 2400\nfriction = 0.5\n[[load]]\nforce = 120e3\nelevation = 3\n[criteria]\n\
+                SF_sliding = 0.5\nSF_overturning_net = 1.2\nbearing_max = 300e3\n";
+    let of = |vary: &[&str], ends: &[(&str, &str)]| {
+        let minimum = found(&file(text), vary, Cost::Volume, ends).unwrap();
+        let answer = minimum.answer().case.body.clone();
+        (minimum.found.cost, answer.height(), answer.width())
+    };
+    let one = of(&["height", "width"], &[("1.37", "12"), ("1", "8")]);
+    let two = of(&["width", "height"], &[("1", "8"), ("1.37", "12")]);
+    assert_eq!((one.1, two.1), (3.0, 3.0), "{one:?} {two:?}");
+    near(one.0, two.0, 1e-9);
+    near(of(&["height"], &[]).0, 4.0 * 3.0, 1e-9);
+    // The width that just meets the pressure: a moment M = F e about the middle of a base w under the weight N = ρ g w h, with
+    // p = 2N/(3(w/2 − M/N)).
+    let width = |w: f64| {
+        let weight = 2400.0 * 9.81 * w * 3.0;
+        2.0 * weight / (3.0 * (w / 2.0 - 120e3 * 3.0 / weight))
+    };
+    assert!(width(one.2) <= 300e3 && width(one.2 - 0.001) > 300e3, "{}", width(one.2));
+}

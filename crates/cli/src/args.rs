@@ -422,7 +422,7 @@ pub struct DesignArgs {
     #[arg(long, value_name = "B", allow_hyphen_values = true, requires = "and")]
     pub and_to: Option<String>,
     /// With --and: a file to write; its extension is svg, png, pdf or csv. May be given again
-    #[arg(short, long, value_name = "FILE", requires = "and")]
+    #[arg(short, long, value_name = "FILE", requires = "and", conflicts_with = "minimise")]
     pub output: Vec<BoundaryFile>,
     /// Pixels of a png per unit of the svg
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true, value_parser = scale)]

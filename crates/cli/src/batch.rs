@@ -9,6 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use indicatif::HumanCount;
 use standfast_cases::layout::paragraph;
+
 use standfast_cases::sweep::SweepResult;
 use standfast_tables::{
     CaseTable, Interface, ResultColumn, Summary, TableError, TableFormat, TableInput, TableOptions,
@@ -96,7 +97,8 @@ fn worst_row(worst: &WorstRow) -> String {
         (0, rows) => format!("met in all {rows} rows"),
         (unmet, rows) => format!("not met in {unmet} of {rows} rows"),
     };
-    format!("{criterion} {required}: {rows}; the worst is {value}, in row {}", worst.number())
+    let under = worst.situation.as_ref().map_or(String::new(), |name| format!(" under «{name}»"));
+    format!("{criterion} {required}: {rows}; the worst is {value}, in row {}{under}", worst.number())
 }
 
 /// The format of a table: the one that is said, or what the file's extension tells. `option` is the one that says it.

@@ -91,6 +91,11 @@ impl OutputUnits {
         significant(x, self.count())
     }
 
+    /// A number that somebody asks for: in six digits at least, so that no rounding changes it.
+    pub fn bound(self, x: f64) -> String {
+        significant(x, self.count().max(6))
+    }
+
     /// A factor that is compared with 1, in more digits where it takes them to tell it from 1.
     pub fn factor(self, x: f64) -> String {
         factor_in(x, self.count())

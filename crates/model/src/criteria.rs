@@ -97,8 +97,8 @@ impl Criterion {
     /// The bound as it is read: `≥ 1.2`, `≤ 400 kPa`, `none of RO, SRO-`.
     pub fn required(&self) -> String {
         match self.bound {
-            Bound::AtLeast(least) => format!("≥ {}", self.with_unit(&self.output.number(self.shown(least)))),
-            Bound::AtMost(most) => format!("≤ {}", self.with_unit(&self.output.number(self.shown(most)))),
+            Bound::AtLeast(least) => format!("≥ {}", self.with_unit(&self.output.bound(self.shown(least)))),
+            Bound::AtMost(most) => format!("≤ {}", self.with_unit(&self.output.bound(self.shown(most)))),
             Bound::NoneOf(modes) => format!("none of {}", listed_modes(modes)),
         }
     }

@@ -82,6 +82,11 @@ pub fn render(
         Extent::PerMetre => "per metre run",
         Extent::Whole => "those of the whole object",
     };
+    // In words as far as sentences have them.
+    let digits = match case.output.digits() {
+        None | Some(5) => "five".to_owned(),
+        Some(count) => count.to_string(),
+    };
     let in_time = assessment.in_time.as_ref().filter(|in_time| !in_time.motions.is_empty());
     let in_time = in_time.map(|in_time| in_time::figures(in_time).map(|figures| (in_time, figures)));
     let in_time = in_time.transpose()?;
@@ -113,7 +118,7 @@ pub fn render(
                         h2 { "3 Calculation" }
                         p.note {
                             "Each step: the formula, the same with numbers put in, the result. Numbers are carried at full \
-                             precision and shown to five significant digits; forces, masses and moments are "
+                             precision and shown to " (digits) " significant digits; forces, masses and moments are "
                             (of) ". Numbers in parentheses are the report’s equations."
                         }
                         (calculation)

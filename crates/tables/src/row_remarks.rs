@@ -15,6 +15,8 @@ pub struct WorstRow {
     pub value: String,
     /// What is used of the bound there, as it is read.
     pub utilisation: String,
+    /// The situation of that row in which it is met worst, where the case has several.
+    pub situation: Option<String>,
     /// True if it is met in that row, and so in all.
     pub is_met: bool,
     /// The row, counted from zero.
@@ -56,6 +58,7 @@ impl RowRemarks {
                 required: check.check.criterion.required(),
                 value: check.check.value_words(check.assessed),
                 utilisation: check.check.utilisation_words(),
+                situation: assessment.name(check.assessed).filter(|_| assessment.all.len() > 1),
                 is_met: check.check.met,
                 row: row as u64,
                 unmet: 0,

@@ -145,6 +145,22 @@ pub enum DesignError {
         /// Spelling of the request.
         spelling: &'static Spelling,
     },
+    /// One quantity among several twice.
+    #[error("{name} is varied twice")]
+    SameQuantity {
+        /// The quantity.
+        name: String,
+    },
+    /// More ends of ranges than quantities.
+    #[error("{found} ends of ranges for {quantities} to vary; {} and {} go with the quantities in their order", spelling.from, spelling.to)]
+    MoreEnds {
+        /// Number of ends given.
+        found: usize,
+        /// Number of quantities.
+        quantities: usize,
+        /// Spelling of the request.
+        spelling: &'static Spelling,
+    },
     /// Quantities that do not change the cost.
     #[error("the {cost} does not change with {}", names.join(", "))]
     NoCost {

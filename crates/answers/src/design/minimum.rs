@@ -155,6 +155,10 @@ impl Minimum {
         portion: Portion<'_>,
     ) -> Result<Minimum, DesignError> {
         let spelling = request.spelling;
+        let ends = request.from.len().max(request.to.len());
+        if ends > request.vary.len() {
+            return Err(DesignError::MoreEnds { found: ends, quantities: request.vary.len(), spelling });
+        }
         if request.vary.is_empty() || request.vary.len() > MOST {
             return Err(DesignError::Quantities { found: request.vary.len(), most: MOST, spelling });
         }
@@ -175,7 +179,7 @@ impl Minimum {
             request.vary.iter().enumerate().map(quantity).collect::<Result<_, _>>()?;
         for (place, one) in quantities.iter().enumerate() {
             if quantities[..place].iter().any(|other| other.variable.id() == one.variable.id()) {
-                return Err(DesignError::Twice { name: one.variable.id().to_string(), spelling });
+                return Err(DesignError::SameQuantity { name: one.variable.id().to_string() });
             }
         }
         let present = Varied { subject: &subject, follows, held: &[] }.present(request.target)?;
@@ -255,61 +259,71 @@ impl Space<'_> {
         Quantity { variable: variable.clone(), present: *present, range }
     }
 
-    /// True if some quantity changes the cost.
+    /// True if some quantity changes the cost, or its ends make no case that would tell.
     fn cost_changes(&self, present: &Assessment) -> bool {
         let cost = self.request.cost.of(&present.case);
         let varied = Varied { subject: self.subject, follows: false, held: &[] };
         self.quantities.iter().any(|quantity| {
             quantity.range.iter().any(|end| {
                 let answer = varied.answer(&quantity.variable, *end);
-                answer.is_ok_and(|answer| self.request.cost.of(&answer.case) != cost)
+                answer.map_or(true, |answer| self.request.cost.of(&answer.case) != cost)
             })
         })
     }
 
-    /// The end of the values of the first quantity that meet the target where the cost is least, with the others held: its cost, a value that
-    /// meets the target and one beside it that does not, if there is one.
-    fn cheapest(&self, search: &Search<'_>) -> Option<(f64, f64, Option<f64>)> {
+    /// The sample of the first quantity that meets the target at the least cost, with the others held: its cost, its value, and the values
+    /// beside it that do not meet the target, or make no case, and may cost less.
+    fn cheapest(&self, search: &Search<'_>) -> Option<(f64, f64, Vec<f64>)> {
         let samples = search.samples();
         let tried: Vec<(bool, f64)> = samples
             .iter()
             .map(|value| {
                 let trial = search.attempt(*value);
                 let cost = trial.answer.as_ref().map(|answer| self.request.cost.of(&answer.case));
-                (trial.met, cost.unwrap_or(f64::INFINITY))
+                // What makes no case has no cost that could be compared.
+                (trial.met, cost.unwrap_or(f64::NEG_INFINITY))
             })
             .collect();
         let meeting = (0..samples.len()).filter(|place| tried[*place].0);
         // Along the quantity the cost rises or falls throughout, so that the sample that costs least is next to the end.
         let place = meeting.min_by(|one, other| tried[*one].1.total_cmp(&tried[*other].1))?;
         let beside = [place.checked_sub(1), Some(place + 1)].into_iter().flatten();
-        let mut failing = beside.filter(|beside| tried.get(*beside).is_some_and(|(met, _)| !met));
-        let fails = failing.find(|beside| tried[*beside].1 < tried[place].1);
-        Some((tried[place].1, samples[place], fails.map(|beside| samples[beside])))
+        let failing = beside
+            .filter(|beside| tried.get(*beside).is_some_and(|(met, cost)| !met && *cost < tried[place].1));
+        Some((tried[place].1, samples[place], failing.map(|beside| samples[beside]).collect()))
     }
 
     /// The least cost with the others held, to a few digits, and the value of the first; `None` where no value meets the target.
     fn cost_at(&self, first: &Quantity, parts: u32, held: &[f64]) -> Option<(f64, f64)> {
         self.at(first, parts, held, |search| {
-            let (cost, meets, fails) = self.cheapest(search)?;
-            let Some(fails) = fails else { return Some((cost, meets)) };
-            let meets = search.near_end(Some(fails), meets, NEAR);
-            let answer = search.attempt(meets).answer.ok()?;
-            Some((self.request.cost.of(&answer.case), meets))
+            let (cost, meets, failing) = self.cheapest(search)?;
+            let ends = failing.into_iter().filter_map(|fails| {
+                let meets = search.near_end(Some(fails), meets, NEAR);
+                let answer = search.attempt(meets).answer.ok()?;
+                Some((self.request.cost.of(&answer.case), meets))
+            });
+            std::iter::once((cost, meets)).chain(ends).min_by(|one, other| one.0.total_cmp(&other.0))
         })
     }
 
     /// The end of the first quantity that costs least near a value with the others held, proven.
     fn proven(&self, about: f64, held: &[f64]) -> Result<Option<MinimumPoint>, Stopped> {
         self.at(&self.near(about), NEAR_PARTS, held, |search| {
-            let Some((_, meets, fails)) = self.cheapest(search) else { return Ok(None) };
-            let end = search.boundary(fails, meets, Portion::UNSEEN)?;
-            let inwards =
-                if fails.is_some_and(|fails| fails > meets) { Towards::Less } else { Towards::More };
-            let [from, to] = search.quantity.range;
-            let end = search.end(&end, inwards, if inwards == Towards::More { to } else { from });
-            let cost = self.request.cost.of(&end.answer.case);
-            Ok(Some(MinimumPoint { held: held.to_vec(), end, cost }))
+            let Some((_, meets, failing)) = self.cheapest(search) else { return Ok(None) };
+            let sides = if failing.is_empty() { vec![None] } else { failing.into_iter().map(Some).collect() };
+            let mut best: Option<MinimumPoint> = None;
+            for fails in sides {
+                let end = search.boundary(fails, meets, Portion::UNSEEN)?;
+                let inwards =
+                    if fails.is_some_and(|fails| fails > meets) { Towards::Less } else { Towards::More };
+                let [from, to] = search.quantity.range;
+                let end = search.end(&end, inwards, if inwards == Towards::More { to } else { from });
+                let cost = self.request.cost.of(&end.answer.case);
+                if best.as_ref().is_none_or(|best| cost < best.cost) {
+                    best = Some(MinimumPoint { held: held.to_vec(), end, cost });
+                }
+            }
+            Ok(best)
         })
     }
 

@@ -5,7 +5,7 @@ use standfast::{Slip, Verdict};
 use super::{Assessed, Assessment, combination, verdict};
 use crate::case::{Acting, Case, Direction, PointForce};
 use crate::key::Table;
-use crate::layout::{self, columns, digits, paragraph, row};
+use crate::layout::{columns, digits, paragraph, row};
 use crate::units::Dimension;
 
 /// One line for each situation, the worst first.
@@ -51,7 +51,8 @@ pub(super) fn summary(assessment: &Assessment) -> String {
 /// Mode, safety factors, departure and uniqueness, in the cells of a row.
 fn results(assessed: &Assessed) -> Vec<String> {
     let outcome = &assessed.outcome;
-    let factor = |factor| if outcome.full.is_lifted() { "none".to_owned() } else { layout::factor(factor) };
+    let factor =
+        |factor| if outcome.full.is_lifted() { "none".to_owned() } else { assessed.output.factor(factor) };
     row![
         assessed.verdict().map_or("none", Verdict::symbol),
         factor(outcome.stability.sliding),

@@ -61,6 +61,8 @@ struct Body<'a> {
     mass: f64,
     weight: f64,
     slenderness: f64,
+    #[serde(skip_serializing_if = "is_level")]
+    floor_deg: f64,
     friction: f64,
     kinetic_friction: f64,
     added_mass: f64,
@@ -394,6 +396,12 @@ pub(super) fn render(assessment: &Assessment, view: &AssessmentView, files: &[St
     })
 }
 
+/// True of a floor of which nothing is told.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+fn is_level(floor_deg: &f64) -> bool {
+    *floor_deg == 0.0
+}
+
 impl Body<'_> {
     fn of(case: &Case) -> Body<'_> {
         let body = &case.body;
@@ -409,6 +417,7 @@ impl Body<'_> {
             mass: body.mass(),
             weight: body.mass() * case.gravity,
             slenderness: body.slenderness(),
+            floor_deg: case.floor_deg,
             friction: case.friction,
             kinetic_friction: case.kinetic_friction,
             added_mass: case.added_mass.mass(),

@@ -405,10 +405,10 @@ fn placed(look: Look, situation: &Situation, load: &Load, at: (f64, f64), is_ins
         true => (wrench.x, (wrench.x.signum(), 0.0)),
         false => (wrench.p, (0.0, -wrench.p.signum())),
     };
-    let towards = match load.action {
-        Action::Pressure { .. } => towards,
-        // In the frame of the base.
-        _ => {
+    let towards = match is_inside && !matches!(load.action, Action::Pressure { .. }) {
+        // Beside the body an arrow tells where a force acts, along or across a face.
+        false => towards,
+        true => {
             let (sin, cos) = look.slope.sin_cos();
             (towards.0 * cos + towards.1 * sin, towards.1 * cos - towards.0 * sin)
         }
@@ -464,7 +464,7 @@ fn couple(output: OutputUnits, force: &PointForce) -> Option<String> {
 fn on_slope(case: &Case) -> String {
     let way = if case.floor_deg > 0.0 { "right" } else { "left" };
     format!(
-        "The floor rises to the {way} at {}°: the section is drawn on its base, and weight and forces lean against it.",
+        "The floor rises to the {way} at {}°: the section is drawn on its base, and the weight leans. Arrows beside the body tell where forces act, not how they lean.",
         digits(case.floor_deg.abs())
     )
 }

@@ -4,7 +4,7 @@ use standfast::{Boundary, Departure, Mode, Verdict};
 
 use super::{AnyCheck, Assessed, Assessment, ground, predicate, verdict};
 use crate::json::CheckEntry;
-use crate::layout::{self, percent};
+use crate::layout::percent;
 use crate::summary::{
     GoverningCriterion, Summary, ToldCriterion, capital, criteria, criterion_words, quoted, warned_of_case,
 };
@@ -141,7 +141,7 @@ fn near(assessment: &Assessment) -> Option<String> {
         None => String::new(),
     };
     let factor = verdict::least_factor(least).map_or(String::new(), |(factor, against)| {
-        format!(" The least safety factor is {}, against {against}{under}.", layout::factor(factor))
+        format!(" The least safety factor is {}, against {against}{under}.", least.output.factor(factor))
     });
     let points = match verdict::is_object(assessed) && assessment.in_time.is_none() {
         true => {

@@ -5,7 +5,7 @@ use standfast::{Boundary, Departure, Mode, Outcome, Response, Verdict};
 
 use super::{Assessed, AssessmentView, BaseResponse, predicate};
 use crate::case::{Made, soil_of};
-use crate::layout::{self, columns, digits, percent, row};
+use crate::layout::{columns, digits, percent, row};
 use crate::summary::{listed, quoted};
 use standfast_inputs::OutputUnits;
 
@@ -38,7 +38,7 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
 /// load pushes.
 pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
     let (factor, against) = least_factor(assessed).filter(|_| assessed.mode() == Some(Mode::Rest))?;
-    Some(format!("with a safety factor of {} against {against}", layout::factor(factor)))
+    Some(format!("with a safety factor of {} against {against}", assessed.output.factor(factor)))
 }
 
 /// The least of the safety factors: against sliding, and against overturning, net and by gross moments; what it is against. `None` of a body

@@ -65,20 +65,30 @@ pub(super) fn write(
 fn worst(workbook: &mut Workbook, summary: &Summary, header: u64) -> Result<(), XlsxError> {
     let sheet = workbook.add_worksheet().set_name("summary")?;
     let bold = Format::new().set_bold();
-    let heads =
-        ["criterion", "required", "worst value", "utilisation", "met", "in row", "rows not met", "of rows"];
+    let heads = [
+        "criterion",
+        "required",
+        "worst value",
+        "utilisation",
+        "met",
+        "in",
+        "row of the first sheet",
+        "rows not met",
+        "of rows",
+    ];
     for (column, head) in (0..).zip(heads) {
         sheet.write_string_with_format(0, column, head, &bold)?;
         sheet.set_column_width(column, 16)?;
     }
     for (row, worst) in (1..).zip(&summary.worst) {
         let met = if worst.is_met { "met" } else { "not met" };
-        let words = [worst.criterion, &worst.required, &worst.value, &worst.utilisation, met];
+        let situation = worst.situation.as_deref().unwrap_or_default();
+        let words = [worst.criterion, &worst.required, &worst.value, &worst.utilisation, met, situation];
         for (column, words) in (0..).zip(words) {
             sheet.write_string(row, column, words)?;
         }
         let counts = [worst.number() + header, worst.unmet, worst.rows];
-        for (column, count) in (5..).zip(counts) {
+        for (column, count) in (6..).zip(counts) {
             sheet.write_number(row, column, count as f64)?;
         }
     }

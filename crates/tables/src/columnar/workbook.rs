@@ -114,13 +114,13 @@ impl<W: Write> Sheet<W> {
     }
 }
 
-/// Format that shows about so many significant digits of a number, without a power of ten.
+/// Format that shows so many significant digits of a number at least; of one below 1, or a negative one, as many as there is room for.
 fn number_format(digits: usize) -> String {
     let decimals = |places: usize| match digits.saturating_sub(places) {
         0 => "0".to_owned(),
         count => format!("0.{}", "0".repeat(count)),
     };
-    format!("[>=1000]{};[>=10]{};{}", decimals(4), decimals(2), decimals(1))
+    format!("[>=1000]{};[>=1]{};General", decimals(4), decimals(1))
 }
 
 fn check_room(rows: u64, columns: usize) -> Result<(), Unwritten> {
