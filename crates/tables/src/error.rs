@@ -326,8 +326,8 @@ impl Explained for TableError {
                 "--header-row and --units-row are of CSV and Excel; leave them out where the table begins with its header".into()
             }
             TableError::Separator { .. } => {
-                "CSV is read with commas between columns and points in numbers; convert it, or give it as \
-                 .xlsx or .parquet"
+                "CSV is read with commas, semicolons or tabs between columns; convert it, or give it as .xlsx \
+                 or .parquet"
                     .into()
             }
             TableError::MissingColumn { help, .. } => help.clone(),
