@@ -175,13 +175,13 @@ def factor(number: float | str | None) -> str:
     return f"{number:#.4g}".rstrip(".")
 
 
-def digits(number: float | str | None) -> str:
-    """Four significant digits as a text shows them, worked out in decimal arithmetic."""
+def digits(number: float | str | None, count: int = 4) -> str:
+    """Four significant digits, or so many, as a text shows them, worked out in decimal arithmetic."""
     if number == "infinite":
         return "unlimited"
     if number is None:
         return "none"
-    rounded = Context(prec=4, rounding=ROUND_HALF_EVEN).create_decimal_from_float(float(number)) if number else 0
+    rounded = Context(prec=count, rounding=ROUND_HALF_EVEN).create_decimal_from_float(float(number)) if number else 0
     if rounded == 0:
         return "0"
     if not 1e-4 <= abs(rounded) < 1e7:
@@ -368,7 +368,8 @@ def compare_criteria(document: dict[str, Any], text: str) -> None:
         else:
             assert shown == digits(utilisation) or abs(float(shown) / utilisation - 1) < 5e-4
         scale = {"bearing_max": 1e3, "effective_pressure_max": 1e3, "rotation_max": 1e-3}
-        required = digits(check["required"] / scale.get(check["name"], 1))
+        # What is asked for is rounded to six digits, not four.
+        required = digits(check["required"] / scale.get(check["name"], 1), 6)
         assert columns[1].split()[:2] == ["≥" if least else "≤", required]
         used.append(utilisation)
     assert used == sorted(used, reverse=True)

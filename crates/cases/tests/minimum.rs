@@ -155,7 +155,7 @@ fn where_cases_begin_is_an_end() {
                 SF_sliding = 0.5\nSF_overturning_net = 1.2\nbearing_max = 300e3\n";
     let of = |vary: &[&str], ends: &[(&str, &str)]| {
         let minimum = found(&file(text), vary, Cost::Volume, ends).unwrap();
-        let answer = minimum.answer().case.body.clone();
+        let answer = &minimum.answer().case.body;
         (minimum.found.cost, answer.height(), answer.width())
     };
     let one = of(&["height", "width"], &[("1.37", "12"), ("1", "8")]);

@@ -140,7 +140,7 @@ pub enum Command {
     /// With --case every row is the case of a file with other numbers. Name a column by a key of the file, as wave.Hmax or
     /// water_level, with the unit in brackets behind it if that is not SI. What depends on it changes with it, and is named at the
     /// end. The results are those of the situation that governs, under the names of `assess --format json`. In CSV and Excel they are in
-    /// the units of [output], else those of `assess`, and the heading has the unit: bearing_max [kPa]; in Parquet and Arrow they are SI.
+    /// the units of `[output]`, else those of `assess`, and the heading has the unit: `bearing_max [kPa]`; in Parquet and Arrow they are SI.
     /// The worst row of each criterion is told at the end. A workbook has it on a sheet `summary`, and on a sheet `inputs` the case
     /// file, the columns and the program's version.
     ///

@@ -104,6 +104,7 @@ impl Task {
     ///
     /// # Errors
     /// As [`of`](Task::of), but for a result that the table has.
+    #[cfg(feature = "memory")]
     pub(crate) fn apart(options: &TableOptions, found: &[String]) -> Result<(Task, Vec<usize>), TableError> {
         Task::with(options, found, false)
     }
