@@ -185,7 +185,7 @@ def digits(number: float | str | None, count: int = 4) -> str:
     if rounded == 0:
         return "0"
     if not 1e-4 <= abs(rounded) < 1e7:
-        mantissa, exponent = f"{rounded:.3e}".split("e")
+        mantissa, exponent = f"{rounded:.{count - 1}e}".split("e")
         return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}"
     plain = f"{rounded:f}"
     return plain.rstrip("0").rstrip(".") if "." in plain else plain
