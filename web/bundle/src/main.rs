@@ -56,6 +56,7 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
     // Not of the page's script: the source of its second thread, behind the library.
     let worker = modules.remove(WORKER).ok_or_else(|| format!("there is no {WORKER}.js"))?;
     let glue = library.glue;
+    let worker = without_comments(&worker)?;
     let script = script(&unpacker.glue, &modules)?;
     let style = format!("\n{}", read("style.css")?);
     for text in [&glue, &worker, &script] {
@@ -117,18 +118,24 @@ impl Library {
 }
 
 /// A script that nobody reads, without what is for readers: comments that stand on lines of their own, and indents.
-fn without_comments(script: &str) -> Result<String, Box<dyn Error>> {
-    let mut in_comment = false;
+fn without_comments(script: &str) -> Result<String, String> {
+    let (mut in_comment, mut in_text) = (false, false);
     let mut kept = Vec::new();
     for line in script.lines() {
-        // A text over several lines has its indents.
-        if line.matches('`').count() % 2 == 1 {
-            return Err(format!("a text of the script may go over several lines: {line}").into());
+        let was_in_text = in_text;
+        let is_comment = !in_text && (in_comment || line.trim_start().starts_with("//"));
+        if !is_comment && line.matches('`').count() % 2 == 1 {
+            in_text = !in_text;
         }
-        let line = line.trim();
+        // A text over several lines has its indents.
+        if was_in_text {
+            kept.push(line);
+            continue;
+        }
+        let line = if in_text { line.trim_start() } else { line.trim() };
         let begins = line.starts_with("/*");
         if begins && line.contains("*/") && !line.ends_with("*/") {
-            return Err(format!("a comment stands before what is not one: {line}").into());
+            return Err(format!("a comment stands before what is not one: {line}"));
         }
         if begins || in_comment {
             in_comment = !line.ends_with("*/");
@@ -136,7 +143,11 @@ fn without_comments(script: &str) -> Result<String, Box<dyn Error>> {
             kept.push(line);
         }
     }
-    Ok(kept.join("\n"))
+    if in_text || in_comment {
+        Err("a text or a comment does not end".to_owned())
+    } else {
+        Ok(kept.join("\n"))
+    }
 }
 
 /// A source of the page as its policy names it.
@@ -167,6 +178,7 @@ fn add(
     done.push(name.to_owned());
     let source = modules.get(name).ok_or_else(|| format!("there is no {name}.js"))?;
     let (mut body, mut exports) = (String::new(), Vec::new());
+    let source = without_comments(source)?;
     for line in source.lines() {
         if let Some((names, from)) = imported(line) {
             add(from, modules, done, script)?;
