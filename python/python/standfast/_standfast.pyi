@@ -42,6 +42,7 @@ __all__ = [
     "limit_states",
     "make_array",
     "make_table",
+    "minimum",
     "modes",
     "onset",
     "onset_columns",
