@@ -5,7 +5,7 @@
 const VALUES = new Uint8Array(128);
 let next = 0;
 for (let code = 35; code < 127; code++) {
-  if (!"&'<>\\`~".includes(String.fromCharCode(code))) VALUES[code] = next++;
+  if (!"&'<>\\\x60~".includes(String.fromCharCode(code))) VALUES[code] = next++;
 }
 
 export function bytesOf(letters) {
