@@ -31,14 +31,19 @@ use crate::title_block::TitleBlock;
 
 /// Version, the commit it was built from where that is known, and the parts it has.
 static VERSION: LazyLock<String> = LazyLock::new(|| {
-    let commit = option_env!("STANDFAST_COMMIT").map(|commit| format!("commit {commit}; "));
-    format!("{} ({}{})", env!("CARGO_PKG_VERSION"), commit.unwrap_or_default(), features::list())
+    let known = commit().into_iter().chain([features::list()]).collect::<Vec<_>>();
+    format!("{} ({})", env!("CARGO_PKG_VERSION"), known.join("; "))
 });
 
 /// Name and version of the program.
 pub fn program() -> String {
-    let commit = option_env!("STANDFAST_COMMIT").map(|commit| format!(" (commit {commit})"));
-    format!("standfast {}{}", env!("CARGO_PKG_VERSION"), commit.unwrap_or_default())
+    let commit = commit().map_or(String::new(), |commit| format!(" ({commit})"));
+    format!("standfast {}{commit}", env!("CARGO_PKG_VERSION"))
+}
+
+/// The commit it was built from.
+fn commit() -> Option<String> {
+    option_env!("STANDFAST_COMMIT").map(|commit| format!("commit {commit}"))
 }
 
 /// Does a freestanding body on a rough base rest, slide, rock, or slide and rock under a horizontal force?

@@ -9,7 +9,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use indicatif::HumanCount;
 use standfast_cases::layout::paragraph;
-
 use standfast_cases::sweep::SweepResult;
 use standfast_tables::{
     CaseTable, Interface, ResultColumn, Summary, TableError, TableFormat, TableInput, TableOptions,

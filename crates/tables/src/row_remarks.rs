@@ -65,17 +65,9 @@ impl RowRemarks {
                 rows: 0,
                 urgency,
             };
-            let place = self.worst.iter().position(|known| known.criterion == criterion);
-            let place = place.unwrap_or_else(|| {
-                self.worst.push(found());
-                self.worst.len() - 1
-            });
-            let known = &mut self.worst[place];
-            if urgency > known.urgency {
-                *known = WorstRow { unmet: known.unmet, rows: known.rows, ..found() };
-            }
-            known.rows += 1;
-            known.unmet += u64::from(!check.check.met);
+            let worst = self.worst_of(criterion, urgency, found);
+            worst.rows += 1;
+            worst.unmet += u64::from(!check.check.met);
         }
     }
 
@@ -83,18 +75,25 @@ impl RowRemarks {
     pub(crate) fn append(&mut self, more: RowRemarks, before: u64) {
         self.warnings.append(more.warnings, before);
         for other in more.worst {
-            let other = WorstRow { row: before + other.row, ..other };
-            match self.worst.iter_mut().find(|known| known.criterion == other.criterion) {
-                None => self.worst.push(other),
-                Some(known) => {
-                    let (unmet, rows) = (known.unmet + other.unmet, known.rows + other.rows);
-                    if other.urgency > known.urgency {
-                        *known = other;
-                    }
-                    (known.unmet, known.rows) = (unmet, rows);
-                }
-            }
+            let found = || WorstRow { row: before + other.row, unmet: 0, rows: 0, ..other.clone() };
+            let worst = self.worst_of(other.criterion, other.urgency, found);
+            worst.rows += other.rows;
+            worst.unmet += other.unmet;
         }
+    }
+
+    /// The worst row of a criterion after another one, counted without it; only of a worse one are words made.
+    fn worst_of(&mut self, criterion: &str, urgency: f64, found: impl FnOnce() -> WorstRow) -> &mut WorstRow {
+        let known = self.worst.iter().position(|known| known.criterion == criterion);
+        let place = known.unwrap_or(self.worst.len());
+        match self.worst.get_mut(place) {
+            None => self.worst.push(found()),
+            Some(known) if urgency > known.urgency => {
+                *known = WorstRow { unmet: known.unmet, rows: known.rows, ..found() };
+            }
+            Some(_) => {}
+        }
+        &mut self.worst[place]
     }
 
     pub(crate) fn into_parts(self) -> (Vec<RowWarning>, Vec<WorstRow>) {

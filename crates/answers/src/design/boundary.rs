@@ -6,9 +6,8 @@
 use super::quantity::{Ends, Quantity};
 use super::set::{Search, Stretch};
 use super::subject::Subject;
-use super::{DesignError, DesignRequest, Spelling, Target, Varied, answerable, in_time_note};
+use super::{DesignError, DesignRequest, Spelling, Target, Varied, answerable};
 use crate::assess::Assessment;
-use crate::couple::Variable;
 use crate::rounded::{Decimal, Towards};
 use standfast_model::CaseFile;
 use standfast_watch::{Portion, Stopped};
@@ -117,13 +116,7 @@ impl DesignBoundary {
 
     /// Notes on the numbers that go with each of both quantities.
     pub fn notes(&self) -> Vec<String> {
-        let of = |variable: &Variable| variable.notes(self.subject.file.inputs(), &self.present.case);
-        let mut notes = of(&self.up.variable);
-        notes.extend(
-            of(&self.across.variable).into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>(),
-        );
-        notes.extend(self.subject.note().as_deref().map(in_time_note));
-        notes
+        self.subject.notes([&self.up.variable, &self.across.variable], &self.present.case)
     }
 }
 

@@ -14,7 +14,7 @@ use super::quantity::{DIGITS, Ends, Quantity};
 use super::set::{End, Search};
 use super::subject::Subject;
 use super::target::Target;
-use super::{DesignError, Spelling, Varied, answerable, in_time_note, with_unit};
+use super::{DesignError, Spelling, Varied, answerable, with_unit};
 use crate::assess::Assessment;
 use crate::case::Case;
 use crate::couple::Variable;
@@ -217,17 +217,15 @@ impl Minimum {
 
     /// Notes on the numbers that go with each quantity.
     pub fn notes(&self) -> Vec<String> {
-        let mut notes: Vec<String> = Vec::new();
-        for quantity in &self.quantities {
-            for note in quantity.variable.notes(self.subject.file.inputs(), &self.present.case) {
-                if !notes.contains(&note) {
-                    notes.push(note);
-                }
-            }
-        }
-        notes.extend(self.subject.note().as_deref().map(in_time_note));
-        notes
+        self.subject.notes(self.quantities.iter().map(|quantity| &quantity.variable), &self.present.case)
     }
+}
+
+/// Values of the quantities at which the target is met, and the cost there, to a few digits.
+struct CostSample {
+    held: Vec<f64>,
+    first: f64,
+    cost: f64,
 }
 
 /// The quantities in their ranges.
@@ -293,16 +291,18 @@ impl Space<'_> {
         Some((tried[place].1, samples[place], failing.map(|beside| samples[beside]).collect()))
     }
 
-    /// The least cost with the others held, to a few digits, and the value of the first; `None` where no value meets the target.
-    fn cost_at(&self, first: &Quantity, parts: u32, held: &[f64]) -> Option<(f64, f64)> {
+    /// The least cost with the others held, to a few digits; `None` where no value of the first meets the target.
+    fn sample(&self, first: &Quantity, parts: u32, held: &[f64]) -> Option<CostSample> {
         self.at(first, parts, held, |search| {
             let (cost, meets, failing) = self.cheapest(search)?;
             let ends = failing.into_iter().filter_map(|fails| {
-                let meets = search.near_end(Some(fails), meets, NEAR);
-                let answer = search.attempt(meets).answer.ok()?;
-                Some((self.request.cost.of(&answer.case), meets))
+                let end = search.halved(Some(fails), meets, NEAR, Portion::UNSEEN).ok()?;
+                let answer = search.attempt(end.meets).answer.ok()?;
+                Some((self.request.cost.of(&answer.case), end.meets))
             });
-            std::iter::once((cost, meets)).chain(ends).min_by(|one, other| one.0.total_cmp(&other.0))
+            let ends = std::iter::once((cost, meets)).chain(ends);
+            let samples = ends.map(|(cost, first)| CostSample { held: held.to_vec(), first, cost });
+            samples.min_by(|one, other| one.cost.total_cmp(&other.cost))
         })
     }
 
@@ -311,19 +311,16 @@ impl Space<'_> {
         self.at(&self.near(about), NEAR_PARTS, held, |search| {
             let Some((_, meets, failing)) = self.cheapest(search) else { return Ok(None) };
             let sides = if failing.is_empty() { vec![None] } else { failing.into_iter().map(Some).collect() };
-            let mut best: Option<MinimumPoint> = None;
-            for fails in sides {
+            let point = |fails: Option<f64>| {
                 let end = search.boundary(fails, meets, Portion::UNSEEN)?;
                 let inwards =
                     if fails.is_some_and(|fails| fails > meets) { Towards::Less } else { Towards::More };
                 let [from, to] = search.quantity.range;
                 let end = search.end(&end, inwards, if inwards == Towards::More { to } else { from });
                 let cost = self.request.cost.of(&end.answer.case);
-                if best.as_ref().is_none_or(|best| cost < best.cost) {
-                    best = Some(MinimumPoint { held: held.to_vec(), end, cost });
-                }
-            }
-            Ok(best)
+                Ok(MinimumPoint { held: held.to_vec(), end, cost })
+            };
+            Ok(least_cost(sides.into_iter().map(point).collect::<Result<Vec<_>, Stopped>>()?))
         })
     }
 
@@ -333,55 +330,51 @@ impl Space<'_> {
         let [of_grid, of_finer, of_moves] = portion.parts([3.0, 3.0, 2.0]);
         let parts = GRID[usize::from(others.len() > 1)];
         let points = product(others.iter().map(|quantity| grid(quantity, parts)).collect());
-        let mut best: Option<(f64, f64, Vec<f64>)> = None;
-        let mut better = |found: Option<(f64, f64)>, point: Vec<f64>| {
-            if let Some((cost, first)) = found
-                && best.as_ref().is_none_or(|(best, ..)| cost < *best)
-            {
-                best = Some((cost, first, point));
-            }
-            best.clone()
+        let least = |samples: Vec<CostSample>| {
+            samples.into_iter().min_by(|one, other| one.cost.total_cmp(&other.cost))
         };
         let steps = of_grid.steps(points.len());
-        let mut found = None;
+        let mut samples = Vec::new();
         for point in points {
             of_grid.check()?;
-            found = better(self.cost_at(&self.quantities[0], PARTS, &point), point);
+            samples.extend(self.sample(&self.quantities[0], PARTS, &point));
             steps.advance();
         }
-        let Some(mut found) = found else {
+        let Some(mut best) = least(samples) else {
             let middle: Vec<f64> =
                 others.iter().map(|other| (other.range[0] + other.range[1]) / 2.0).collect();
             return Err(self.unmet(&middle));
         };
         let mut spans: Vec<f64> =
             others.iter().map(|quantity| (quantity.range[1] - quantity.range[0]) / parts as f64).collect();
-        let steps = of_finer.steps(FINER);
-        for _ in 0..if others.is_empty() { 0 } else { FINER } {
+        // One quantity alone has no grid that could be finer.
+        let finer = if others.is_empty() { 0 } else { FINER };
+        let steps = of_finer.steps(finer);
+        for _ in 0..finer {
             of_finer.check()?;
             let about = |place: usize| {
                 let [from, to] = others[place].range;
-                [-1.0, 0.0, 1.0].map(|share| (found.2[place] + share * spans[place]).clamp(from, to)).to_vec()
+                [-1.0, 0.0, 1.0]
+                    .map(|share| (best.held[place] + share * spans[place]).clamp(from, to))
+                    .to_vec()
             };
-            let first = self.near(found.1);
-            for point in product((0..others.len()).map(about).collect()) {
-                if let Some(next) = better(self.cost_at(&first, NEAR_PARTS, &point), point) {
-                    found = next;
-                }
-            }
+            let points = product((0..others.len()).map(about).collect());
+            let first = self.near(best.first);
+            let samples = points.iter().filter_map(|point| self.sample(&first, NEAR_PARTS, point));
+            best = least(samples.collect()).filter(|found| found.cost < best.cost).unwrap_or(best);
             spans.iter_mut().for_each(|span| *span /= 2.0);
             steps.advance();
         }
-        self.moved(found.1, &found.2, of_moves)
+        self.moved(&best, of_moves)
     }
 
     /// The point of the grid of printed numbers that no neighbour betters, and its neighbours.
     fn moved(
         &self,
-        first: f64,
-        held: &[f64],
+        sample: &CostSample,
         portion: Portion<'_>,
     ) -> Result<(MinimumPoint, Vec<Neighbour>), DesignError> {
+        let CostSample { held, first, .. } = sample;
         let printed = |place: usize, towards: Towards| {
             let quantity = &self.others()[place];
             let decimal = Decimal::of(quantity.of_si(held[place]), DIGITS, towards);
@@ -390,26 +383,21 @@ impl Space<'_> {
         };
         let corners = (0..held.len())
             .map(|place| [Towards::Less, Towards::More].map(|way| printed(place, way)).to_vec());
-        let mut best: Option<MinimumPoint> = None;
-        for corner in product(corners.collect()) {
-            let better = |point: &MinimumPoint| best.as_ref().is_none_or(|best| point.cost < best.cost);
-            if let Some(point) = self.proven(first, &corner)?.filter(better) {
-                best = Some(point);
-            }
-        }
-        let Some(mut best) = best else { return Err(self.unmet(held)) };
+        let corners = product(corners.collect());
+        let points = corners.iter().map(|corner| self.proven(*first, corner));
+        let points = points.collect::<Result<Vec<_>, Stopped>>()?;
+        let Some(mut best) = least_cost(points.into_iter().flatten()) else { return Err(self.unmet(held)) };
         for _ in 0..MOVES {
             portion.check()?;
             let mut neighbours = Vec::new();
-            let mut next: Option<MinimumPoint> = None;
+            let mut points = Vec::new();
             for held in self.around(&best.held) {
                 let point = self.proven(best.end.rounded, &held)?;
                 let first = point.as_ref().map(|point| (point.end.text.clone(), point.cost));
                 neighbours.push(Neighbour { held, first });
-                let than = next.as_ref().map_or(best.cost, |next| next.cost);
-                next = point.filter(|point| point.cost < than).or(next);
+                points.extend(point);
             }
-            match next {
+            match least_cost(points).filter(|next| next.cost < best.cost) {
                 None => return Ok((best, neighbours)),
                 Some(next) => best = next,
             }
@@ -448,6 +436,11 @@ impl Space<'_> {
             spelling,
         }
     }
+}
+
+/// The first of those points that cost least.
+fn least_cost(points: impl IntoIterator<Item = MinimumPoint>) -> Option<MinimumPoint> {
+    points.into_iter().min_by(|one, other| one.cost.total_cmp(&other.cost))
 }
 
 /// Values of a quantity at equal distances, and the present one.

@@ -203,11 +203,22 @@ impl Search<'_> {
     pub(super) fn boundary(
         &self,
         fails: Option<f64>,
+        meets: f64,
+        portion: Portion<'_>,
+    ) -> Result<ExactEnd, Stopped> {
+        let near = if self.target.asks_for_chance(self.varied.case()) { NEAR_OF_CHANCE } else { NEAR };
+        self.halved(fails, meets, near, portion)
+    }
+
+    /// The same, to a relative distance.
+    pub(super) fn halved(
+        &self,
+        fails: Option<f64>,
         mut meets: f64,
+        near: f64,
         portion: Portion<'_>,
     ) -> Result<ExactEnd, Stopped> {
         let Some(mut fails) = fails else { return Ok(ExactEnd { meets, fails }) };
-        let near = if self.target.asks_for_chance(self.varied.case()) { NEAR_OF_CHANCE } else { NEAR };
         let near = near * self.size_at(meets);
         let halvings = ((meets - fails).abs() / near).log2().ceil().max(1.0);
         let steps = portion.steps(halvings as usize);
@@ -222,17 +233,6 @@ impl Search<'_> {
             steps.advance();
         }
         Ok(ExactEnd { meets, fails: Some(fails) })
-    }
-
-    /// A value that meets the target so near to one that fails, if there is one.
-    pub(super) fn near_end(&self, fails: Option<f64>, mut meets: f64, near: f64) -> f64 {
-        let Some(mut fails) = fails else { return meets };
-        let near = near * self.size_at(meets);
-        while (meets - fails).abs() > near {
-            let middle = fails + (meets - fails) / 2.0;
-            *(if self.attempt(middle).met { &mut meets } else { &mut fails }) = middle;
-        }
-        meets
     }
 
     /// What distances from a value are counted in: near zero, the size of the range.

@@ -9,8 +9,8 @@ use crate::motion::{Follow, FollowedMotion};
 use standfast_model::{CaseFile, MotionCriterion, at_first_instant, motions};
 use standfast_watch::Portion;
 
-use super::Target;
 use super::error::DesignError;
+use super::{Target, in_time_note};
 
 /// A case whose numbers are varied.
 pub(super) struct Subject {
@@ -53,6 +53,22 @@ impl Subject {
     /// Note on the answer for the first instant of a case in time.
     pub(super) fn note(&self) -> Option<String> {
         self.time.as_ref().map(|time| time.note.clone())
+    }
+
+    /// Notes on the numbers that go with these, each note once.
+    pub(super) fn notes<'a>(
+        &self,
+        variables: impl IntoIterator<Item = &'a Variable>,
+        present: &Case,
+    ) -> Vec<String> {
+        let mut notes: Vec<String> = Vec::new();
+        for note in variables.into_iter().flat_map(|variable| variable.notes(self.file.inputs(), present)) {
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
+        notes.extend(self.note().as_deref().map(in_time_note));
+        notes
     }
 
     /// The target that a case has of its own: its criteria, or without any that it rests, in time that it does not overturn.

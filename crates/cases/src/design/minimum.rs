@@ -16,24 +16,17 @@ use crate::units::{Dimension, Extent};
 /// Significant digits of a cost, enough to tell neighbours apart.
 const COST_DIGITS: usize = 6;
 
-/// The unit of a cost.
-fn unit(cost: Cost, case: &Case) -> &'static str {
-    match (cost, case.extent) {
-        (Cost::Volume, Extent::PerMetre) => "m³/m",
-        (Cost::Volume, Extent::Whole) => "m³",
-        (Cost::Mass, extent) => extent.of(Dimension::Mass).on_paper().0,
-    }
-}
-
 /// A cost as it is read.
 fn cost_words(cost: Cost, case: &Case, value: f64) -> String {
-    match cost {
-        Cost::Volume => format!("{} {}", significant(value, COST_DIGITS), unit(cost, case)),
-        Cost::Mass => {
-            let mass = case.extent.of(Dimension::Mass).shown_on_paper();
-            format!("{} {}", significant(mass.of_si(value), COST_DIGITS), unit(cost, case))
+    let (value, unit) = match (cost, case.extent) {
+        (Cost::Volume, Extent::PerMetre) => (value, "m³/m"),
+        (Cost::Volume, Extent::Whole) => (value, "m³"),
+        (Cost::Mass, extent) => {
+            let mass = extent.of(Dimension::Mass);
+            (mass.shown_on_paper().of_si(value), mass.on_paper().0)
         }
-    }
+    };
+    format!("{} {unit}", significant(value, COST_DIGITS))
 }
 
 /// JSON as `docs/minimum.schema.json` has it.
