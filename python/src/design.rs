@@ -25,6 +25,10 @@ const SPELLING: Spelling = Spelling {
     two: "vary=\"width\", and_=\"friction\"",
 };
 
+/// The same where ranges stand behind the names of several quantities.
+const SPELLING_OF_SEVERAL: Spelling =
+    Spelling { from: "the lower end in vary", to: "the upper end in vary", ..SPELLING };
+
 /// Lower and upper end of a range, where they are given.
 type Ends = [Option<String>; 2];
 
@@ -71,7 +75,7 @@ pub(crate) fn minimum(
         from.push(lower);
         to.push(upper);
     }
-    let request = MinimumRequest { vary: names, target, cost, from, to, spelling: &SPELLING };
+    let request = MinimumRequest { vary: names, target, cost, from, to, spelling: &SPELLING_OF_SEVERAL };
     watched(py, progress.as_ref(), move |portion| {
         let minimum = Minimum::of(&file, request, portion).map_err(|error| of_design(&error))?;
         Ok((minimum.text(&()), minimum.json(&(), &[]), slips(&minimum.answer().case)))

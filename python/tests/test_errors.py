@@ -44,6 +44,10 @@ def test_a_slip_in_a_case(call):
 def test_a_design_that_no_value_meets():
     with pytest.raises(NoSolution, match="no width from 1 m to 2 m meets the target"):
         standfast.design(GODA, vary="width", target="factor=1.2", lower=1, upper=2)
+    several = {"vary": ["width=1 m..2 m", "height"], "minimise": "volume"}
+    with pytest.raises(NoSolution, match="whatever height is from 5.25 m to 21 m, the target is not met") as caught:
+        standfast.design(GODA, target="factor=1.2", **several)
+    assert "the lower end in vary and the upper end in vary, of each quantity, widen the ranges" in str(caught.value)
     # A name or a target that is not understood is no lack of a solution.
     for wrong in ({"vary": "widht", "target": "factor=1.2"}, {"vary": "width", "target": "faktor=1.2"}):
         with pytest.raises(ValueError) as caught:

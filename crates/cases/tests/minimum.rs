@@ -4,7 +4,7 @@ mod common;
 
 use common::{assess, file, near};
 use standfast_cases::design::{Cost, DesignError, Minimum, MinimumRequest, Spelling, Target};
-use standfast_cases::{Assessment, CaseFile, Document, Portion};
+use standfast_cases::{Assessment, CaseFile, Document, Explained, Portion};
 
 fn found(file: &CaseFile, vary: &[&str], cost: Cost, ends: &[(&str, &str)]) -> Result<Minimum, DesignError> {
     let request = MinimumRequest {
@@ -139,13 +139,20 @@ fn what_has_no_least_cost_is_told() {
         assert!(error.contains(words), "{vary:?}: {error}");
     }
     // Nowhere in the ranges.
-    let ends = [("2 m", "3 m"), ("9 m", "10 m")];
-    let error =
-        found(&file(&wall(14.0, 11.0)), &["width", "height"], Cost::Volume, &ends).map(|_| ()).unwrap_err();
-    assert!(
-        error.to_string().starts_with("whatever height is from 9 m to 10 m, the target is not met"),
-        "{error}"
-    );
+    let ends = [("2 m", "3 m"), ("9 m", "10 m"), ("0.3", "0.6")];
+    for (vary, words) in [
+        (&["width", "height"][..], "whatever height is from 9 m to 10 m, the target is not met; at 9.5 m: "),
+        (
+            &["width", "height", "friction"],
+            "whatever height is from 9 m to 10 m and friction is from 0.3 to 0.6, the target is not met; at 9.5 m and 0.45: ",
+        ),
+    ] {
+        let error =
+            found(&file(&wall(14.0, 11.0)), vary, Cost::Volume, &ends[..vary.len()]).map(|_| ()).unwrap_err();
+        assert!(error.to_string().starts_with(words), "{error}");
+        let help = error.help().unwrap();
+        assert_eq!(help, "--from and --to, of each quantity, widen the ranges");
+    }
 }
 
 /// Below 3 m the load acts above the crest, and there is no case: the least height is where cases begin, whichever quantity comes first.

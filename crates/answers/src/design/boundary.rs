@@ -191,8 +191,9 @@ impl Grid<'_> {
         let [from, to] = self.across.range;
         let value = self.across.present.clamp(from, to);
         let why = self.at(value, |search| search.unmet(spelling)).to_string();
-        let name = self.across.variable.name().to_owned();
-        let (range, at) = (self.across.range_words(), self.across.shown(value));
-        DesignError::UnmetThroughout { name, range, at, why, spelling }
+        let others = self.across.in_range_words();
+        let Spelling { from, to, and_from, and_to, .. } = spelling;
+        let help = format!("{from}, {to}, {and_from} and {and_to} widen the ranges");
+        DesignError::UnmetThroughout { others, at: self.across.shown(value), why, help }
     }
 }

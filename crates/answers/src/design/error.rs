@@ -177,19 +177,17 @@ pub enum DesignError {
         /// The target.
         target: Target,
     },
-    /// No value meets the target, whatever another quantity is.
-    #[error("whatever {name} is {range}, the target is not met; at {at}: {why}")]
+    /// No value meets the target, whatever other quantities are.
+    #[error("whatever {others}, the target is not met; at {at}: {why}")]
     UnmetThroughout {
-        /// The other quantity.
-        name: String,
-        /// Its range, "from 1 m to 5 m".
-        range: String,
-        /// A value of it.
+        /// The other quantities in their ranges, "height is from 1 m to 5 m".
+        others: String,
+        /// The values at which one was looked for.
         at: String,
         /// Reason why there is none there.
         why: String,
-        /// Spelling of the request.
-        spelling: &'static Spelling,
+        /// Advice on the ranges.
+        help: String,
     },
     /// Both quantities are the same.
     #[error("{} and {} name the same number, {name}", spelling.vary, spelling.and)]
@@ -243,10 +241,7 @@ impl Explained for DesignError {
                 spelling.from, spelling.to
             ),
             DesignError::NoEnd { help, .. } => help.clone(),
-            DesignError::UnmetThroughout { spelling, .. } => format!(
-                "{}, {}, {} and {} widen the ranges",
-                spelling.from, spelling.to, spelling.and_from, spelling.and_to
-            ),
+            DesignError::UnmetThroughout { help, .. } => help.clone(),
             DesignError::Twice { spelling, .. } => {
                 format!("{} takes another quantity of the case, as in {}", spelling.and, spelling.two)
             }

@@ -424,17 +424,15 @@ impl Space<'_> {
     fn unmet(&self, held: &[f64]) -> DesignError {
         let spelling = self.request.spelling;
         let why = self.at(&self.quantities[0], PARTS, held, |search| search.unmet(spelling));
-        let Some(quantity) = self.others().first() else { return why };
-        let name = self.others().iter().map(|other| other.variable.name()).collect::<Vec<_>>().join(" and ");
+        if self.others().is_empty() {
+            return why;
+        }
+        let others = self.others().iter().map(Quantity::in_range_words).collect::<Vec<_>>().join(" and ");
         let shown = self.others().iter().zip(held).map(|(other, value)| other.shown(*value));
         let at = shown.collect::<Vec<_>>().join(" and ");
-        DesignError::UnmetThroughout {
-            name,
-            range: quantity.range_words(),
-            at,
-            why: why.to_string(),
-            spelling,
-        }
+        let Spelling { from, to, .. } = spelling;
+        let help = format!("{from} and {to}, of each quantity, widen the ranges");
+        DesignError::UnmetThroughout { others, at, why: why.to_string(), help }
     }
 }
 

@@ -63,6 +63,11 @@ impl Quantity {
         format!("from {from} to {to}")
     }
 
+    /// Its name and its range: "width is from 1 m to 5 m".
+    pub(super) fn in_range_words(&self) -> String {
+        format!("{} is {}", self.variable.name(), self.range_words())
+    }
+
     /// A number in the unit that is shown, in SI units.
     pub(super) fn in_si(&self, shown: f64) -> f64 {
         self.variable.shown_unit().map_or(shown, |unit| unit.in_si(shown))
