@@ -148,6 +148,13 @@ pub enum Warning {
         /// At O', Pa.
         right: f64,
     },
+    /// Uplift that is not said to rise with a push that does.
+    UpliftStays {
+        /// The kind of the push's table.
+        table: Table,
+        /// Its place among those.
+        index: usize,
+    },
     /// A warning of the numbers of a combination, which those of the case do not bring.
     InCombination {
         /// The combination.
@@ -423,6 +430,7 @@ impl Warning {
             Warning::PressureFallsWithDepth { .. } => "pressure-falls-with-depth",
             Warning::PressureAgainstWater { .. } => "pressure-against-water",
             Warning::UpliftAwayFromPush { .. } => "uplift-away-from-push",
+            Warning::UpliftStays { .. } => "uplift-stays",
             Warning::InCombination { warning, .. } => warning.name(),
             Warning::LoadInNoCombination { .. } => "load-in-no-combination",
             Warning::FavourableLoad { .. } => "favourable-load",
@@ -640,6 +648,13 @@ impl fmt::Display for Warning {
                     kilopascals(*less)
                 )
             }
+            Warning::UpliftStays { table, index } => write!(
+                f,
+                "the uplift stays as it is while {} {} is variable: write grows = true in [uplift] where that load, as a wave, brings it, or \
+                 grows = false where it does not",
+                table.header(),
+                index + 1
+            ),
             Warning::InCombination { name, warning } => write!(f, "in the combination \"{name}\" {warning}"),
             Warning::WallFrictionHigh { id, wall, friction } => write!(
                 f,

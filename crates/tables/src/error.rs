@@ -35,6 +35,14 @@ pub enum TableError {
         /// The table.
         name: String,
     },
+    /// Another unit below the name of a column than behind it.
+    #[error("the column {column} has {unit} below its name, which has another unit")]
+    TwoUnits {
+        /// Its name.
+        column: String,
+        /// The unit below.
+        unit: String,
+    },
     /// A row of the header is said of a table whose columns have names of their own.
     #[error("{option}: {name} is {format}, whose columns have their names")]
     NoHead {
@@ -322,6 +330,7 @@ impl Explained for TableError {
             TableError::NoHeaderRow { .. } => {
                 "--header-row counts the rows of the text or the sheet from one, empty ones among them".into()
             }
+            TableError::TwoUnits { .. } => "write the unit in one of the two places".into(),
             TableError::NoUnitsRow { .. } | TableError::NoHead { .. } => {
                 "--header-row and --units-row are of CSV and Excel; leave them out where the table begins with its header".into()
             }

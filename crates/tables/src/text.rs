@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
-use standfast_cases::sweep::PLAIN;
+use standfast_cases::sweep::{PLAIN, heading};
 use standfast_cases::typed::number_and_rest;
 
 use crate::pieces::Done;
@@ -164,7 +164,8 @@ impl<R: Read> Text<R> {
                 return Err(no_units());
             }
             let units = rows.record.iter().map(lossy).chain(std::iter::repeat(String::new()));
-            names = names.into_iter().zip(units).map(|(name, unit)| with_unit(name, &unit)).collect();
+            let names_with_units = names.into_iter().zip(units).map(|(name, unit)| with_unit(name, &unit));
+            names = names_with_units.collect::<Result<_, _>>()?;
             let mut writer = csv::WriterBuilder::new().delimiter(separators.column).from_writer(Vec::new());
             // Writing to memory never fails.
             writer.write_record(&names).expect("memory has room");
@@ -200,10 +201,21 @@ impl<R: Read> Text<R> {
 }
 
 /// The name of a column with the unit that stands below it, as one that is typed with its unit; without one where nothing is counted.
-pub(crate) fn with_unit(name: String, unit: &str) -> String {
+///
+/// # Errors
+/// If another unit stands behind the name.
+pub(crate) fn with_unit(name: String, unit: &str) -> Result<String, TableError> {
     let unit = unit.trim().trim_matches(['[', ']', '(', ')']).trim();
     let counts_nothing = PLAIN.contains(&unit) || ["–", "—"].contains(&unit);
-    if counts_nothing || name.is_empty() || name.ends_with(']') { name } else { format!("{name} [{unit}]") }
+    if counts_nothing || name.is_empty() {
+        return Ok(name);
+    }
+    match heading(&name) {
+        (_, None) if name.ends_with(']') => Ok(name),
+        (_, None) => Ok(format!("{name} [{unit}]")),
+        (_, Some(own)) if own == unit => Ok(name),
+        (_, Some(_)) => Err(TableError::TwoUnits { column: name, unit: unit.to_owned() }),
+    }
 }
 
 /// Reads so many lines, whatever stands in them; false if there are not as many.

@@ -159,6 +159,7 @@ impl Case {
         warnings.extend(self.held());
         warnings.extend(self.recalled());
         warnings.extend(self.uplifted());
+        warnings.extend(self.uplift_stays());
         warnings.extend(self.favourable());
         warnings.extend(self.asked());
         warnings.extend(self.ground());
@@ -477,6 +478,27 @@ impl Case {
             full.is_ok_and(|full| full.wrench.x * (right - left) > 0.0)
         };
         self.acting().into_iter().all(away).then_some(Warning::UpliftAwayFromPush { left, right })
+    }
+
+    /// About uplift that nobody says to stay while a push grows. Beside a difference of water levels it is seepage, which stays; beside
+    /// waves it has a warning of its own.
+    fn uplift_stays(&self) -> Option<Warning> {
+        let uplift = self.uplift.as_ref()?;
+        let is_said = self.inputs.truth(Key::UpliftGrows).is_some();
+        let seeps = self.water.is_some_and(|water| water.left() != water.right());
+        if is_said || seeps || self.wave.is_some() || uplift.left() == uplift.right() {
+            return None;
+        }
+        let forces = self
+            .forces
+            .iter()
+            .map(|force| (force.of, force.permanent, matches!(force.direction, Direction::Sideways(_))));
+        let pressures = self.pressures.iter().enumerate();
+        let pressures = pressures.map(|(index, given)| {
+            ((Table::Pressure, index), given.permanent, matches!(given.face, Face::Left | Face::Right))
+        });
+        let push = forces.chain(pressures).find(|(_, permanent, is_sideways)| !permanent && *is_sideways);
+        push.map(|((table, index), ..)| Warning::UpliftStays { table, index })
     }
 
     /// About variable forces and pressures that hold the body, where it is nowhere looked at without one of them.
@@ -933,7 +955,7 @@ mod tests {
             &["cohesion = 0", "cohesion = \"5 kPa\""],
             &["cohesion = 5"],
         );
-        let lifted = format!("{dry}[uplift]\nleft = 0\nright = 30e3\n");
+        let lifted = format!("{dry}[uplift]\ngrows = false\nleft = 0\nright = 30e3\n");
         limits(&lifted, "right = 30e3", name, &["right = 100"], &["right = 30"]);
         let name = "pressure-falls-with-depth";
         limits(
@@ -958,7 +980,7 @@ mod tests {
     /// Soil and uplift on the wrong side; what is pushed both ways, or by nothing, has none.
     #[test]
     fn loads_on_the_wrong_side() {
-        let dry = format!("{BLOCK}{FORCE}[uplift]\nleft = 5e3\nright = 20e3\n");
+        let dry = format!("{BLOCK}{FORCE}[uplift]\ngrows = false\nleft = 5e3\nright = 20e3\n");
         let given = "left = 5e3\nright = 20e3";
         limits(
             &dry,
@@ -983,6 +1005,26 @@ mod tests {
         );
         assert_eq!(names(&quay.replace("\"right\"", "\"left\"")), ["pressure-against-water"]);
         assert_eq!(names(&quay.replace("\"right\"", "\"left\"").replace("permanent = true", "")), [""; 0]);
+    }
+
+    /// Uplift that may be a wave's: not where the case says so, under a level pressure, beside seepage or beside what is permanent or hangs.
+    #[test]
+    fn uplift_that_is_not_said_to_grow() {
+        let case = format!("{BLOCK}{FORCE}[uplift]\nleft = 5e3\nright = 20e3\n");
+        let name = "uplift-stays";
+        let but = |line: &str, other: &str| names(&case.replace(line, other));
+        assert_eq!(names(&case), [name]);
+        for said in ["grows = true", "grows = false"] {
+            assert_eq!(names(&format!("{case}{said}\n")), [""; 0], "{said}");
+        }
+        assert_eq!(but("right = 20e3", "right = 5e3"), [""; 0]);
+        assert_eq!(but("elevation = 3", "elevation = 3\npermanent = true"), [""; 0]);
+        assert_eq!(but("elevation = 3", "distance = 3\ndirection = \"down\""), [""; 0]);
+        let pressed =
+            but(FORCE, "[[pressure]]\nface = \"right\"\nelevation = [0, 5]\npressure = [9e3, 9e3]\n");
+        assert_eq!(pressed, [name]);
+        let seeping = "[water]\nleft = 1\nright = 3\ndensity = 1000\nopening = \"closed\"\n";
+        assert_eq!(names(&format!("{case}{seeping}")), [""; 0]);
     }
 
     #[test]
@@ -1020,7 +1062,7 @@ mod tests {
     #[test]
     fn uplift_that_is_counted_twice() {
         let sea = format!("{BLOCK}[water]\nlevel = 6\n{SEA}");
-        let uplift = "[uplift]\nleft = 0\nright = 20e3\n";
+        let uplift = "[uplift]\ngrows = false\nleft = 0\nright = 20e3\n";
         assert_eq!(names(&format!("{BLOCK}{FORCE}{uplift}")), [""; 0]);
         assert_eq!(names(&format!("{sea}{}", uplift.replace("20e3", "0"))), [""; 0]);
         assert_eq!(names(&format!("{sea}{uplift}")), ["uplift-beside-wave"]);
@@ -1101,7 +1143,7 @@ mod tests {
                 ["earthquake.horizontal = 1.962 m/s²", "[added_mass]", "sides = \"right\" or \"both\""],
             ),
             (
-                format!("{sea}[uplift]\nleft = 0\nright = 20e3\n"),
+                format!("{sea}[uplift]\ngrows = false\nleft = 0\nright = 20e3\n"),
                 ["0 kPa at the left and 20 kPa at the right", "pu = ", "[uplift]"],
             ),
             (

@@ -78,7 +78,7 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
         };
         if options.head.has_units && row == header + 1 {
             let name = &mut columns[place].1;
-            *name = with_unit(std::mem::take(name), &value.words());
+            *name = with_unit(std::mem::take(name), &value.words())?;
             continue;
         }
         let width = columns.len();

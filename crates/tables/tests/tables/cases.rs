@@ -471,6 +471,7 @@ fn titles_stand_above_and_units_below_the_names() {
     for (table, head, words) in [
         (plain, head(Some(9), false), "has no row 9 with the names"),
         ("body.width\n", head(None, true), "has no row of units"),
+        ("body.width [mm]\nm\n15\n", head(None, true), "the column body.width [mm] has m below its name"),
     ] {
         let error = answer(table, head).1.unwrap_err().to_string();
         assert!(error.contains(words), "{error}");
