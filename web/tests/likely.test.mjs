@@ -147,6 +147,7 @@ test("laws are chosen and deviations typed as people type them", async () => {
     assert.equal(await text(page), kept);
   }
   await numberOf(page, "random.friction").press("Escape");
+  await drawn(page);
   assert.equal((await field(page, "random.friction")).text, "15.15");
   await friction.selectOption("certain");
   await drawn(page);
