@@ -10,6 +10,7 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use standfast::batch::{self, Columns};
 use standfast::contact::Block;
+use standfast::contact::stack::{Joint, Shaking, Stack, StackBody};
 use standfast::ground::strength::{CrushPoint, stages};
 use standfast::{Diagram, Point, Wrench};
 
@@ -75,6 +76,41 @@ fn crush_motion_of_1000_points(bencher: Bencher) {
             black_box((point.motion(), point.others()));
         }
     });
+}
+
+/// Bricks on each other under a push and some uplift, none of it in round numbers.
+fn stack(count: usize) -> Stack {
+    let bodies = (0..count).map(|place| {
+        let (width, at) = (3.0 - 0.3 * place as f64, place as f64);
+        StackBody {
+            x: 0.013 * at,
+            y: at + 0.51,
+            permanent: Wrench { x: 0.01, p: width, m: 0.013 },
+            variable: Wrench { x: -1.37 - 0.1 * at, p: 0.1, m: 0.2 },
+            ..StackBody::of(width, width * (width * width + 1.0) / 12.0)
+        }
+    });
+    let joints = (0..count).map(|place| {
+        let (half, friction) = (1.5 - 0.15 * place as f64, 0.61 + 0.01 * place as f64);
+        Joint { h: place as f64, l: 0.011 - half, r: half, mu_s: friction, mu_k: friction }
+    });
+    Stack { bodies: bodies.collect(), joints: joints.collect(), shaking: Shaking::default() }
+}
+
+/// All combinations of a stack under the full load: ten a joint.
+#[divan::bench(args = [1, 2, 3, 4, 5, 6])]
+fn combinations_of_a_stack(bencher: Bencher, count: usize) {
+    let stack = stack(count);
+    bencher
+        .counter(ItemsCount::new(10_usize.pow(count as u32)))
+        .bench(|| black_box(&stack).answer(1.0).unwrap());
+}
+
+/// Where a stack leaves rest, and all combinations just beyond.
+#[divan::bench(args = [1, 2, 3, 4, 5, 6])]
+fn departure_of_a_stack(bencher: Bencher, count: usize) {
+    let stack = stack(count);
+    bencher.bench(|| black_box(&stack).departure().unwrap());
 }
 
 /// The load path of a caisson on 3 MPa.

@@ -1,7 +1,7 @@
 //! f64 with a running bound on its rounding error: a sign is known, or known to be unknown.
 
 use std::cmp::Ordering;
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::exact::{Exact, Real};
 
@@ -24,6 +24,9 @@ pub(crate) struct Approx {
 }
 
 impl Approx {
+    /// A known zero.
+    pub(crate) const ZERO: Approx = Approx { value: 0.0, error: 0.0 };
+
     /// A rounded result: its own rounding joins the bound.
     ///
     /// A rounding loses half a unit in the last place at most. A whole one is added: the other half covers the roundings of the
@@ -129,6 +132,27 @@ impl Mul for Approx {
     }
 }
 
+impl Div for Approx {
+    type Output = Approx;
+
+    /// The quotient; nothing is known of one by what may be near zero.
+    #[inline(always)]
+    fn div(self, other: Approx) -> Approx {
+        if self.is_zero() && other.is_told() && !other.is_zero() {
+            return Approx::ZERO;
+        }
+        let value = self.value / other.value;
+        // What the divisor is at least: half of it, so that the roundings of this line are covered by the next.
+        let least = other.value.abs() - other.error;
+        let error = (self.error + value.abs() * other.error + f64::MIN_POSITIVE) / least * WIDER;
+        let is_known = least > 0.5 * other.value.abs();
+        Approx::rounded(value, if is_known { error } else { f64::INFINITY })
+    }
+}
+
+/// Covers the roundings of a bound that is made of few terms.
+const WIDER: f64 = 1.0 + 1e-12;
+
 #[cfg(test)]
 mod tests {
     use dashu_ratio::Relaxed as Rational;
@@ -187,6 +211,32 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Quotients of results and operands: the bound holds, is no larger than needed, and nothing is known beside zero.
+    #[test]
+    fn quotients_are_bounded() {
+        let operands: Vec<Both> = operands();
+        let sums: Vec<Both> =
+            operands.iter().zip(operands.iter().rev()).map(|(one, two)| one.add(two)).collect();
+        let mut near = false;
+        for one in operands.iter().chain(&sums) {
+            for two in operands.iter().chain(&sums) {
+                let quotient = one.tracked / two.tracked;
+                if two.exact == rational(0.0) || !quotient.value.is_finite() || !quotient.error.is_finite() {
+                    assert_eq!(quotient.sign(), None, "{:?} / {:?}", one.tracked, two.tracked);
+                    continue;
+                }
+                let both = Both { tracked: quotient, exact: &one.exact / &two.exact };
+                assert!(both.is_bounded(), "{:?} / {:?}: {quotient:?}", one.tracked, two.tracked);
+                near |= both.reaches(0.4);
+            }
+        }
+        assert!(near);
+        let lost = Approx { value: 1e-17, error: 1e-16 };
+        assert_eq!((Approx::of(1.0) / lost).sign(), None);
+        assert_eq!((Approx::ZERO / Approx::of(3.0)).sign(), Some(Ordering::Equal));
+        assert_eq!((Approx::ZERO / Approx::ZERO).sign(), None);
     }
 
     /// 1 + ε/2 + ε/2 + …: the value stays 1 and every addition loses ε/2, while its bound grows by ε.

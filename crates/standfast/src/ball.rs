@@ -20,7 +20,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 
-use crate::approx::Signed;
+use crate::approx::{Approx, Signed};
 use crate::exact::{Exact, Real, scale};
 
 /// The arithmetic in which bodies, loads and their wrenches can be had: f64, and [`Ball`] where a sign must not hang on rounding.
@@ -132,12 +132,34 @@ impl Ball {
         self.radius == 0.0
     }
 
+    /// True if it is zero for certain.
+    fn is_nothing(&self) -> bool {
+        self.numerator.sign() == Sign::NoSign && self.is_exact()
+    }
+
+    fn is_one(&self) -> bool {
+        self.is_exact() && self.numerator == self.denominator
+    }
+
     /// The sign; `None` where it is within the radius.
     pub fn sign(&self) -> Option<Ordering> {
         Signed::sign(self)
     }
 
+    /// The nearest f64 with a bound on how far the number meant may be from it.
+    pub(crate) fn tracked(&self) -> Approx {
+        let value = self.value();
+        let rounding =
+            if self.is_exact() && Ball::of(value) == *self { 0.0 } else { f64::EPSILON * value.abs() };
+        Approx::around(value, up(self.radius + rounding))
+    }
+
     fn fraction(numerator: BigInt, denominator: BigInt, radius: f64) -> Ball {
+        // What comes from f64 has powers of two below the line, which take no search for a divisor.
+        if let Some(power) = power_of_two(&denominator) {
+            let common = numerator.trailing_zeros().map_or(power, |zeros| zeros.min(power));
+            return Ball { numerator: numerator >> common, denominator: denominator >> common, radius };
+        }
         let divisor = numerator.gcd(&denominator);
         Ball { numerator: numerator / &divisor, denominator: denominator / divisor, radius }
     }
@@ -146,6 +168,12 @@ impl Ball {
     fn magnitude(&self) -> f64 {
         up(self.value().abs())
     }
+}
+
+/// The power of two that a number above zero is.
+fn power_of_two(number: &BigInt) -> Option<u64> {
+    let zeros = number.trailing_zeros()?;
+    (zeros + 1 == number.bits()).then_some(zeros)
 }
 
 /// A sum or product of magnitudes, no less than it would be without rounding.
@@ -222,6 +250,13 @@ impl Signed for Ball {
 impl Add for Ball {
     type Output = Ball;
     fn add(self, other: Ball) -> Ball {
+        // Most terms of a matrix are nothing.
+        if self.is_nothing() {
+            return other;
+        }
+        if other.is_nothing() {
+            return self;
+        }
         let numerator = self.numerator * &other.denominator + other.numerator * &self.denominator;
         Ball::fraction(numerator, self.denominator * other.denominator, up(self.radius + other.radius))
     }
@@ -244,6 +279,12 @@ impl Sub for Ball {
 impl Mul for Ball {
     type Output = Ball;
     fn mul(self, other: Ball) -> Ball {
+        if self.is_nothing() || other.is_one() {
+            return self;
+        }
+        if other.is_nothing() || self.is_one() {
+            return other;
+        }
         let radius = match self.is_exact() && other.is_exact() {
             true => 0.0,
             false => up(self.magnitude() * other.radius
@@ -270,6 +311,13 @@ impl Div for Ball {
                 up(off / (other.value().abs() * least))
             }
         };
+        if power_of_two(&self.denominator).is_some() && power_of_two(&other.denominator).is_some() {
+            // Among whole numbers a quotient is mostly one: that takes no search either.
+            let (whole, rest) = self.numerator.div_rem(&other.numerator);
+            if rest.sign() == Sign::NoSign {
+                return Ball::fraction(whole * &other.denominator, self.denominator, radius);
+            }
+        }
         let (numerator, denominator) =
             (self.numerator * &other.denominator, self.denominator * &other.numerator);
         match denominator.sign() {

@@ -67,6 +67,7 @@ pub mod holding;
 pub mod opening;
 pub mod path;
 pub mod plane;
+pub mod stack;
 
 use crate::approx::Approx;
 use crate::ball::{Ball, Scalar};

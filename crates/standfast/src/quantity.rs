@@ -97,6 +97,9 @@ worded! {
         WrenchX => "horizontal force x",
         WrenchP => "vertical force p",
         WrenchM => "moment m",
+        JointHeight => "height h of the joint",
+        JointLeft => "left end l of the joint",
+        JointRight => "right end r of the joint",
         Strength => "strength of the base",
         Omega => "share ω of the base",
         GroundFrictionAngle => "angle of friction of the ground",
@@ -145,6 +148,7 @@ worded! {
         TimesInOrder => "times that do not fall from point to point",
         PeriodsAtMost => "100000 at most: stiffnesses, dimensions and durations are out of proportion",
         RectangularBase => "none for a round base: the formulas are those of a strip",
+        BeyondLeftEnd => "one beyond the left end",
         InOrder => "positions that rise from point to point",
     }
 }

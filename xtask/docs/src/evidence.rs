@@ -24,6 +24,7 @@ struct Row {
 
 const EXACTNESS: &str = "crates/standfast/tests/exactness.rs";
 const ENUMERATION: &str = "crates/standfast/tests/enumeration.rs";
+const STACK: &str = "crates/standfast/tests/stack.rs";
 const COMMON: &str = "crates/standfast/tests/common/mod.rs";
 const WAVES: &str = "crates/standfast/tests/waves.rs";
 const BEARING: &str = "crates/standfast/tests/ground_bearing.rs";
@@ -86,6 +87,21 @@ const ROWS: &[Row] = &[
                 ENUMERATION,
                 "fn the_general_problem_has_an_answer_and_it_is_unique_below_painleves_bound()",
             ),
+        ],
+    },
+    Row {
+        claim: "stacks of bodies: a combination of modes exists, the signed count of them is one, and the motion is theirs",
+        against: "Lemke's pivots on complementarity at the corners; the equations of each body; the theorem on the count",
+        independent: "yes: another formulation; the theorem is proven on the page of joints",
+        count: "6,000 and 10,000 and 40,000 random",
+        result: "0 differ",
+        repeat: "`cargo test -p standfast --test stack`",
+        measured: false,
+        places: &[
+            ("6,000", STACK, "for _ in 0..tries(6_000) {"),
+            ("10,000", STACK, "for round in 0..tries(10_000) {"),
+            ("40,000", STACK, "for _ in 0..tries(40_000) {"),
+            ("0", STACK, "assert_eq!(signed, 1, "),
         ],
     },
     Row {

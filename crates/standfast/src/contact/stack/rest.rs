@@ -1,0 +1,147 @@
+//! Rest of a stack: each joint carries what stands above it, and four forms a joint, linear in the load factor, say whether it can.
+
+use std::cmp::Ordering::{self, Equal, Greater, Less};
+
+use super::{Decider, LoadPoint, StackBody, StackNumbers};
+use crate::approx::Signed;
+use crate::ball::Ball;
+use crate::exact::Real;
+use crate::mode::{Corner, Slip};
+use crate::wrench::Wrench;
+
+/// What ends the rest of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum RestLimit {
+    /// Friction holds no more against a slide of what is above.
+    Slides(Slip),
+    /// The resultant of what is above has come to a corner.
+    Turns(Corner),
+}
+
+impl RestLimit {
+    /// The limits of a joint, in the order of its forms.
+    pub const ALL: [RestLimit; 4] = [
+        RestLimit::Slides(Slip::Left),
+        RestLimit::Slides(Slip::Right),
+        RestLimit::Turns(Corner::O),
+        RestLimit::Turns(Corner::OPrime),
+    ];
+}
+
+/// A form `start` + λ `slope`, which is not below zero while a joint rests.
+#[derive(Debug, Clone)]
+pub(super) struct Line<T> {
+    pub(super) start: T,
+    pub(super) slope: T,
+}
+
+/// Where the stack leaves rest.
+pub(super) struct Leaving {
+    /// Any load beyond λ; `None` if it never does.
+    pub(super) at: Option<LoadPoint>,
+    /// True if the permanent loads alone move it.
+    pub(super) at_once: bool,
+    /// The limits that are reached.
+    pub(super) limits: Vec<(usize, RestLimit)>,
+}
+
+/// The wrench of what is above a joint, with its moment about (0, h): X, P, G.
+fn above<T: Real>(numbers: &StackNumbers<T>, wrench: impl Fn(&StackBody<T>) -> &Wrench<T>) -> Vec<[T; 3]> {
+    let mut sums = [T::of(0.0), T::of(0.0), T::of(0.0)];
+    let mut all: Vec<[T; 3]> = numbers
+        .bodies
+        .iter()
+        .zip(&numbers.joints)
+        .rev()
+        .map(|(body, joint)| {
+            let Wrench { x, p, m } = wrench(body).clone();
+            let [sum_x, sum_p, about_origin] = sums.clone();
+            let moment = m - x.clone() * body.y.clone() - p.clone() * body.x.clone();
+            sums = [sum_x + x, sum_p + p, about_origin + moment];
+            let [x, p, about_origin] = sums.clone();
+            [x.clone(), p, about_origin + x * joint.h.clone()]
+        })
+        .collect();
+    all.reverse();
+    all
+}
+
+/// The forms of every joint, in the order of [`RestLimit::ALL`].
+pub(super) fn forms<T: Real>(numbers: &StackNumbers<T>) -> Vec<[Line<T>; 4]> {
+    let values = |loads: Vec<[T; 3]>| {
+        numbers
+            .joints
+            .iter()
+            .zip(loads)
+            .map(|(joint, [x, p, g])| {
+                let grip = joint.mu_s.clone() * p.clone();
+                [
+                    grip.clone() + x.clone(),
+                    grip - x,
+                    -g.clone() - joint.l.clone() * p.clone(),
+                    joint.r.clone() * p + g,
+                ]
+            })
+            .collect::<Vec<_>>()
+    };
+    let starts = values(above(numbers, |body| &body.permanent));
+    let slopes = values(above(numbers, |body| &body.variable));
+    let lines = |(starts, slopes): ([T; 4], [T; 4])| {
+        let mut slopes = slopes.into_iter();
+        starts.map(|start| Line { start, slope: slopes.next().expect("four") })
+    };
+    starts.into_iter().zip(slopes).map(lines).collect()
+}
+
+/// A sign; what is not known to the digits given is zero.
+pub(super) fn sign<T: Signed>(value: &T) -> Ordering {
+    value.sign().unwrap_or(Equal)
+}
+
+impl Decider<'_> {
+    /// Where the stack leaves rest: at the least zero of the forms that fall.
+    pub(super) fn leaving(&self) -> Leaving {
+        let approx = forms(&self.approx);
+        let exact = std::cell::OnceCell::new();
+        let exact = || exact.get_or_init(|| forms(self.exact()));
+        let told = |place: (usize, usize), part: fn(&Line<_>) -> &_, full: fn(&Line<Ball>) -> &Ball| {
+            let tracked: &crate::approx::Approx = part(&approx[place.0][place.1]);
+            tracked.sign().unwrap_or_else(|| sign(full(&exact()[place.0][place.1])))
+        };
+        let start = |place| told(place, |line| &line.start, |line| &line.start);
+        let slope = |place| told(place, |line| &line.slope, |line| &line.slope);
+        let places: Vec<(usize, usize)> =
+            (0..approx.len()).flat_map(|joint| (0..4).map(move |form| (joint, form))).collect();
+        let limits = |places: Vec<(usize, usize)>| {
+            places.into_iter().map(|(joint, form)| (joint, RestLimit::ALL[form])).collect::<Vec<_>>()
+        };
+        let broken: Vec<_> = places.iter().copied().filter(|place| start(*place) == Less).collect();
+        if !broken.is_empty() {
+            let at = LoadPoint { beyond: true, ..LoadPoint::of(0.0) };
+            return Leaving { at: Some(at), at_once: true, limits: limits(broken) };
+        }
+        let falling: Vec<_> = places.into_iter().filter(|place| slope(*place) == Less).collect();
+        // a/(−b) of one against that of another: a b' − a' b, as both slopes are below zero.
+        let compared = |one: (usize, usize), two: (usize, usize)| {
+            let [a, b] = [one, two].map(|(joint, form)| &approx[joint][form]);
+            let tracked = b.start * a.slope - a.start * b.slope;
+            tracked.sign().unwrap_or_else(|| {
+                let [a, b] = [one, two].map(|(joint, form)| &exact()[joint][form]);
+                sign(&(b.start.clone() * a.slope.clone() - a.start.clone() * b.slope.clone()))
+            })
+        };
+        let mut first: Vec<(usize, usize)> = Vec::new();
+        for place in falling {
+            match first.first().map_or(Less, |least| compared(place, *least)) {
+                Less => first = vec![place],
+                Equal => first.push(place),
+                Greater => {}
+            }
+        }
+        let at = first.first().map(|(joint, form)| {
+            let line = &exact()[*joint][*form];
+            LoadPoint { above: line.start.clone(), below: -line.slope.clone(), beyond: true }
+        });
+        Leaving { at, at_once: false, limits: limits(first) }
+    }
+}

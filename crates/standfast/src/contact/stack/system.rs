@@ -1,0 +1,280 @@
+//! The equations of a stack in full, by elimination in numbers without rounding: what floating point cannot tell.
+
+use std::cmp::Ordering::{self, Equal, Greater, Less};
+
+use super::rest::sign;
+use super::{
+    BodyMotion, Combination, Decider, Freedom, JointMotion, LoadPoint, StackMotion, StackNumbers,
+    is_unpressed,
+};
+use crate::ball::{Ball, Scalar};
+use crate::exact::Real;
+use crate::mode::Mode;
+
+/// A number under a load factor, and how it grows with that.
+type Grown = [Ball; 2];
+
+/// Motion and reaction of every joint times `scale`, each a number and its slope.
+struct Course {
+    motions: Vec<[Grown; 3]>,
+    reactions: Vec<[Grown; 3]>,
+    /// Above zero.
+    scale: Ball,
+    /// The sign of D.
+    orientation: Ordering,
+}
+
+fn zero() -> Ball {
+    Ball::of(0.0)
+}
+
+/// 𝓜 in the coordinates of the joints: 3n rows of as many.
+fn mass_matrix(numbers: &StackNumbers<Ball>) -> Vec<Vec<Ball>> {
+    let count = numbers.bodies.len();
+    let mut all = vec![vec![zero(); 3 * count]; 3 * count];
+    for (j, body) in numbers.bodies.iter().enumerate() {
+        // Rows of T: acceleration of the centre to the right, upwards, and the rotation.
+        let rows = |i: usize| -> [[Ball; 3]; 3] {
+            let up = numbers.joints[i].h.clone() - body.y.clone();
+            [
+                [Ball::of(1.0), zero(), up],
+                [zero(), Ball::of(1.0), body.x.clone()],
+                [zero(), zero(), Ball::of(1.0)],
+            ]
+        };
+        let inertias = [&body.m_x, &body.m_y, &body.inertia];
+        for i in 0..=j {
+            for k in 0..=j {
+                let (of_i, of_k) = (rows(i), rows(k));
+                for a in 0..3 {
+                    for b in 0..3 {
+                        let terms = (0..3)
+                            .map(|row| of_i[row][a].clone() * inertias[row].clone() * of_k[row][b].clone());
+                        let sum = terms.fold(zero(), |sum, term| sum + term);
+                        let cell = &mut all[3 * i + a][3 * k + b];
+                        *cell = cell.clone() + sum;
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Q in the coordinates of the joints: permanent and variable loads.
+fn loads(numbers: &StackNumbers<Ball>) -> Vec<Grown> {
+    let mut all = vec![[zero(), zero()]; 3 * numbers.bodies.len()];
+    for (i, joint) in numbers.joints.iter().enumerate() {
+        for body in &numbers.bodies[i..] {
+            for (part, wrench) in [&body.permanent, &body.variable].into_iter().cloned().enumerate() {
+                let arm = body.y.clone() - joint.h.clone();
+                let moment = wrench.m - wrench.x.clone() * arm - wrench.p.clone() * body.x.clone();
+                for (row, value) in [wrench.x, -wrench.p, moment].into_iter().enumerate() {
+                    let cell = &mut all[3 * i + row][part];
+                    *cell = cell.clone() + value;
+                }
+            }
+        }
+    }
+    all
+}
+
+/// The mass matrix of a stack and its loads, which no combination changes.
+pub(super) struct System {
+    mass: Vec<Vec<Ball>>,
+    loads: Vec<Grown>,
+}
+
+impl System {
+    pub(super) fn of(numbers: &StackNumbers<Ball>) -> System {
+        System { mass: mass_matrix(numbers), loads: loads(numbers) }
+    }
+}
+
+/// The solution of linear equations times their determinant, and that; `None` where it is zero. Numbers grow no more than determinants do:
+/// every division, by the pivot before, leaves no rest.
+fn solved(mut matrix: Vec<Vec<Ball>>, mut right: Vec<Grown>) -> Option<(Vec<Grown>, Ball)> {
+    let count = matrix.len();
+    let mut before = Ball::of(1.0);
+    for column in 0..count {
+        let pivot = (column..count).find(|row| sign(&matrix[*row][column]) != Equal)?;
+        if pivot != column {
+            matrix.swap(pivot, column);
+            right.swap(pivot, column);
+            // An exchange of rows changes the sign of the determinant.
+            matrix[column].iter_mut().for_each(|value| *value = -value.clone());
+            right[column].iter_mut().for_each(|value| *value = -value.clone());
+        }
+        let (own, own_right) = (matrix[column].clone(), right[column].clone());
+        let pivot = &own[column];
+        for row in (0..count).filter(|row| *row != column) {
+            let by = matrix[row][column].clone();
+            let without = |value: &Ball, own: &Ball| {
+                (value.clone() * pivot.clone() - own.clone() * by.clone()) / before.clone()
+            };
+            matrix[row] = matrix[row].iter().zip(&own).map(|(value, own)| without(value, own)).collect();
+            right[row] = std::array::from_fn(|part| without(&right[row][part], &own_right[part]));
+        }
+        before = pivot.clone();
+    }
+    Some((right, before))
+}
+
+impl Decider<'_> {
+    /// The course of a combination; `None` where D is zero: it has no motion of its own.
+    fn course(&self, modes: &[Mode], at: &LoadPoint) -> Option<Course> {
+        let numbers = self.exact();
+        let System { mass, loads } = self.system();
+        let loads: Vec<Grown> = loads
+            .iter()
+            .map(|[steady, growing]| {
+                let value = steady.clone() * at.below.clone() + growing.clone() * at.above.clone();
+                // A slope that nothing asks for costs nothing as a zero.
+                [value, if at.beyond { growing.clone() * at.below.clone() } else { zero() }]
+            })
+            .collect();
+        let freedoms: Vec<Freedom<Ball>> =
+            numbers.joints.iter().zip(modes).map(|(joint, mode)| Freedom::of(joint, *mode)).collect();
+        let columns: Vec<(usize, &[Ball; 3])> = freedoms
+            .iter()
+            .enumerate()
+            .flat_map(|(joint, freedom)| freedom.motions.iter().map(move |motion| (joint, motion)))
+            .collect();
+        let rows: Vec<(usize, &[Ball; 3])> = freedoms
+            .iter()
+            .enumerate()
+            .flat_map(|(joint, freedom)| freedom.rows.iter().map(move |row| (joint, row)))
+            .collect();
+        let sum = |terms: &mut dyn Iterator<Item = Ball>| terms.fold(zero(), |sum, term| sum + term);
+        let matrix = rows
+            .iter()
+            .map(|(i, row)| {
+                columns
+                    .iter()
+                    .map(|(k, motion)| {
+                        sum(&mut (0..9).map(|place| {
+                            let (a, b) = (place / 3, place % 3);
+                            row[a].clone() * mass[3 * i + a][3 * k + b].clone() * motion[b].clone()
+                        }))
+                    })
+                    .collect()
+            })
+            .collect();
+        let right = rows
+            .iter()
+            .map(|(i, row)| {
+                std::array::from_fn(|part| {
+                    sum(&mut (0..3).map(|a| row[a].clone() * loads[3 * i + a][part].clone()))
+                })
+            })
+            .collect();
+        let (mut shares, mut determinant) = solved(matrix, right)?;
+        let orientation = sign(&determinant);
+        if orientation == Less {
+            determinant = -determinant;
+            shares = shares.into_iter().map(|share| share.map(|part| -part)).collect();
+        }
+        let mut motions = vec![std::array::from_fn::<Grown, 3, _>(|_| [zero(), zero()]); modes.len()];
+        for ((joint, motion), share) in columns.iter().zip(&shares) {
+            for (row, direction) in motion.iter().enumerate() {
+                for part in 0..2 {
+                    let cell = &mut motions[*joint][row][part];
+                    *cell = cell.clone() + direction.clone() * share[part].clone();
+                }
+            }
+        }
+        let reactions = (0..modes.len())
+            .map(|i| {
+                std::array::from_fn(|row| {
+                    std::array::from_fn(|part| {
+                        let inertia = sum(&mut motions.iter().enumerate().flat_map(|(k, motion)| {
+                            let mass = &mass[3 * i + row];
+                            (0..3).map(move |b| mass[3 * k + b].clone() * motion[b][part].clone())
+                        }));
+                        inertia - loads[3 * i + row][part].clone() * determinant.clone()
+                    })
+                })
+            })
+            .collect();
+        Some(Course { motions, reactions, scale: determinant * at.below.clone(), orientation })
+    }
+
+    /// The combination, if it is consistent.
+    pub(super) fn settled(&self, modes: &[Mode], at: &LoadPoint) -> Option<Combination> {
+        let course = self.course(modes, at)?;
+        let mut unpressed = 0;
+        for (place, mode) in modes.iter().enumerate() {
+            let signs = self.signs(&course, place, *mode, at);
+            if signs.iter().any(|(sign, strict)| *sign == Less || (*strict && *sign == Equal)) {
+                return None;
+            }
+            let signs: Vec<Ordering> = signs.into_iter().map(|(sign, _)| sign).collect();
+            unpressed |= u8::from(is_unpressed(*mode, &signs)) << place;
+        }
+        Some(Combination { modes: modes.to_vec(), regular: course.orientation == Greater, unpressed })
+    }
+
+    /// The signs of the conditions of a joint, and whether each is strict.
+    fn signs(&self, course: &Course, place: usize, mode: Mode, at: &LoadPoint) -> Vec<(Ordering, bool)> {
+        let joint = &self.exact().joints[place];
+        let part = |part: usize| {
+            let of = |numbers: &[Grown; 3]| std::array::from_fn(|row| numbers[row][part].clone());
+            joint.conditions(mode, &of(&course.motions[place]), &of(&course.reactions[place]))
+        };
+        let ((values, count), (slopes, _)) = (part(0), part(1));
+        let signs = values.iter().zip(&slopes).take(count).map(|(value, slope)| {
+            let sign = match sign(&value.value) {
+                Equal if at.beyond => sign(&slope.value),
+                sign => sign,
+            };
+            (sign, value.strict)
+        });
+        signs.collect()
+    }
+
+    /// True if friction would hold a joint that rests in a combination: |f| ≤ μ_sN, whatever its other conditions.
+    pub(super) fn would_hold(&self, modes: &[Mode], place: usize, at: &LoadPoint) -> bool {
+        let course = self.course(modes, at);
+        course.is_some_and(|course| {
+            let signs = self.signs(&course, place, Mode::Rest, at);
+            signs[2..].iter().all(|(sign, _)| *sign != Less)
+        })
+    }
+
+    /// The motion of a combination, in numbers that are rounded once.
+    pub(super) fn exact_motion(&self, modes: &[Mode], at: &LoadPoint) -> StackMotion {
+        let zeros = || std::array::from_fn(|_| [zero(), zero()]);
+        let course = self.course(modes, at).unwrap_or_else(|| Course {
+            motions: vec![zeros(); modes.len()],
+            reactions: vec![zeros(); modes.len()],
+            scale: Ball::of(1.0),
+            orientation: Equal,
+        });
+        let scale = course.scale.clone();
+        let numbers = self.exact();
+        let value = |numbers: &[Grown; 3]| -> [Ball; 3] {
+            std::array::from_fn(|row| numbers[row][0].clone() / scale.clone())
+        };
+        let joints = course.motions.iter().zip(&course.reactions).map(|(motion, reaction)| {
+            let ([t, v, ω], [f, n, g]) = (value(motion), value(reaction));
+            let xi = if sign(&n) == Equal { 0.0 } else { (g / n.clone()).value() };
+            JointMotion { t: t.value(), v: v.value(), omega: ω.value(), f: f.value(), n: n.value(), xi }
+        });
+        let joints: Vec<_> = joints.collect();
+        // Of the point of body i at the origin: right, up, and the rotation.
+        let mut at_origin = [zero(), zero(), zero()];
+        let bodies =
+            numbers.bodies.iter().zip(&numbers.joints).zip(&course.motions).map(|((body, joint), motion)| {
+                let [t, v, ω] = value(motion);
+                let [right, up, turn] = at_origin.clone();
+                at_origin = [right + t + ω.clone() * joint.h.clone(), up + v, turn + ω];
+                let [right, up, turn] = at_origin.clone();
+                BodyMotion {
+                    x_ddot: (right - turn.clone() * body.y.clone()).value(),
+                    y_ddot: (up + turn.clone() * body.x.clone()).value(),
+                    theta_ddot: turn.value(),
+                }
+            });
+        StackMotion { bodies: bodies.collect(), joints }
+    }
+}
