@@ -23,6 +23,7 @@ mod run;
 mod sheet;
 mod simulate;
 mod spectrum;
+mod stack;
 mod table;
 mod watch;
 
@@ -132,6 +133,8 @@ mod _standfast {
     use super::simulate::{MotionAnswer, simulate};
     #[pymodule_export]
     use super::spectrum::spectrum;
+    #[pymodule_export]
+    use super::stack::stack;
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "Python's name for it")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

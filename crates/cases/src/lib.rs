@@ -21,6 +21,7 @@
 //! | What becomes of a block in time? | [`motion`] |
 //! | How likely is each mode if some numbers are random? | [`random`] |
 //! | What is printed for one point? | [`point`] |
+//! | What is printed for a stack in pure numbers? | [`stack`] |
 //! | What does an error say, where, and how is it drawn? | [`Explained`], [`report`] |
 //!
 //! Nothing here reads or writes a file: those that a case names are read by whoever calls ([`ReadFile`]). All mechanics is `standfast`'s; all drawing is
@@ -42,6 +43,7 @@ pub mod motion;
 pub mod point;
 pub mod random;
 mod report;
+pub mod stack;
 mod summary;
 
 pub use assess::{Assessed, Assessment, AssessmentView, UpToError, check_up_to};

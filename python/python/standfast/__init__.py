@@ -6,6 +6,7 @@ with what motion, and is it the only one?                 :func:`onset`
 why, and when would it be another?                        :func:`explain`
 how far is each inequality from failing?                  :func:`limit_states`
 any body under any wrench: added mass, two frictions      :func:`contact`
+bodies on bodies: which joint moves first, and all modes  :func:`stack`
 what does the whole k-μ plane look like?                  :class:`Diagram`
 a case to begin from: caisson, statue, rack, wall         :func:`new`
 a body with its loads: water, waves, earthquakes          :func:`assess`
@@ -38,6 +39,7 @@ from ._probability import Probability, draws, probability
 from ._sheet import sheet
 from ._simulate import Simulation, simulate
 from ._spectrum import Spectrum, spectrum
+from ._stack import Stack, stack
 from ._standfast import CaseError, NoSolution, StandfastError, __version__
 from ._table import ResultColumn, Varied, assess_table, varied
 from ._warnings import StandfastWarning
@@ -76,6 +78,7 @@ __all__ = [
     "Simulation",
     "Situation",
     "Spectrum",
+    "Stack",
     "StandfastError",
     "StandfastWarning",
     "Varied",
@@ -96,6 +99,7 @@ __all__ = [
     "sheet",
     "simulate",
     "spectrum",
+    "stack",
     "symbols",
     "varied",
 ]

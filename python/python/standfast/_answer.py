@@ -179,6 +179,8 @@ def value_of(key: Key, given: Any, kind: Any) -> Any:
     if isinstance(given, list):
         if "Modes" in key.type:
             return modes(given)
+        if key.type.startswith(("list[Mode]", "list[list[Mode]]")):
+            return [mode(one) if isinstance(one, str) else list(map(mode, one)) for one in given]
         if key.type.startswith("ByMode["):
             return ByMode((part["mode"], kind(part)) for part in given)
         return copied(given) if kind is None else parts(kind, given)

@@ -25,6 +25,7 @@ MODULES = {
         "spectrum": ("SpectrumDocument", "what `spectrum` answers"),
     },
     "chances": {"probability": ("ProbabilityDocument", "what `probability` answers")},
+    "stacks": {"stack": ("StackDocument", "what `stack` answers")},
 }
 #: Keys of documents for which the package has something of its own.
 _OWN = {"Document": ("governing", "situations", "figures"), "SpectrumDocument": ("figures", "points")}

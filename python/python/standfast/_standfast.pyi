@@ -56,6 +56,7 @@ __all__ = [
     "sheet",
     "simulate",
     "spectrum",
+    "stack",
     "title_block",
 ]
 
@@ -242,6 +243,9 @@ class _Spectrum(Protocol):
 def spectrum(
     case: _MotionCase, base: tuple[_RecordOf, _RecordOf], asked: _Spectrum
 ) -> tuple[str, str, str, list[tuple[str, str, str, _Kept]], bool]: ...
+def stack(
+    bodies: Sequence[Sequence[float]], joints: Sequence[Sequence[float]], shaking: tuple[Sequence[float], bool]
+) -> tuple[str, str]: ...
 
 class _Asked(Protocol):
     """`_probability._Asked`."""
