@@ -808,3 +808,242 @@ fn what_is_no_stack_is_refused() {
     assert!((departure.load_factor - 1.0 / 7.0 / 0.3).abs() < 1e-12 && departure.answer.modes().is_empty());
     assert_eq!(RestLimit::ALL[0], RestLimit::Slides(Slip::Left));
 }
+
+/// The motion (t, v, ω) and the reaction (f, N, G) of each joint in a combination, and D, by elimination in the 3n equations of the bodies' own
+/// coordinates with the reactions as unknowns: no coordinates of joints, no recursion.
+struct Full {
+    motions: Vec<[f64; 3]>,
+    reactions: Vec<[f64; 3]>,
+    determinant: f64,
+}
+
+fn solved_in_full(stack: &Stack, factor: f64, modes: &[Mode]) -> Option<Full> {
+    let n = modes.len();
+    // Unknowns: accelerations of the centres (3n), then reactions f, N, G of the joints (3n).
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    let mut row = |terms: &[(usize, f64)], right: f64| {
+        let mut row = vec![0.0; 6 * n + 1];
+        terms.iter().for_each(|(place, value)| row[*place] += value);
+        row[6 * n] = right;
+        rows.push(row);
+    };
+    let reaction = |joint: usize, part: usize| 3 * n + 3 * joint + part;
+    for (j, body) in stack.bodies.iter().enumerate() {
+        let Wrench { x, p, m } = body.permanent + body.variable * factor;
+        let mut sums =
+            [vec![(3 * j, body.m_x)], vec![(3 * j + 1, body.m_y)], vec![(3 * j + 2, body.inertia)]];
+        for (joint, sign) in [(j, -1.0), (j + 1, 1.0)] {
+            if joint < n {
+                sums[0].push((reaction(joint, 0), sign));
+                sums[1].push((reaction(joint, 1), sign));
+                // About the centre: G − x N + (y − h) f.
+                sums[2].push((reaction(joint, 2), sign));
+                sums[2].push((reaction(joint, 1), -sign * body.x));
+                sums[2].push((reaction(joint, 0), sign * (body.y - stack.joints[joint].h)));
+            }
+        }
+        for (terms, load) in sums.iter().zip([x, -p, m]) {
+            row(terms, load);
+        }
+    }
+    // Of (0, h) on a body: right ẍ − ω (h − y), up ÿ − ω x.
+    let relative = |joint: usize, part: usize| -> Vec<(usize, f64)> {
+        let mut terms = Vec::new();
+        for (body, sign) in [(Some(joint), 1.0), (joint.checked_sub(1), -1.0)] {
+            let Some(j) = body else { continue };
+            let of = stack.bodies[j];
+            match part {
+                0 => terms.extend([(3 * j, sign), (3 * j + 2, -sign * (stack.joints[joint].h - of.y))]),
+                1 => terms.extend([(3 * j + 1, sign), (3 * j + 2, -sign * of.x)]),
+                _ => terms.push((3 * j + 2, sign)),
+            }
+        }
+        terms
+    };
+    for (place, (mode, joint)) in modes.iter().zip(&stack.joints).enumerate() {
+        let [f, normal, g] = [0, 1, 2].map(|part| reaction(place, part));
+        let end = |corner: Corner| if corner == Corner::O { joint.l } else { joint.r };
+        let slips = |slip: Slip| [(f, 1.0), (normal, slip.sign() * joint.mu_k)];
+        // Nothing lifts at the corner: v + cω = 0.
+        let closed = |corner: Corner| {
+            let turns = relative(place, 2).into_iter().map(|(k, value)| (k, value * end(corner)));
+            relative(place, 1).into_iter().chain(turns).collect::<Vec<_>>()
+        };
+        match (*mode, mode.corner(), mode.slip()) {
+            (Mode::Flight, ..) => [f, normal, g].into_iter().for_each(|k| row(&[(k, 1.0)], 0.0)),
+            (_, None, slip) => {
+                match slip {
+                    Some(slip) => row(&slips(slip), 0.0),
+                    None => row(&relative(place, 0), 0.0),
+                }
+                row(&relative(place, 1), 0.0);
+                row(&relative(place, 2), 0.0);
+            }
+            (_, Some(corner), slip) => {
+                match slip {
+                    Some(slip) => row(&slips(slip), 0.0),
+                    None => row(&relative(place, 0), 0.0),
+                }
+                row(&closed(corner), 0.0);
+                row(&[(g, 1.0), (normal, -end(corner))], 0.0);
+            }
+        }
+    }
+    let count = 6 * n;
+    for column in 0..count {
+        let pivot =
+            (column..count).max_by(|a, b| rows[*a][column].abs().total_cmp(&rows[*b][column].abs()))?;
+        if rows[pivot][column].abs() < 1e-11 {
+            return None;
+        }
+        rows.swap(column, pivot);
+        let own = rows[column].clone();
+        for (other, values) in rows.iter_mut().enumerate() {
+            let by = values[column] / own[column];
+            if other != column && by != 0.0 {
+                values.iter_mut().zip(&own).for_each(|(value, own)| *value -= by * own);
+            }
+        }
+    }
+    let value = |k: usize| rows[k][count] / rows[k][k];
+    let sum = |terms: Vec<(usize, f64)>| terms.into_iter().map(|(k, by)| by * value(k)).sum::<f64>();
+    Some(Full {
+        motions: (0..n).map(|joint| [0, 1, 2].map(|part| sum(relative(joint, part)))).collect(),
+        reactions: (0..n).map(|joint| [0, 1, 2].map(|part| value(reaction(joint, part)))).collect(),
+        determinant: stack.orientation(modes).unwrap(),
+    })
+}
+
+/// The conditions of a joint: none below zero, and the strict ones above.
+fn conditions_of(joint: &Joint, mode: Mode, [t, v, ω]: [f64; 3], [f, n, g]: [f64; 3]) -> Vec<f64> {
+    let holds = [joint.mu_s * n - f, joint.mu_s * n + f];
+    let on_joint = [g - joint.l * n, joint.r * n - g];
+    let lifts = |corner: Corner| if corner == Corner::O { ω } else { -ω };
+    match (mode, mode.corner(), mode.slip()) {
+        (Mode::Flight, ..) => vec![v + joint.l * ω, v + joint.r * ω],
+        (_, None, None) => [holds, on_joint].concat(),
+        (_, None, Some(slip)) => vec![slip.sign() * t, on_joint[0], on_joint[1]],
+        (_, Some(corner), None) => vec![lifts(corner), n, holds[0], holds[1]],
+        (_, Some(corner), Some(slip)) => vec![lifts(corner), n, slip.sign() * t],
+    }
+}
+
+/// All combinations of so many joints.
+fn all_combinations(count: usize) -> Vec<Vec<Mode>> {
+    (0..10usize.pow(count as u32))
+        .map(|number| (0..count).map(|joint| Mode::ALL[number / 10usize.pow(joint as u32) % 10]).collect())
+        .collect()
+}
+
+/// Stick before slip, as the module says it, on what is found in full; and whether its second rule struck one.
+fn left_over(stack: &Stack, found: &[Vec<Mode>]) -> (Vec<Vec<Mode>>, bool) {
+    let better = |joint: usize| stack.joints[joint].mu_s > stack.joints[joint].mu_k;
+    let beaten = |one: &[Mode], other: &[Mode]| {
+        let joints = 0..one.len();
+        let fewer = joints.clone().all(|j| other[j].slip().is_none() || other[j] == one[j]);
+        let sticks = |j: usize| match (one[j], other[j]) {
+            (slide, Mode::Rest | Mode::RockO | Mode::RockOPrime) if slide.corner().is_none() => {
+                slide.slip().is_some()
+            }
+            (slip, Mode::Rest) => slip.slip().is_some(),
+            (slip, Mode::RockO) => slip.slip().is_some() && slip.corner() == Some(Corner::O),
+            (slip, Mode::RockOPrime) => slip.slip().is_some() && slip.corner() == Some(Corner::OPrime),
+            _ => false,
+        };
+        fewer && joints.clone().any(|j| better(j) && sticks(j))
+    };
+    let left: Vec<Vec<Mode>> =
+        found.iter().filter(|one| !found.iter().any(|other| beaten(one, other))).cloned().collect();
+    let would_stick = |one: &Vec<Mode>| {
+        (0..one.len()).any(|j| {
+            let slides = matches!(one[j], Mode::SlideLeft | Mode::SlideRight) && better(j);
+            let mut held = one.clone();
+            held[j] = Mode::Rest;
+            slides
+                && solved_in_full(stack, 1.0, &held).is_some_and(|full| {
+                    let [f, n, _] = full.reactions[j];
+                    f.abs() <= stack.joints[j].mu_s * n
+                })
+        })
+    };
+    let kept: Vec<Vec<Mode>> = left.iter().filter(|one| !would_stick(one)).cloned().collect();
+    let struck = !kept.is_empty() && kept.len() < left.len();
+    (if kept.is_empty() { left } else { kept }, struck)
+}
+
+/// Every combination that the 6n equations of bodies and reactions make consistent is found, with its motion, and no other; and of these
+/// those are kept that stick before slip leaves.
+#[test]
+fn all_combinations_are_those_of_the_equations_in_full() {
+    let mut random = Random(22);
+    let (mut several, mut by_the_second_rule, mut negative) = (0, 0, 0);
+    for round in 0..tries(1_500) {
+        let count = if round % 10 == 0 { 3 } else { 2 };
+        let ratio = random.pick(&[1.0, 0.9, 0.7, 0.5]);
+        let mut stack = random_stack(&mut random, count, ratio);
+        // Frictions up to 3, off all edges.
+        for joint in &mut stack.joints {
+            joint.mu_s = joint.mu_s * random.uniform(1.0, 2.5) + 0.01;
+            joint.mu_k = joint.mu_s * ratio;
+        }
+        for body in &mut stack.bodies {
+            body.permanent.x += random.uniform(-1e-2, 1e-2);
+            body.permanent.m += random.uniform(-1e-2, 1e-2);
+        }
+        let mut near = false;
+        let found: Vec<Vec<Mode>> = all_combinations(count)
+            .into_iter()
+            .filter(|modes| {
+                let Some(full) = solved_in_full(&stack, 1.0, modes) else { return false };
+                let joints = stack.joints.iter().zip(modes).zip(full.motions.iter().zip(&full.reactions));
+                let least = joints
+                    .flat_map(|((joint, mode), (motion, reaction))| {
+                        conditions_of(joint, *mode, *motion, *reaction)
+                    })
+                    .fold(f64::INFINITY, f64::min);
+                near |= least.abs() < 1e-9;
+                least > 0.0
+            })
+            .collect();
+        if near {
+            continue;
+        }
+        let modes = |all: &[standfast::contact::stack::Combination]| {
+            let mut all: Vec<Vec<Mode>> = all.iter().map(|one| one.modes.clone()).collect();
+            all.sort();
+            all
+        };
+        let mut expected = found.clone();
+        expected.sort();
+        let every = stack.every_combination(1.0).unwrap();
+        assert_eq!(modes(&every), expected, "{stack:?}");
+        for one in &every {
+            let full = solved_in_full(&stack, 1.0, &one.modes).unwrap();
+            assert_eq!(one.regular, full.determinant > 0.0, "{stack:?}");
+            negative += u32::from(!one.regular);
+        }
+        let answer = stack.answer(1.0).unwrap();
+        let (mut expected, struck) = left_over(&stack, &found);
+        expected.sort();
+        assert_eq!(modes(answer.combinations()), expected, "{stack:?}");
+        let full = solved_in_full(&stack, 1.0, answer.modes()).unwrap();
+        for (joint, (motion, reaction)) in
+            answer.motion().unwrap().joints.iter().zip(full.motions.iter().zip(&full.reactions))
+        {
+            let pairs = [
+                (joint.t, motion[0]),
+                (joint.v, motion[1]),
+                (joint.omega, motion[2]),
+                (joint.f, reaction[0]),
+                (joint.n, reaction[1]),
+            ];
+            assert!(pairs.iter().all(|(a, b)| (a - b).abs() < 1e-7 * (1.0 + b.abs())), "{stack:?} {pairs:?}");
+        }
+        several += u32::from(every.len() > 1);
+        by_the_second_rule += u32::from(struck);
+    }
+    assert!(
+        several > 0 && negative > 0 && by_the_second_rule > 0,
+        "{several} {negative} {by_the_second_rule}"
+    );
+}

@@ -278,3 +278,82 @@ impl Decider<'_> {
         StackMotion { bodies: bodies.collect(), joints }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Joint, Shaking, Stack, StackBody};
+    use super::*;
+    use crate::wrench::Wrench;
+
+    /// Two bodies with numbers from a generator of its own, so heavy on friction that some D are below zero.
+    fn stack(seed: u32) -> Stack {
+        let mut state = seed.wrapping_mul(2_654_435_761).wrapping_add(12_345);
+        let mut number = |low: f64, high: f64| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            low + (high - low) * f64::from(state >> 8) / f64::from(1 << 24)
+        };
+        let mut stack = Stack { shaking: Shaking::default(), ..Stack::default() };
+        for place in 0..2 {
+            let h = f64::from(place);
+            let μ = number(0.3, 3.0);
+            stack.joints.push(Joint { h, l: number(-1.0, -0.3), r: number(0.3, 1.0), mu_s: μ, mu_k: μ });
+            let permanent = Wrench { x: number(-2.0, 2.0), p: number(0.2, 2.0), m: number(-1.0, 1.0) };
+            stack.bodies.push(StackBody { y: h + 0.5, permanent, ..StackBody::of(1.0, number(0.05, 0.4)) });
+        }
+        stack
+    }
+
+    /// Two cubes pushed at the foot of the lower one, at the limit of friction: of three combinations one has D < 0.
+    fn cubes() -> Stack {
+        let joint = |h| Joint { h, l: -0.5, r: 0.5, mu_s: 1.0, mu_k: 1.0 };
+        let cube =
+            |y, x, m| StackBody { y, permanent: Wrench { x, p: 1.0, m }, ..StackBody::of(1.0, 1.0 / 6.0) };
+        Stack {
+            bodies: vec![cube(0.5, -1.02, -1.0025), cube(1.5, -1.04, 0.0)],
+            joints: vec![joint(0.0), joint(1.0)],
+            shaking: Shaking::default(),
+        }
+    }
+
+    /// What elimination says of each of all combinations is what the recursion says, and so is every motion.
+    #[test]
+    fn elimination_and_recursion_say_the_same() {
+        let (mut negative, mut consistent) = (0, 0);
+        for stack in (0..60).map(stack).chain([cubes()]) {
+            let decider = stack.decider().unwrap();
+            let at = LoadPoint::of(1.0);
+            let found = decider.consistent(&at);
+            let all: Vec<[Mode; 2]> =
+                Mode::ALL.into_iter().flat_map(|one| Mode::ALL.map(|other| [one, other])).collect();
+            let settled = all.iter().filter_map(|modes| decider.settled(modes, &at)).collect();
+            let sorted = |mut all: Vec<Combination>| {
+                all.sort_by(|one, other| one.modes.cmp(&other.modes));
+                all
+            };
+            consistent += found.iter().filter(|one| !one.regular).count();
+            assert_eq!(sorted(found), sorted(settled), "{stack:?}");
+            for modes in &all {
+                let Some(course) = decider.course(modes, &at) else { continue };
+                assert_eq!(
+                    course.orientation == Greater,
+                    decider.orientation(modes) > 0.0,
+                    "{stack:?} {modes:?}"
+                );
+                negative += u32::from(course.orientation == Less);
+                let [rounded, exact] = [decider.motion(modes, &at), decider.exact_motion(modes, &at)];
+                for (a, b) in rounded.joints.iter().zip(&exact.joints) {
+                    let pairs =
+                        [(a.t, b.t), (a.v, b.v), (a.omega, b.omega), (a.f, b.f), (a.n, b.n), (a.xi, b.xi)];
+                    let near = |(a, b): &(f64, f64)| (a - b).abs() <= 1e-9 * (1.0 + b.abs());
+                    assert!(pairs.iter().all(near), "{modes:?} {a:?} {b:?}");
+                }
+                for (a, b) in rounded.bodies.iter().zip(&exact.bodies) {
+                    let pairs = [(a.x_ddot, b.x_ddot), (a.y_ddot, b.y_ddot), (a.theta_ddot, b.theta_ddot)];
+                    let near = |(a, b): &(f64, f64)| (a - b).abs() <= 1e-9 * (1.0 + b.abs());
+                    assert!(pairs.iter().all(near), "{modes:?} {a:?} {b:?}");
+                }
+            }
+        }
+        assert!(negative > 0 && consistent > 0);
+    }
+}
