@@ -29,8 +29,11 @@
 //!
 //! (x from O; upwards where the body overhangs), and sideways as on an upright wall. The right is its mirror image.
 
+mod cut;
 mod polygon;
 mod slices;
+
+pub use cut::{CutError, Piece, PlacedForce};
 
 use crate::ball::COMPUTED;
 use crate::body::{BaseEdges, Body};
