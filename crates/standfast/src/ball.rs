@@ -132,6 +132,17 @@ impl Ball {
         self.radius == 0.0
     }
 
+    /// Its parts above and below the line, whole numbers, the latter above zero; the radius goes with the former.
+    pub(crate) fn parts(&self) -> [Ball; 2] {
+        let whole = |number: &BigInt, radius: f64| Ball {
+            numerator: number.clone(),
+            denominator: BigInt::from(1),
+            radius,
+        };
+        let radius = if self.is_exact() { 0.0 } else { up(self.radius * value(&self.denominator)) };
+        [whole(&self.numerator, radius), whole(&self.denominator, 0.0)]
+    }
+
     /// True if it is zero for certain.
     fn is_nothing(&self) -> bool {
         self.numerator.sign() == Sign::NoSign && self.is_exact()

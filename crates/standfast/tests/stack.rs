@@ -137,6 +137,45 @@ fn a_stack_of_one_body_is_the_contact_problem() {
     }
 }
 
+/// Inside each stage its modes are consistent, beyond its end they are not; the first ends where the stack leaves rest.
+#[test]
+fn a_path_keeps_modes_until_they_fail() {
+    let mut random = Random(23);
+    let mut stages = 0;
+    for round in 0..tries(1_500) {
+        let count = 1 + (random.bits() % 3) as usize;
+        let stack = random_stack(&mut random, count, if round % 2 == 0 { 1.0 } else { 0.8 });
+        let path = stack.path().unwrap();
+        assert_eq!(path[0].from, 0.0);
+        assert_eq!(path.last().unwrap().to, f64::INFINITY, "{stack:?} {path:?}");
+        let departure = stack.departure().unwrap();
+        if !departure.at_once && departure.load_factor > 0.0 {
+            assert!(path[0].modes.iter().all(|mode| *mode == Mode::Rest));
+            assert_eq!(path[0].to, departure.load_factor, "{stack:?}");
+            if path.len() > 1 {
+                assert_eq!(path[1].modes, departure.answer.modes(), "{stack:?}");
+            }
+        }
+        for (stage, next) in path.iter().zip(path.iter().skip(1).map(Some).chain([None])) {
+            stages += 1;
+            assert!(stage.from < stage.to && next.is_none_or(|next| next.from == stage.to), "{path:?}");
+            let holds = |factor: f64| {
+                stack.every_combination(factor).unwrap().iter().any(|one| one.modes == stage.modes)
+            };
+            let inside =
+                if stage.to.is_finite() { (stage.from + stage.to) / 2.0 } else { 2.0 * stage.from + 1.0 };
+            // Two stages an ulp apart have nothing between them.
+            if inside - stage.from > 1e-9 * inside {
+                assert!(holds(inside), "{stack:?} {stage:?}");
+            }
+            if stage.to.is_finite() {
+                assert!(!holds(stage.to * (1.0 + 1e-7)), "{stack:?} {stage:?}");
+            }
+        }
+    }
+    assert!(stages > tries(1_500), "{stages}");
+}
+
 /// X, P and the moment about (0, h) of all above a joint under a load factor.
 fn carried(stack: &Stack, joint: usize, factor: f64) -> [f64; 3] {
     let h = stack.joints[joint].h;

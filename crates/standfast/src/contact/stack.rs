@@ -231,6 +231,19 @@ pub struct StackDeparture {
     pub answer: StackAnswer,
 }
 
+/// Load factors between which a stack that is loaded in proportion keeps its modes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StackStage {
+    /// The load factor at which it begins.
+    pub from: f64,
+    /// The load factor at which it ends; infinite for the last.
+    pub to: f64,
+    /// The mode of each joint, from the ground up.
+    pub modes: Vec<Mode>,
+    /// Other combinations that are as consistent where it begins.
+    pub others: Vec<Vec<Mode>>,
+}
+
 /// The combinations of modes that a stack can begin with.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StackAnswer {
@@ -389,6 +402,39 @@ impl Stack {
         Ok(decider.answer(&LoadPoint::of(load_factor)))
     }
 
+    /// The modes as the variable loads rise from nothing without end: a combination stays until one of its conditions fails.
+    ///
+    /// # Errors
+    /// As [`answer`](Stack::answer).
+    ///
+    /// ```
+    /// use standfast::contact::stack::{Joint, Stack, StackBody};
+    /// use standfast::Wrench;
+    ///
+    /// // The lower of two flat slabs of weight 1 is pulled: both slide, then it is pulled from under the upper one.
+    /// let slab = |y, x| StackBody {
+    ///     y,
+    ///     permanent: Wrench { x: 0.0, p: 1.0, m: 0.0 },
+    ///     variable: Wrench { x, p: 0.0, m: 0.0 },
+    ///     ..StackBody::of(1.0, 1.0)
+    /// };
+    /// let joint = |h| Joint { h, l: -5.0, r: 5.0, mu_s: 0.5, mu_k: 0.5 };
+    /// let stack = Stack {
+    ///     bodies: vec![slab(0.1, 1.0), slab(0.3, 0.0)],
+    ///     joints: vec![joint(0.0), joint(0.2)],
+    ///     ..Stack::default()
+    /// };
+    /// let path = stack.path()?;
+    /// let stages: Vec<_> = path.iter().map(|stage| (stage.from, stage.modes[0].symbol(), stage.modes[1].symbol())).collect();
+    /// assert_eq!(stages, [(0.0, "RE", "RE"), (1.0, "SL+", "RE"), (2.0, "SL+", "SL")]);
+    /// # Ok::<(), standfast::contact::stack::StackError>(())
+    /// ```
+    pub fn path(&self) -> Result<Vec<StackStage>, StackError> {
+        let decider = self.decider()?;
+        decider.enumerable()?;
+        Ok(decider.path())
+    }
+
     /// Every combination whose conditions hold then, before stick is tried before slip, each motion once.
     ///
     /// # Errors
@@ -509,6 +555,22 @@ impl<'a> Decider<'a> {
         joints.dedup();
         let load_factor = leaving.at.map_or(f64::INFINITY, |at| at.factor().value());
         StackDeparture { load_factor, at_once: leaving.at_once, joints, limits: leaving.limits, answer }
+    }
+
+    /// The stages of the variable loads that rise without end.
+    pub(crate) fn path(&self) -> Vec<StackStage> {
+        let mut stages: Vec<StackStage> = Vec::new();
+        let mut next = Some(LoadPoint { beyond: true, ..LoadPoint::of(0.0) });
+        while let Some(at) = next.take() {
+            let combinations = self.chosen(self.consistent(&at), &at);
+            let from = at.factor().value();
+            let Some((first, others)) = combinations.split_first() else { break };
+            next = self.fails(&first.modes, &at);
+            let to = next.as_ref().map_or(f64::INFINITY, |at| at.factor().value());
+            let others = others.iter().map(|one| one.modes.clone()).collect();
+            stages.push(StackStage { from, to, modes: first.modes.clone(), others });
+        }
+        stages
     }
 
     /// The combinations under a load, and the motion of the one reported.

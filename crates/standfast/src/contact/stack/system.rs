@@ -232,6 +232,35 @@ impl Decider<'_> {
         signs.collect()
     }
 
+    /// Just beyond which load factor a combination that holds just beyond another first fails; `None` if it never does.
+    pub(super) fn fails(&self, modes: &[Mode], at: &LoadPoint) -> Option<LoadPoint> {
+        let course = self.course(modes, at)?;
+        let mut first: Option<[Ball; 2]> = None;
+        for (place, mode) in modes.iter().enumerate() {
+            let joint = &self.exact().joints[place];
+            let part = |part: usize| {
+                let of = |numbers: &[Grown; 3]| std::array::from_fn(|row| numbers[row][part].clone());
+                joint.conditions(*mode, &of(&course.motions[place]), &of(&course.reactions[place]))
+            };
+            let ((values, count), (slopes, _)) = (part(0), part(1));
+            for (value, slope) in values.into_iter().zip(slopes).take(count) {
+                // How far it is from here as a fraction; nothing that does not fall, nor what is and stays at zero.
+                let ahead = [value.value, -slope.value];
+                let is_falling = sign(&ahead[1]) == Greater;
+                let is_nearer = first.as_ref().is_none_or(|[above, below]| {
+                    let apart = ahead[0].clone() * below.clone() - above.clone() * ahead[1].clone();
+                    sign(&apart) == Less
+                });
+                if is_falling && is_nearer {
+                    first = Some(ahead);
+                }
+            }
+        }
+        let [above, below] = first?;
+        let [above, below] = (at.factor() + above / below).parts();
+        Some(LoadPoint { above, below, beyond: true })
+    }
+
     /// True if friction would hold a joint that rests in a combination: |f| ≤ μ_sN, whatever its other conditions.
     pub(super) fn would_hold(&self, modes: &[Mode], place: usize, at: &LoadPoint) -> bool {
         let course = self.course(modes, at);
