@@ -16,7 +16,7 @@
 //!
 //! | question | module |
 //! |---|---|
-//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `ground` (the k–μ plane where the base gives way), `rotation` (moment and rotation of an elastic base), `feasible` (two quantities of a design) |
+//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `stack` (two numbers of a stack), `ground` (the k–μ plane where the base gives way), `rotation` (moment and rotation of an elastic base), `feasible` (two quantities of a design) |
 //! | What stands where, and what presses on it? | [`section`](fn@section) |
 //! | How likely is each mode? | `chances`: points with intervals, what matters, lines with intervals, clouds of draws |
 //! | What became of a body in time? | `motion`: histories, positions, a picture that moves |
@@ -66,9 +66,11 @@ mod scene;
 mod screen;
 mod section;
 mod sheet;
+mod stack;
 mod text;
 mod texture;
 
+use standfast::contact::stack::plane::StackPlane;
 use standfast::diagram::Window;
 use standfast::ground::bearing::BearingPlane;
 use standfast::ground::load_plane::{GroundLoadPlane, LoadEdge};
@@ -370,6 +372,29 @@ pub struct LoadPlane<'a> {
 /// ```
 pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
     plane::figure(plane, None)
+}
+
+/// The plane of two numbers of a stack of bodies.
+#[derive(Debug, Clone, Copy)]
+pub struct StackMap<'a> {
+    /// Its regions.
+    pub plane: &'a StackPlane,
+    /// The largest k and μ shown.
+    pub window: [f64; 2],
+    /// Name of k, in markup.
+    pub across: &'a str,
+    /// Name of μ, in markup.
+    pub up: &'a str,
+    /// Boundaries known in closed form, as μ of k: points of each.
+    pub curves: &'a [Vec<(f64, f64)>],
+    /// Title, in a line; not markup.
+    pub title: &'a str,
+}
+
+/// The plane of two numbers of a stack: each region is named by the modes of its joints from the ground up, has the colour of the lowest joint
+/// that moves, and a pattern for which joints those are. Boundaries known in closed form are dotted over.
+pub fn stack_map(map: &StackMap<'_>) -> Figure {
+    stack::figure(map)
 }
 
 /// The same with the boundaries of another case in dashes, and its full load hollow; the window holds both.

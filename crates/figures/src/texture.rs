@@ -4,7 +4,7 @@
 use crate::axes::Axes;
 use crate::palette::{self, FAINT};
 use crate::plot::{Fall, Piece, ruled};
-use crate::scene::{Path, Pen, Scene};
+use crate::scene::{Path, Pen, Rect, Scene};
 use standfast::Verdict;
 
 /// What lies over a tint.
@@ -56,7 +56,17 @@ pub(crate) type Segment = ((f64, f64), (f64, f64));
 
 /// Draws the texture of a verdict over the pieces of its region.
 pub(crate) fn over_pieces(scene: &mut Scene, axes: &Axes, pieces: &[Piece], verdict: Verdict) {
-    palette::verdict_texture(verdict).draw(scene, |fall, spacing| ruled(axes, pieces, spacing, fall));
+    laid_over(scene, axes, pieces, palette::verdict_texture(verdict));
+}
+
+/// Draws a texture over the pieces of a region.
+pub(crate) fn laid_over(scene: &mut Scene, axes: &Axes, pieces: &[Piece], texture: Texture) {
+    texture.draw(scene, |fall, spacing| ruled(axes, pieces, spacing, fall));
+}
+
+/// Draws a texture over a rectangle.
+pub(crate) fn laid_over_rectangle(scene: &mut Scene, rect: &Rect, texture: Texture) {
+    texture.draw(scene, |fall, spacing| across(&[&rect.corners()], spacing, fall));
 }
 
 /// Draws the texture of a verdict over a polygon.

@@ -1,5 +1,6 @@
 //! What all figures have in common: two widths, and labels that can be read on paper.
 
+use standfast::contact::stack::{Joint, Shaking, Stack, StackBody, plane as stack_plane};
 use standfast::contact::{Block, path, plane};
 use standfast::ground::elastic::ElasticBase;
 use standfast::{Diagram, Mode, Wrench};
@@ -7,9 +8,9 @@ use standfast_figures::{
     Chance, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, ChanceRow, ChanceRows, CloudPanel,
     DesignPoint, FeasibleSet, Figure, Importance, LineLook, LoadPlane, Material, Measure, MotionLoad,
     MotionOutline, MotionPicture, MotionPose, Outline, RotationCurve, Section, SetAxis, SetColumn, SetEnd,
-    SetStretch, SpectrumAxis, SpectrumLines, SpectrumMap, Tornado, chance_cloud, chance_lines, chance_rows,
-    chance_tornado, diagram, feasible_set, load_plane, motion_animation, motion_histories, motion_positions,
-    rotation_curve, section, spectrum_lines, spectrum_map,
+    SetStretch, SpectrumAxis, SpectrumLines, SpectrumMap, StackMap, Tornado, chance_cloud, chance_lines,
+    chance_rows, chance_tornado, diagram, feasible_set, load_plane, motion_animation, motion_histories,
+    motion_positions, rotation_curve, section, spectrum_lines, spectrum_map, stack_map,
 };
 
 /// Widths of a column and of a page, in SVG units.
@@ -24,6 +25,19 @@ const MODES: [Mode; 4] = [Mode::Rest, Mode::SlideRockOLeft, Mode::SlideRockOPrim
 
 fn axis(name: &str, from: f64, to: f64) -> SpectrumAxis<'_> {
     SpectrumAxis { name, from, to, logarithmic: false }
+}
+
+/// A slender block on a squat one, on a shaken base.
+fn two_blocks(k: f64, mu: f64) -> Stack {
+    let joint = |h: f64, half: f64| Joint { h, l: -half, r: half, mu_s: mu, mu_k: mu };
+    Stack {
+        bodies: vec![
+            StackBody { y: 0.25, ..StackBody::of(0.5, 0.05) },
+            StackBody { y: 0.95, ..StackBody::of(0.3, 0.025) },
+        ],
+        joints: vec![joint(0.0, 0.5), joint(0.5, 0.15)],
+        shaking: Shaking { gravity: 1.0, horizontal: k, ..Shaking::default() },
+    }
 }
 
 fn planes() -> Vec<Figure> {
@@ -62,7 +76,17 @@ fn planes() -> Vec<Figure> {
         let curve = RotationCurve { base, height: 5.25, moment, title: "Caisson" };
         rotation_curve(&curve).expect("a height").expect("it stands")
     };
-    vec![diagram(&body, &[storm]), load_plane(&path), set.expect("a boundary"), curve(4.8e6), curve(1.2e7)]
+    let map = stack_plane::plane(two_blocks, [1.2, 0.8]).expect("a stack");
+    let map = StackMap {
+        plane: &map,
+        window: [1.2, 0.8],
+        across: "Acceleration of the base, $k$",
+        up: "Friction, $μ$",
+        curves: &[vec![(0.0, 0.0), (0.3, 0.3)]],
+        title: "Two blocks",
+    };
+    let flat = [diagram(&body, &[storm]), load_plane(&path), set.expect("a boundary"), stack_map(&map)];
+    flat.into_iter().chain([curve(4.8e6), curve(1.2e7)]).collect()
 }
 
 fn chances() -> Vec<Figure> {
@@ -220,6 +244,7 @@ fn the_axes_of_a_plane_are_named_in_words() {
         ["Force over weight, k", "Friction, μ"],
         ["Share of the load, λ", "Friction, μ"],
         ["Friction, μ", "Width, w (m)"],
+        ["Acceleration of the base, k", "Friction, μ"],
         ["Rotation, θ (mrad)", "Moment over weight and half-width, M/(VB)"],
     ]) {
         for name in names {

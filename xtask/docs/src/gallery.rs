@@ -14,7 +14,7 @@ use standfast_figures::{
 };
 use standfast_sheet::{Sheet, SheetOptions};
 
-use crate::{chances, commands, errors, evidence, keys, results};
+use crate::{chances, commands, errors, evidence, keys, results, stacks};
 
 /// A file of the gallery.
 pub struct File {
@@ -70,6 +70,13 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
          [theory](../theory/base.md): `standfast diagram --gamma 2 --k-prime 0.8 --omega 0.2 -o crush.svg`, and `--law ec7 --share 0.3`.\n",
     );
     for (path, figure) in bases() {
+        page.push_str(&format!("\n![{}](../{path})\n", figure.title()));
+        files.push(File::drawn(path, figure));
+    }
+    page.push_str(
+        "\n## Bodies on bodies\n\nWhich joint of two bodies moves, and how, over load and friction; see [theory](../theory/joints.md).\n",
+    );
+    for (path, figure) in stacks::figures()? {
         page.push_str(&format!("\n![{}](../{path})\n", figure.title()));
         files.push(File::drawn(path, figure));
     }

@@ -13,6 +13,7 @@ mod errors;
 mod evidence;
 mod keys;
 mod results;
+mod stacks;
 #[cfg(test)]
 mod traceability;
 

@@ -77,6 +77,7 @@
 //! ```
 
 mod choice;
+pub mod plane;
 mod recursion;
 mod rest;
 mod system;
