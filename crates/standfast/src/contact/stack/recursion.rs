@@ -12,7 +12,7 @@
 use std::cmp::Ordering::{Equal, Greater, Less};
 
 use super::rest::sign;
-use super::{BodyMotion, Combination, Decider, Freedom, JointMotion, LoadPoint, MOST, StackMotion};
+use super::{BodyMotion, Combination, Decider, Freedom, JointMotion, LoadPoint, StackMotion};
 use crate::approx::{Approx, Signed};
 use crate::exact::Real;
 use crate::mode::Mode;
@@ -56,12 +56,18 @@ struct AtOrigin {
     rows: [Vector; 2],
 }
 
-/// A joint in a mode, with all above it.
+/// What a joint carries: inertia of the body on it, as it is felt with all above, and the loads there.
 #[derive(Debug, Clone, Copy)]
-struct Node {
-    freedom: AtOrigin,
+struct Carried {
     inertia: Matrix,
     load: Vector,
+}
+
+/// A joint in a mode, with all that it carries.
+#[derive(Debug, Clone, Copy)]
+struct Node<'a> {
+    freedom: &'a AtOrigin,
+    carried: &'a Carried,
     /// U, a column for each motion.
     columns: [Vector; 2],
     /// D⁻¹, of as many rows as motions; of flight the adjugate of 𝓘ᴬ over its determinant.
@@ -70,15 +76,28 @@ struct Node {
     determinant: Approx,
 }
 
-impl Node {
-    fn of(freedom: &AtOrigin, inertia: &Matrix, load: &Vector) -> Node {
-        let none = [[ZERO; 3]; 3];
+/// A node and those above it.
+#[derive(Debug, Clone, Copy)]
+struct Chain<'a> {
+    node: Node<'a>,
+    above: Option<&'a Chain<'a>>,
+}
+
+impl<'a> Chain<'a> {
+    /// The nodes from the ground up.
+    fn nodes(&'a self) -> impl Iterator<Item = &'a Node<'a>> {
+        std::iter::successors(Some(self), |chain| chain.above).map(|chain| &chain.node)
+    }
+}
+
+impl<'a> Node<'a> {
+    fn of(freedom: &'a AtOrigin, carried: &'a Carried) -> Node<'a> {
+        let inertia = &carried.inertia;
         let mut node = Node {
-            freedom: *freedom,
-            inertia: *inertia,
-            load: *load,
+            freedom,
+            carried,
             columns: [[ZERO; 3]; 2],
-            inverse: none,
+            inverse: [[ZERO; 3]; 3],
             determinant: Approx::of(1.0),
         };
         match (freedom.mode, freedom.count) {
@@ -121,14 +140,26 @@ impl Node {
         }
     }
 
+    /// D⁻¹ Nᵀ of a wrench.
+    fn shares(&self, wrench: &Vector) -> [Approx; 2] {
+        let mut right = [ZERO; 2];
+        for (place, row) in self.freedom.rows.iter().enumerate().take(self.freedom.count) {
+            right[place] = dot(row, wrench);
+        }
+        self.solved(&right)
+    }
+
     /// What it adds to the inertia and the loads of the body below.
-    fn passed_on(&self) -> (Matrix, Vector) {
+    fn passed_on(&self) -> Carried {
         match (self.freedom.mode, self.freedom.count) {
-            (Mode::Flight, _) => ([[ZERO; 3]; 3], [ZERO; 3]),
-            (_, 0) => (self.inertia, self.load),
+            (Mode::Flight, _) => Carried { inertia: [[ZERO; 3]; 3], load: [ZERO; 3] },
+            (_, 0) => *self.carried,
             (_, count) => {
-                let (mut inertia, mut load) = (self.inertia, self.load);
-                let rows = self.freedom.rows.map(|row| row_times(&row, &self.inertia));
+                let Carried { mut inertia, mut load } = *self.carried;
+                let mut rows = [[ZERO; 3]; 2];
+                for (place, row) in self.freedom.rows.iter().enumerate().take(count) {
+                    rows[place] = row_times(row, &self.carried.inertia);
+                }
                 for place in 0..3 {
                     let right = [rows[0][place], rows[1][place]];
                     let shares = self.solved(&right);
@@ -138,23 +169,24 @@ impl Node {
                         }
                     }
                 }
-                let shares = self.solved(&self.freedom.rows.map(|row| dot(&row, &self.load)));
+                let shares = self.shares(&self.carried.load);
                 for (column, share) in self.columns.iter().zip(shares).take(count) {
                     load = minus(&load, &scaled(column, share));
                 }
-                (inertia, load)
+                Carried { inertia, load }
             }
         }
     }
 
-    /// The motion relative to the body below, which has the acceleration `below`, and the reaction, both at the origin.
-    fn course(&self, below: &Vector) -> (Vector, Vector) {
-        let rest = minus(&self.load, &times(&self.inertia, below));
+    /// The motion relative to the body below, which has the acceleration `below`, the ground none, and the reaction, both at the origin.
+    fn course(&self, below: Option<&Vector>) -> (Vector, Vector) {
+        let Carried { inertia, load } = self.carried;
+        let rest = below.map_or(*load, |below| minus(load, &times(inertia, below)));
         match (self.freedom.mode, self.freedom.count) {
             (Mode::Flight, _) => (times(&self.inverse, &rest), [ZERO; 3]),
             (_, 0) => ([ZERO; 3], rest.map(|part| -part)),
             (_, count) => {
-                let shares = self.solved(&self.freedom.rows.map(|row| dot(&row, &rest)));
+                let shares = self.shares(&rest);
                 let (mut motion, mut reaction) = ([ZERO; 3], rest.map(|part| -part));
                 for (place, share) in shares.into_iter().enumerate().take(count) {
                     motion = sum(&motion, &scaled(&self.freedom.motions[place], share));
@@ -168,9 +200,24 @@ impl Node {
 
 /// A stack in floating point under a load.
 struct Recursion {
-    inertias: Vec<Matrix>,
-    loads: Vec<Vector>,
+    /// The bodies by themselves.
+    bodies: Vec<Carried>,
     freedoms: Vec<[AtOrigin; Mode::ALL.len()]>,
+}
+
+impl Carried {
+    fn with(&self, passed: &Carried) -> Carried {
+        let inertia = std::array::from_fn(|row| sum(&self.inertia[row], &passed.inertia[row]));
+        Carried { inertia, load: sum(&self.load, &passed.load) }
+    }
+}
+
+impl Recursion {
+    /// The nodes of a combination, from the ground up.
+    fn nodes<'a>(&'a self, modes: &'a [Mode], carried: &'a [Carried]) -> impl Iterator<Item = Node<'a>> {
+        let freedoms = self.freedoms.iter().zip(modes).map(|(all, mode)| &all[usize::from(mode.code())]);
+        freedoms.zip(carried).map(|(freedom, carried)| Node::of(freedom, carried))
+    }
 }
 
 /// What floating point says of a combination.
@@ -183,16 +230,14 @@ impl Decider<'_> {
     fn recursion(&self, at: &LoadPoint) -> Recursion {
         let factor = at.factor().tracked();
         let numbers = &self.approx;
-        let inertias = numbers.bodies.iter().map(|body| {
+        let bodies = numbers.bodies.iter().map(|body| {
             let (right, up) = (-(body.m_x * body.y), body.m_y * body.x);
             let about = body.inertia + body.m_x * body.y * body.y + body.m_y * body.x * body.x;
-            [[body.m_x, ZERO, right], [ZERO, body.m_y, up], [right, up, about]]
-        });
-        let loads = numbers.bodies.iter().map(|body| {
+            let inertia = [[body.m_x, ZERO, right], [ZERO, body.m_y, up], [right, up, about]];
             let [steady, growing] = [&body.permanent, &body.variable];
             let (x, p, m) =
                 (steady.x + growing.x * factor, steady.p + growing.p * factor, steady.m + growing.m * factor);
-            [x, -p, m - x * body.y - p * body.x]
+            Carried { inertia, load: [x, -p, m - x * body.y - p * body.x] }
         });
         let freedoms = numbers.joints.iter().map(|joint| {
             Mode::ALL.map(|mode| {
@@ -209,24 +254,15 @@ impl Decider<'_> {
                 AtOrigin { mode, count, motions: moved(&motions), rows: moved(&rows) }
             })
         });
-        Recursion { inertias: inertias.collect(), loads: loads.collect(), freedoms: freedoms.collect() }
+        Recursion { bodies: bodies.collect(), freedoms: freedoms.collect() }
     }
 
     /// Every consistent combination, each motion once.
     pub(super) fn consistent(&self, at: &LoadPoint) -> Vec<Combination> {
         let recursion = self.recursion(at);
         let mut found = Vec::new();
-        let mut nodes = Vec::with_capacity(MOST);
-        let top = recursion.loads.len() - 1;
-        self.descend(
-            &recursion,
-            top,
-            &recursion.inertias[top],
-            &recursion.loads[top],
-            at,
-            &mut nodes,
-            &mut found,
-        );
+        let top = recursion.bodies.len() - 1;
+        self.descend(&recursion, top, &recursion.bodies[top], None, at, &mut found);
         // What flies and what touches without pressing is one motion: it counts as the one that touches.
         let is_other = |one: &Combination| {
             !found.iter().any(|touches: &Combination| touches != one && one.is_flight_of(touches))
@@ -237,52 +273,46 @@ impl Decider<'_> {
         found
     }
 
-    #[expect(clippy::too_many_arguments, reason = "a recursion that hands on what it has")]
+    /// Adds what is consistent with the modes of all joints above one.
     fn descend(
         &self,
         recursion: &Recursion,
         joint: usize,
-        inertia: &Matrix,
-        load: &Vector,
+        carried: &Carried,
+        above: Option<&Chain<'_>>,
         at: &LoadPoint,
-        nodes: &mut Vec<Node>,
         found: &mut Vec<Combination>,
     ) {
         for freedom in &recursion.freedoms[joint] {
-            let node = Node::of(freedom, inertia, load);
-            nodes.push(node);
-            if joint == 0 {
-                let modes = || nodes.iter().rev().map(|node| node.freedom.mode).collect::<Vec<_>>();
-                match self.told(nodes, at) {
-                    Some(Told::Consistent { regular }) => {
-                        found.push(Combination { modes: modes(), regular, unpressed: 0 });
-                    }
-                    Some(Told::Open) => found.extend(self.settled(&modes(), at)),
-                    None => {}
-                }
-            } else {
-                let (passed, passed_load) = node.passed_on();
-                let below = &recursion.inertias[joint - 1];
-                let inertia = std::array::from_fn(|row| sum(&below[row], &passed[row]));
-                let load = sum(&recursion.loads[joint - 1], &passed_load);
-                self.descend(recursion, joint - 1, &inertia, &load, at, nodes, found);
+            let chain = Chain { node: Node::of(freedom, carried), above };
+            if let Some(below) = joint.checked_sub(1) {
+                let carried = recursion.bodies[below].with(&chain.node.passed_on());
+                self.descend(recursion, below, &carried, Some(&chain), at, found);
+                continue;
             }
-            nodes.pop();
+            let modes = || chain.nodes().map(|node| node.freedom.mode).collect::<Vec<_>>();
+            match self.told(&chain, at) {
+                Some(Told::Consistent { regular }) => {
+                    found.push(Combination { modes: modes(), regular, unpressed: 0 });
+                }
+                Some(Told::Open) => found.extend(self.settled(&modes(), at)),
+                None => {}
+            }
         }
     }
 
-    /// What is told of a combination whose nodes stand from the top down; `None` where a condition surely fails.
-    fn told(&self, nodes: &[Node], at: &LoadPoint) -> Option<Told> {
-        let mut below = [ZERO; 3];
+    /// What is told of a combination; `None` where a condition surely fails.
+    fn told(&self, chain: &Chain<'_>, at: &LoadPoint) -> Option<Told> {
+        let mut below: Option<Vector> = None;
         let (mut open, mut orientation) = (false, Greater);
-        for (joint, node) in self.approx.joints.iter().zip(nodes.iter().rev()) {
+        for (joint, node) in self.approx.joints.iter().zip(chain.nodes()) {
             match node.determinant.sign() {
                 // Nothing that is divided by it means anything.
                 None | Some(Equal) => return Some(Told::Open),
                 Some(Less) => orientation = orientation.reverse(),
                 Some(Greater) => {}
             }
-            let (motion, reaction) = node.course(&below);
+            let (motion, reaction) = node.course(below.as_ref());
             let local = local(joint.h, &motion, &reaction);
             let (conditions, count) = joint.conditions(node.freedom.mode, &local.0, &local.1);
             for condition in &conditions[..count] {
@@ -293,35 +323,33 @@ impl Decider<'_> {
                     Some(Equal) | None => open = true,
                 }
             }
-            below = sum(&below, &motion);
+            below = Some(below.map_or(motion, |below| sum(&below, &motion)));
         }
         Some(if open { Told::Open } else { Told::Consistent { regular: orientation == Greater } })
     }
 
-    /// The nodes of a combination, from the top down.
-    fn nodes(&self, modes: &[Mode], at: &LoadPoint) -> Vec<Node> {
-        let recursion = self.recursion(at);
-        let mut nodes: Vec<Node> = Vec::with_capacity(modes.len());
-        let (mut inertia, mut load) = ([[ZERO; 3]; 3], [ZERO; 3]);
-        for (joint, mode) in modes.iter().enumerate().rev() {
-            inertia = std::array::from_fn(|row| sum(&recursion.inertias[joint][row], &inertia[row]));
-            load = sum(&recursion.loads[joint], &load);
-            let node = Node::of(&recursion.freedoms[joint][usize::from(mode.code())], &inertia, &load);
-            (inertia, load) = node.passed_on();
-            nodes.push(node);
+    /// What each joint carries in a combination, from the ground up.
+    fn carried(recursion: &Recursion, modes: &[Mode]) -> Vec<Carried> {
+        let mut all = recursion.bodies.clone();
+        for joint in (1..modes.len()).rev() {
+            let freedom = &recursion.freedoms[joint][usize::from(modes[joint].code())];
+            let passed = Node::of(freedom, &all[joint]).passed_on();
+            all[joint - 1] = all[joint - 1].with(&passed);
         }
-        nodes
+        all
     }
 
     /// D of a combination.
     pub(super) fn orientation(&self, modes: &[Mode]) -> f64 {
-        let at = LoadPoint::of(0.0);
-        self.nodes(modes, &at).iter().map(|node| node.determinant.value()).product()
+        let recursion = self.recursion(&LoadPoint::of(0.0));
+        let carried = Self::carried(&recursion, modes);
+        recursion.nodes(modes, &carried).map(|node| node.determinant.value()).product()
     }
 
     /// The motion of a consistent combination.
     pub(super) fn motion(&self, modes: &[Mode], at: &LoadPoint) -> StackMotion {
-        let nodes = self.nodes(modes, at);
+        let recursion = self.recursion(at);
+        let carried = Self::carried(&recursion, modes);
         let mut below = [ZERO; 3];
         let (mut joints, mut bodies) = (Vec::new(), Vec::new());
         // Only what has most of its digits is told; a known zero has all.
@@ -329,8 +357,8 @@ impl Decider<'_> {
             if sign(&value) == Equal && value.sign().is_some() { Some(0.0) } else { value.precise() }
         };
         let numbers = self.approx.bodies.iter().zip(&self.approx.joints);
-        let complete = numbers.zip(nodes.iter().rev()).all(|((body, joint), node)| {
-            let (motion, reaction) = node.course(&below);
+        let complete = numbers.zip(recursion.nodes(modes, &carried)).all(|((body, joint), node)| {
+            let (motion, reaction) = node.course(Some(&below));
             let ([t, v, ω], [f, n, g]) = local(joint.h, &motion, &reaction);
             below = sum(&below, &motion);
             let [right, up, turn] = below;
