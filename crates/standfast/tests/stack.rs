@@ -1015,10 +1015,10 @@ fn left_over(stack: &Stack, found: &[Vec<Mode>]) -> (Vec<Vec<Mode>>, bool) {
 #[test]
 fn all_combinations_are_those_of_the_equations_in_full() {
     let mut random = Random(22);
-    let (mut several, mut by_the_second_rule, mut negative) = (0, 0, 0);
+    let (mut several, mut by_the_second_rule) = (0, 0);
     for round in 0..tries(1_500).max(1_200) {
         let count = if round % 10 == 0 { 3 } else { 2 };
-        let ratio = random.pick(&[1.0, 0.9, 0.7, 0.5]);
+        let ratio = random.pick(&[1.0, 0.7, 0.5, 0.3]);
         let mut stack = random_stack(&mut random, count, ratio);
         // Frictions up to 3, off all edges.
         for joint in &mut stack.joints {
@@ -1059,7 +1059,6 @@ fn all_combinations_are_those_of_the_equations_in_full() {
         for one in &every {
             let full = solved_in_full(&stack, 1.0, &one.modes).unwrap();
             assert_eq!(one.regular, full.determinant > 0.0, "{stack:?}");
-            negative += u32::from(!one.regular);
         }
         let answer = stack.answer(1.0).unwrap();
         let (mut expected, struck) = left_over(&stack, &found);
@@ -1081,8 +1080,5 @@ fn all_combinations_are_those_of_the_equations_in_full() {
         several += u32::from(every.len() > 1);
         by_the_second_rule += u32::from(struck);
     }
-    assert!(
-        several > 0 && negative > 0 && by_the_second_rule > 0,
-        "{several} {negative} {by_the_second_rule}"
-    );
+    assert!(several > 50 && by_the_second_rule > 5, "{several} {by_the_second_rule}");
 }
