@@ -22,6 +22,7 @@
 //! | Safety factors and bearing pressure | [`Stability`] |
 //! | A base that crushes, ground that fails, an elastic base under short loads | [`ground`] |
 //! | Any wrench, added mass, μ_s ≠ μ_k, eccentric bodies | [`contact`] |
+//! | Bodies on bodies: which joint moves first, all combinations of modes | [`contact::stack`] |
 //!
 //! The symbols are those of the report this library implements, on vertical caisson breakwaters, after Shenton's
 //! treatment of earthquakes (1996): γ = H/B, k = F/(m g), k' the height of the force above the centre of mass in H,
