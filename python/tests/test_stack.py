@@ -53,7 +53,7 @@ def test_two_cubes_on_a_shaken_base() -> None:
     answer = two((0.45, 0.2), horizontal=0.6)
     assert answer.modes == ["RE", "SL"] and answer.departure == "at"
     assert answer.load_factor == pytest.approx(1 / 3)
-    assert "joint 2 ends: RE/SL" in str(answer)
+    assert "joint 2 reaches its limit: RE/SL" in str(answer)
 
 
 def test_the_permanent_acceleration_is_there_at_once() -> None:
@@ -87,7 +87,7 @@ def test_more_bodies_than_are_enumerated_have_a_departure() -> None:
     [
         ([CUBE], [joint(0, 1)], "body 1 has no y; expected m_x, I, y at least"),
         ([CUBE | {"y": 1, "Y": 2}], [joint(0, 1)], "body 1 has no 'Y'; did you mean 'y'"),
-        ([CUBE | {"y": 1}], [], "1 bodies and 0 joints"),
+        ([CUBE | {"y": 1}], [], "bodies: 1, joints: 0"),
         ([CUBE | {"y": 1, "m_x": -1}], [joint(0, 1)], "body 1: inertia m_x is -1"),
         ([CUBE | {"y": 1}], [joint(0, 1, mu_k=2)], "joint 1: static friction mu_s is 1; expected no less than the kinetic"),
         ([CUBE | {"y": 1}], [joint(0, 1, r=-1)], "joint 1: right end r of the joint is -1; expected one beyond the left end"),
@@ -104,5 +104,11 @@ def test_what_is_no_number_is_a_type_error() -> None:
         standfast.stack([CUBE | {"y": "1 m"}], [joint(0, 1)])  # type: ignore[dict-item]
     with pytest.raises(TypeError, match="body 1 is 3, an int; expected a dict with m_x"):
         standfast.stack([3], [joint(0, 1)])  # type: ignore[list-item]
+    with pytest.raises(TypeError, match="permanent is 'no', a str; expected True or False"):
+        standfast.stack([CUBE | {"y": 1}], [joint(0, 1)], permanent="no")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="bodies is None"):
+        standfast.stack(None, [joint(0, 1)])  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="m_x of body 1 is 1000.*, an int; expected a number"):
+        standfast.stack([CUBE | {"y": 1, "m_x": 10**400}], [joint(0, 1)])
     with pytest.raises(TypeError, match="gravity is True, a bool"):
         standfast.stack([CUBE | {"y": 1}], [joint(0, 1)], gravity=True)

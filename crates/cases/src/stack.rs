@@ -55,6 +55,10 @@ impl AnsweredStack {
     /// The answers in words and tables.
     pub fn text(&self) -> String {
         let mut text = paragraph(&self.leaves(), 0);
+        let others: Vec<String> = self.departure.answer.others().map(slashed).collect();
+        if !others.is_empty() {
+            text += &paragraph(&format!("As consistent then: {}.", others.join(", ")), 0);
+        }
         match &self.at_once {
             Err(error) => text += &paragraph(&format!("At once, the full load: not known, {error}."), 0),
             Ok(answer) => {
@@ -83,15 +87,15 @@ impl AnsweredStack {
     fn leaves(&self) -> String {
         let StackDeparture { load_factor, at_once, joints, answer, .. } = &self.departure;
         let which: Vec<String> = joints.iter().map(|place| (place + 1).to_string()).collect();
-        let which = match which.as_slice() {
-            [one] => format!("joint {one}"),
-            [first @ .., last] => format!("joints {} and {last}", first.join(", ")),
+        let (which, reach) = match which.as_slice() {
+            [one] => (format!("joint {one}"), "reaches its limit"),
+            [first @ .., last] => (format!("joints {} and {last}", first.join(", ")), "reach their limits"),
             [] => return "The stack never leaves rest under the variable loads.".to_owned(),
         };
         let ends = match *load_factor {
-            _ if *at_once => format!("The permanent loads alone end the rest of {which}"),
-            0.0 => format!("Any variable load ends the rest of {which}"),
-            factor => format!("At {} times the variable loads the rest of {which} ends", digits(factor)),
+            _ if *at_once => format!("Under the permanent loads alone {which} cannot rest"),
+            0.0 => format!("Under any variable load {which} cannot rest"),
+            factor => format!("At {} times the variable loads {which} {reach}", digits(factor)),
         };
         match answer.modes() {
             [] => format!("{ends}."),
@@ -111,7 +115,7 @@ fn slashed(modes: &[Mode]) -> String {
 
 /// Joints and bodies from the top, with their modes and motion.
 fn table(modes: &[Mode], motion: &StackMotion) -> String {
-    let mut rows = vec![row!["joint", "mode", "slip", "rotation", "friction", "normal", "at", "ẍ", "ÿ", "θ̈"]];
+    let mut rows = vec![row!["joint", "mode", "t", "ω", "f", "N", "ξ", "ẍ", "ÿ", "θ̈"]];
     let all = modes.iter().zip(&motion.joints).zip(&motion.bodies).enumerate();
     for (place, ((mode, joint), body)) in all.rev() {
         let JointMotion { t, omega, f, n, xi, .. } = *joint;
@@ -119,10 +123,11 @@ fn table(modes: &[Mode], motion: &StackMotion) -> String {
         let numbers = [t, omega, f, n, xi, x_ddot, y_ddot, theta_ddot].map(digits);
         rows.push([vec![(place + 1).to_string(), mode.symbol().to_owned()], numbers.to_vec()].concat());
     }
-    format!(
-        "\nJoints, from the top, each with the body on it\n{}",
-        columns(&rows, 2, &[2, 3, 4, 5, 6, 7, 8, 9])
-    )
+    let key = "t, ω: acceleration along the joint and angular acceleration, relative to the body below; f, N: friction and normal \
+               reaction on the body above, N at ξ; ẍ, ÿ, θ̈: its centre, on a shaken base relative to that. To the right, upwards, \
+               counter-clockwise.";
+    let table = columns(&rows, 2, &[2, 3, 4, 5, 6, 7, 8, 9]);
+    format!("\nJoints, from the top, each with the body on it\n{table}{}", paragraph(key, 2))
 }
 
 #[derive(Debug, Serialize)]

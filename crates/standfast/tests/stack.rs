@@ -747,6 +747,19 @@ fn equal_friction_is_a_tie_that_no_rounding_breaks() {
     }
 }
 
+/// Six cubes, of which some upper parts have an orientation of zero: what is below them is solved in full.
+#[test]
+fn an_upper_part_of_orientation_zero_hides_nothing() {
+    let cube = Brick { left: -1.0, width: 2.0, height: 2.0, density: 0.25 };
+    let stack = tower(&[cube; 6], &[[0.5; 2]; 6], shaken(0.05));
+    let answer = stack.answer(1.0).unwrap();
+    assert_eq!((reported(&answer).as_str(), answer.is_unique()), ("RE/RE/RE/RE/RE/RE", true));
+    let departure = stack.departure().unwrap();
+    assert_eq!(departure.limits, [(0, RestLimit::Turns(Corner::O))]);
+    assert_eq!(reported(&departure.answer), "RO/RE/RE/RE/RE/RE");
+    assert!((departure.load_factor - 1.0 / 6.0 / 0.05).abs() < 1e-12);
+}
+
 /// Where μ_k < μ_s a joint above or below may begin together with the one that slips; the two cases of the theory.
 #[test]
 fn a_slip_that_is_let_go_starts_others() {
@@ -763,6 +776,54 @@ fn a_slip_that_is_let_go_starts_others() {
     stack.bodies[1].variable.x = -0.4;
     let answer = stack.departure().unwrap().answer;
     assert_eq!(reported(&answer), "SL+/SL");
+}
+
+/// Where friction would hold every slide that is left, none is struck for that: there would be no answer.
+#[test]
+fn a_race_of_two_slides_keeps_its_answer() {
+    let wrench = |x: f64, p: f64, m: f64| Wrench { x, p, m };
+    let body = |mass: f64, inertia: f64, [x, y]: [f64; 2], permanent: Wrench, variable: Wrench| StackBody {
+        x,
+        y,
+        permanent,
+        variable,
+        ..StackBody::of(mass, inertia)
+    };
+    let lower = body(
+        3.872721370543261,
+        2.826128611409891,
+        [-0.09865636130607708, 0.7913507726449593],
+        wrench(0.0, -0.1466953672307793, 0.0),
+        wrench(-3.5928656570086765, -0.1447365822690095, -1.4910758983153087),
+    );
+    let upper = body(
+        2.6735430419225614,
+        1.767270302353964,
+        [-0.049067010999841676, 2.6344998346662845],
+        wrench(0.09098352882277157, 0.0800797874292857, -0.1334546539078979),
+        wrench(3.901558586993857, 0.3051547173355469, 0.4404583739105519),
+    );
+    let stack = Stack {
+        bodies: vec![lower, upper],
+        joints: vec![
+            Joint {
+                h: 0.0,
+                l: -0.768203092559291,
+                r: 1.1034219537420116,
+                mu_s: 0.40143222749280083,
+                mu_k: 0.3587958443244125,
+            },
+            Joint {
+                h: 1.8727542592732733,
+                l: -1.2132726943754868,
+                r: 0.9967804014143281,
+                mu_s: 0.967522482017145,
+                mu_k: 0.2027885349174418,
+            },
+        ],
+        shaking: Shaking { gravity: 0.9848745993710752, ..Shaking::default() },
+    };
+    assert_eq!(reported(&stack.answer(1.0).unwrap()), "SL/SL+");
 }
 
 /// Ties of other kinds are decided as they come: two cubes whose joints both turn at one load.
@@ -823,15 +884,27 @@ fn what_is_no_stack_is_refused() {
         stack.answer(1.0).unwrap_err().to_string()
     };
     let said = [
-        (refused(|stack| stack.joints.truncate(1)), "there are 2 bodies and 1 joints"),
+        (refused(|stack| stack.joints.truncate(1)), "bodies: 2, joints: 1"),
         (refused(|stack| stack.bodies[1].m_x = 0.0), "body 2: inertia m_x is 0"),
         (
             refused(|stack| stack.joints[1].r = -1.0),
             "joint 2: right end r of the joint is -1; expected one beyond",
         ),
         (refused(|stack| stack.joints[0].mu_k = 0.6), "joint 1: static friction mu_s is 0.5"),
-        (refused(|stack| stack.bodies[0].variable.x = f64::NAN), "body 1: horizontal force x is NaN"),
-        (refused(|stack| stack.shaking.gravity = -1.0), "gravity is -1"),
+        (
+            refused(|stack| stack.bodies[0].variable.x = f64::NAN),
+            "body 1, variable load: horizontal force x is NaN",
+        ),
+        (refused(|stack| stack.shaking.gravity = -1.0), "gravity: gravity is -1"),
+        (
+            refused(|stack| stack.joints[1].h = 0.0),
+            "joint 2 is at 0, and joint 1 below it at 0; expected bodies and joints from the",
+        ),
+        (refused(|stack| stack.joints[1].mu_s = f64::NAN), "joint 2: static friction mu_s is NaN"),
+        (
+            refused(|stack| stack.shaking = Shaking { horizontal: 0.3, ..Shaking::default() }),
+            "horizontal is 0.3, in g, and gravity is 0",
+        ),
     ];
     for (said, expected) in said {
         assert!(said.contains(expected), "{said}");

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
 
 from . import _standfast
 from ._advice import shown
@@ -44,16 +46,17 @@ def stack(
             parts ``dX``, ``dP``, ``dM``. Loads that are not given are 0. Any units that go together will do.
         joints: the joint below each body: its height ``h``, its ends ``l`` and ``r``, the friction ``mu_s`` to stick and ``mu_k`` to slip
             (``mu_s`` if not given).
-        gravity: adds ``m_y gravity (1 + vertical)`` to ``P`` of each body.
+        gravity: adds ``m_y gravity (1 + vertical)`` to ``P`` of each body. With added mass in ``m_y`` give ``P`` instead.
         horizontal: acceleration of the ground to the right, in g: adds ``-m_x gravity horizontal`` to ``dX``. Both are kept as products: equal
             friction then ties all joints, which rounded numbers would tell apart.
-        vertical: acceleration of the ground upwards, in g.
+        vertical: acceleration of the ground upwards, in g; it is there all the time, and the load factor does not multiply it.
         permanent: whether the horizontal acceleration is there all the time: it adds to ``X``.
 
     Returns:
         :class:`Stack`: ``departure`` (``"never"``, ``"at-once"``, ``"at"``), ``load_factor``, ``departure_joints`` (joint 1 stands on the
         ground), ``departure_modes``; under the full load ``modes``, ``also_modes``, ``unique``, and the motion of ``joints`` and ``bodies``.
-        Of more than six bodies the modes are ``None``, and ``no_modes`` says so.
+        Of more than six bodies the modes are ``None``, and ``no_modes`` says so. Right, up and counter-clockwise are positive; on a shaken base
+        accelerations are relative to it.
 
     Raises:
         StandfastError: for what is no stack.
@@ -73,6 +76,11 @@ def stack(
     >>> [mode.symbol for mode in answer.modes], answer.unique
     (['RE', 'SL'], True)
     """
+    for name, given in (("bodies", bodies), ("joints", joints)):
+        if isinstance(given, (Mapping, str)) or not isinstance(given, Iterable):
+            raise TypeError(f"{name} is {shown(given)}; expected a list of dicts, from the ground up")
+    if not isinstance(permanent, (bool, np.bool_)):
+        raise TypeError(f"permanent is {shown(permanent)}; expected True or False")
     found = [_numbers("body", place, body, _BODY) for place, body in enumerate(bodies, 1)]
     between = [_numbers("joint", place, joint, _JOINT) for place, joint in enumerate(joints, 1)]
     shaking = [_number(name, value) for name, value in (("gravity", gravity), ("horizontal", horizontal), ("vertical", vertical))]
@@ -104,4 +112,7 @@ def _numbers(what: str, place: int, given: Mapping[str, Number], names: Mapping[
 def _number(name: str, value: object) -> float:
     if isinstance(value, (str, bytes, bool)) or not hasattr(value, "__float__"):
         raise TypeError(f"{name} is {shown(value)}; expected a number")
-    return float(value)
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"{name} is {shown(value)}; expected a number") from None

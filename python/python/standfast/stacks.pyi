@@ -13,13 +13,13 @@ class JointMotion(Answer):
         """Acceleration along the joint, to the right."""
     @property
     def v(self) -> float:
-        """Acceleration upwards, of the point above the origin."""
+        """Acceleration upwards of the point (0, h), which need not be on the body."""
     @property
     def omega(self) -> float:
-        """Rotation, counter-clockwise."""
+        """Angular acceleration, counter-clockwise."""
     @property
     def f(self) -> float:
-        """Friction, to the right."""
+        """Friction force, to the right."""
     @property
     def N(self) -> float:
         """Normal reaction, upwards."""
@@ -31,13 +31,13 @@ class BodyMotion(Answer):
     """Accelerations of the centre of a body."""
     @property
     def x_ddot(self) -> float:
-        """To the right."""
+        """Acceleration to the right."""
     @property
     def y_ddot(self) -> float:
-        """Upwards."""
+        """Acceleration upwards."""
     @property
     def theta_ddot(self) -> float:
-        """counter-clockwise."""
+        """Angular acceleration, counter-clockwise."""
 
 class StackDocument(Answer):
     """What ``stack`` answers."""
@@ -53,7 +53,7 @@ class StackDocument(Answer):
         """The load factor at which it leaves rest: 0 at once, infinite if never."""
     @property
     def departure_joints(self) -> list[int]:
-        """The joints whose rest ends there."""
+        """The joints that reach their limit there; at once under the permanent loads alone, those that cannot rest."""
     @property
     def departure_modes(self) -> list[Mode] | None:
         """The mode of each joint with any more load; None where it never leaves rest, and of more bodies than are enumerated."""
@@ -77,4 +77,4 @@ class StackDocument(Answer):
         """Accelerations and reactions of the joints in these modes."""
     @property
     def bodies(self) -> list[BodyMotion] | None:
-        """Accelerations of the centres of the bodies in these modes."""
+        """Accelerations of the centres of the bodies in these modes; on a shaken base relative to it."""

@@ -81,8 +81,8 @@ fn planes() -> [Plane; 4] {
         sliding,
     ];
     let flat = [[2.0, 0.5], [1.0, 0.25]];
-    let lower = "A force on the lower of two flat blocks";
-    let upper = "A force on the upper of two flat blocks, with a friction of 0.6 between them";
+    let lower = "A force on the lower of two flat blocks, 2 × 0.5 under 1 × 0.25";
+    let upper = "A force on the upper of two flat blocks, 2 × 0.25 under 1 × 0.5, with a friction of 0.6 between them";
     let on_upper = |k: f64, mu: f64| {
         let mut stack = pushed(&[[2.0, 0.25], [1.0, 0.5]], mu, 1, k);
         (stack.joints[1].mu_s, stack.joints[1].mu_k) = (0.6, 0.6);
@@ -98,7 +98,7 @@ fn planes() -> [Plane; 4] {
         },
         Plane {
             file: "gallery/stack-slender.svg",
-            words: ["A slender block on a squat one, on a shaken base", acceleration, friction],
+            words: ["A block of 0.3 × 0.9 on one of 1 × 0.5, on a shaken base", acceleration, friction],
             window: [1.6, 1.0],
             curves: protected.into(),
             stack: Box::new(move |k, mu| tower(&slender, mu, k)),

@@ -179,9 +179,7 @@ pub struct StackNumbers<T> {
 #[non_exhaustive]
 pub enum StackError {
     /// Other numbers of bodies and joints, or none.
-    #[error(
-        "there are {bodies} bodies and {joints} joints; expected one joint below each body, and one body at least"
-    )]
+    #[error("bodies: {bodies}, joints: {joints}; expected one joint below each body, and one body at least")]
     Count {
         /// Number of bodies.
         bodies: usize,
@@ -189,18 +187,41 @@ pub enum StackError {
         joints: usize,
     },
     /// A number of a body or a joint that makes no sense.
-    #[error("{} {}: {error}", if *is_joint { "joint" } else { "body" }, place + 1)]
+    #[error("{} {}{}: {error}", if *is_joint { "joint" } else { "body" }, place + 1, if *is_variable { ", variable load" } else { "" })]
     Number {
         /// True of a joint.
         is_joint: bool,
         /// Its place from the ground up, from zero.
         place: usize,
+        /// True of a variable load.
+        is_variable: bool,
         /// Reason.
         error: InputError,
     },
+    /// A joint that is not above the one before.
+    #[error("joint {} is at {above}, and joint {} below it at {below}; expected bodies and joints from the ground up", place + 1, place)]
+    Order {
+        /// Place of the upper one, from zero.
+        place: usize,
+        /// Its height.
+        above: f64,
+        /// Height of the joint before.
+        below: f64,
+    },
+    /// A shaking in g where there is no gravity.
+    #[error("{what} is {value}, in g, and gravity is 0; expected gravity above zero beside it")]
+    NoGravity {
+        /// The acceleration: horizontal or vertical.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// A number of the shaking that makes no sense.
+    #[error("{0}: {1}")]
+    Shaking(&'static str, InputError),
+    /// A load factor that makes no sense.
     #[error(transparent)]
-    Shaking(#[from] InputError),
+    LoadFactor(#[from] InputError),
     /// Another number of modes than of joints.
     #[error("there are {modes} modes and {joints} joints; expected a mode for each joint")]
     Modes {
@@ -263,7 +284,7 @@ pub struct Combination {
     unpressed: u8,
 }
 
-/// The first motion of a stack, in the units of its numbers.
+/// The first motion of a stack, in the units of its numbers; on a base that is shaken, relative to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StackMotion {
     /// The joints, from the ground up.
@@ -278,9 +299,9 @@ pub struct StackMotion {
 pub struct JointMotion {
     /// Acceleration to the right along the joint.
     pub t: f64,
-    /// Acceleration upwards above the origin.
+    /// Acceleration upwards of the point (0, h), which need not be on the body.
     pub v: f64,
-    /// Rotation, counter-clockwise.
+    /// Angular acceleration, counter-clockwise.
     pub omega: f64,
     /// Friction, to the right.
     pub f: f64,
@@ -368,14 +389,36 @@ impl Stack {
             return Err(StackError::Count { bodies, joints });
         }
         for (place, body) in self.bodies.iter().enumerate() {
-            body.check().map_err(|error| StackError::Number { is_joint: false, place, error })?;
+            for (is_variable, checked) in
+                [(false, body.check()), (true, StackBody::check_load(body.variable))]
+            {
+                checked.map_err(|error| StackError::Number { is_joint: false, place, is_variable, error })?;
+            }
         }
         for (place, joint) in self.joints.iter().enumerate() {
-            joint.check().map_err(|error| StackError::Number { is_joint: true, place, error })?;
+            joint.check().map_err(|error| StackError::Number {
+                is_joint: true,
+                place,
+                is_variable: false,
+                error,
+            })?;
         }
-        InputError::not_negative(Quantity::Gravity, self.shaking.gravity)?;
-        InputError::finite(Quantity::Acceleration, self.shaking.horizontal)?;
-        InputError::finite(Quantity::Acceleration, self.shaking.vertical)?;
+        for (below, pair) in self.joints.windows(2).enumerate() {
+            let [below_h, above] = [pair[0].h, pair[1].h];
+            if above <= below_h {
+                return Err(StackError::Order { place: below + 1, above, below: below_h });
+            }
+        }
+        let Shaking { gravity, horizontal, vertical, .. } = self.shaking;
+        InputError::not_negative(Quantity::Gravity, gravity)
+            .map_err(|error| StackError::Shaking("gravity", error))?;
+        for (what, value) in [("horizontal", horizontal), ("vertical", vertical)] {
+            InputError::finite(Quantity::Acceleration, value)
+                .map_err(|error| StackError::Shaking(what, error))?;
+            if gravity == 0.0 && value != 0.0 {
+                return Err(StackError::NoGravity { what, value });
+            }
+        }
         Ok(())
     }
 
@@ -470,11 +513,13 @@ impl StackBody {
         InputError::positive(Quantity::MomentOfInertia, self.inertia)?;
         InputError::finite(Quantity::CentroidOffset, self.x)?;
         InputError::finite(Quantity::CentroidHeight, self.y)?;
-        for wrench in [self.permanent, self.variable] {
-            InputError::finite(Quantity::WrenchX, wrench.x)?;
-            InputError::finite(Quantity::WrenchP, wrench.p)?;
-            InputError::finite(Quantity::WrenchM, wrench.m)?;
-        }
+        StackBody::check_load(self.permanent)
+    }
+
+    fn check_load(wrench: Wrench) -> Result<(), InputError> {
+        InputError::finite(Quantity::WrenchX, wrench.x)?;
+        InputError::finite(Quantity::WrenchP, wrench.p)?;
+        InputError::finite(Quantity::WrenchM, wrench.m)?;
         Ok(())
     }
 }
@@ -487,8 +532,8 @@ impl Joint {
         if self.r <= self.l {
             return Err(InputError::new(Quantity::JointRight, self.r, Expected::BeyondLeftEnd));
         }
+        InputError::not_negative(Quantity::MuS, self.mu_s)?;
         InputError::not_negative(Quantity::MuK, self.mu_k)?;
-        InputError::finite(Quantity::MuS, self.mu_s)?;
         if self.mu_s < self.mu_k {
             return Err(InputError::new(Quantity::MuS, self.mu_s, Expected::NotBelowKineticFriction));
         }
@@ -520,7 +565,9 @@ impl LoadPoint {
 pub(crate) struct Decider<'a> {
     approx: StackNumbers<Approx>,
     exact: OnceCell<StackNumbers<Ball>>,
-    system: OnceCell<System>,
+    /// Their equations in full.
+    system: OnceCell<System<Ball>>,
+    tracked: OnceCell<System<Approx>>,
     in_full: Box<dyn Fn() -> StackNumbers<Ball> + 'a>,
 }
 
@@ -529,15 +576,17 @@ impl<'a> Decider<'a> {
         approx: StackNumbers<Approx>,
         in_full: impl Fn() -> StackNumbers<Ball> + 'a,
     ) -> Decider<'a> {
-        Decider { approx, exact: OnceCell::new(), system: OnceCell::new(), in_full: Box::new(in_full) }
+        Decider {
+            approx,
+            exact: OnceCell::new(),
+            system: OnceCell::new(),
+            tracked: OnceCell::new(),
+            in_full: Box::new(in_full),
+        }
     }
 
     fn exact(&self) -> &StackNumbers<Ball> {
         self.exact.get_or_init(|| (self.in_full)())
-    }
-
-    fn system(&self) -> &System {
-        self.system.get_or_init(|| System::of(self.exact()))
     }
 
     fn enumerable(&self) -> Result<(), StackError> {

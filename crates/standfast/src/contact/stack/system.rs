@@ -1,46 +1,74 @@
-//! The equations of a stack in full, by elimination in numbers without rounding: what floating point cannot tell.
+//! The equations of a stack in full, by elimination: first in floating point that tracks its rounding, where a pivot of the recursion may be
+//! zero and that of the whole is not; then in numbers without rounding, what floating point cannot tell.
 
 use std::cmp::Ordering::{self, Equal, Greater, Less};
+use std::ops::Div;
 
 use super::rest::sign;
 use super::{
     BodyMotion, Combination, Decider, Freedom, JointMotion, LoadPoint, StackMotion, StackNumbers,
     is_unpressed,
 };
+use crate::approx::{Approx, Signed};
 use crate::ball::{Ball, Scalar};
 use crate::exact::Real;
 use crate::mode::Mode;
 
+/// Arithmetic in which the equations are solved.
+pub(super) trait Solvable: Signed + Div<Output = Self> {
+    /// The number of a load factor's fraction.
+    fn of_ball(number: &Ball) -> Self;
+
+    /// How well it does as a pivot; zero if it may be zero.
+    fn size(&self) -> f64;
+}
+
+impl Solvable for Ball {
+    fn of_ball(number: &Ball) -> Ball {
+        number.clone()
+    }
+
+    fn size(&self) -> f64 {
+        if sign(self) == Equal { 0.0 } else { 1.0 }
+    }
+}
+
+impl Solvable for Approx {
+    fn of_ball(number: &Ball) -> Approx {
+        number.tracked()
+    }
+
+    fn size(&self) -> f64 {
+        if self.is_told() { self.value().abs() } else { 0.0 }
+    }
+}
+
 /// A number under a load factor, and how it grows with that.
-type Grown = [Ball; 2];
+type Grown<T> = [T; 2];
 
 /// Motion and reaction of every joint times `scale`, each a number and its slope.
-struct Course {
-    motions: Vec<[Grown; 3]>,
-    reactions: Vec<[Grown; 3]>,
+struct Course<T> {
+    motions: Vec<[Grown<T>; 3]>,
+    reactions: Vec<[Grown<T>; 3]>,
     /// Above zero.
-    scale: Ball,
+    scale: T,
     /// The sign of D.
     orientation: Ordering,
 }
 
-fn zero() -> Ball {
-    Ball::of(0.0)
+fn zero<T: Real>() -> T {
+    T::of(0.0)
 }
 
 /// 𝓜 in the coordinates of the joints: 3n rows of as many.
-fn mass_matrix(numbers: &StackNumbers<Ball>) -> Vec<Vec<Ball>> {
+fn mass_matrix<T: Real>(numbers: &StackNumbers<T>) -> Vec<Vec<T>> {
     let count = numbers.bodies.len();
     let mut all = vec![vec![zero(); 3 * count]; 3 * count];
     for (j, body) in numbers.bodies.iter().enumerate() {
         // Rows of T: acceleration of the centre to the right, upwards, and the rotation.
-        let rows = |i: usize| -> [[Ball; 3]; 3] {
+        let rows = |i: usize| -> [[T; 3]; 3] {
             let up = numbers.joints[i].h.clone() - body.y.clone();
-            [
-                [Ball::of(1.0), zero(), up],
-                [zero(), Ball::of(1.0), body.x.clone()],
-                [zero(), zero(), Ball::of(1.0)],
-            ]
+            [[T::of(1.0), zero(), up], [zero(), T::of(1.0), body.x.clone()], [zero(), zero(), T::of(1.0)]]
         };
         let inertias = [&body.m_x, &body.m_y, &body.inertia];
         for i in 0..=j {
@@ -50,8 +78,8 @@ fn mass_matrix(numbers: &StackNumbers<Ball>) -> Vec<Vec<Ball>> {
                     for b in 0..3 {
                         let terms = (0..3)
                             .map(|row| of_i[row][a].clone() * inertias[row].clone() * of_k[row][b].clone());
-                        let sum = terms.fold(zero(), |sum, term| sum + term);
-                        let cell = &mut all[3 * i + a][3 * k + b];
+                        let sum = terms.fold(zero::<T>(), |sum, term| sum + term);
+                        let cell: &mut T = &mut all[3 * i + a][3 * k + b];
                         *cell = cell.clone() + sum;
                     }
                 }
@@ -62,7 +90,7 @@ fn mass_matrix(numbers: &StackNumbers<Ball>) -> Vec<Vec<Ball>> {
 }
 
 /// Q in the coordinates of the joints: permanent and variable loads.
-fn loads(numbers: &StackNumbers<Ball>) -> Vec<Grown> {
+fn loads<T: Real>(numbers: &StackNumbers<T>) -> Vec<Grown<T>> {
     let mut all = vec![[zero(), zero()]; 3 * numbers.bodies.len()];
     for (i, joint) in numbers.joints.iter().enumerate() {
         for body in &numbers.bodies[i..] {
@@ -70,7 +98,7 @@ fn loads(numbers: &StackNumbers<Ball>) -> Vec<Grown> {
                 let arm = body.y.clone() - joint.h.clone();
                 let moment = wrench.m - wrench.x.clone() * arm - wrench.p.clone() * body.x.clone();
                 for (row, value) in [wrench.x, -wrench.p, moment].into_iter().enumerate() {
-                    let cell = &mut all[3 * i + row][part];
+                    let cell: &mut T = &mut all[3 * i + row][part];
                     *cell = cell.clone() + value;
                 }
             }
@@ -80,24 +108,28 @@ fn loads(numbers: &StackNumbers<Ball>) -> Vec<Grown> {
 }
 
 /// The mass matrix of a stack and its loads, which no combination changes.
-pub(super) struct System {
-    mass: Vec<Vec<Ball>>,
-    loads: Vec<Grown>,
+pub(super) struct System<T> {
+    mass: Vec<Vec<T>>,
+    loads: Vec<Grown<T>>,
 }
 
-impl System {
-    pub(super) fn of(numbers: &StackNumbers<Ball>) -> System {
+impl<T: Real> System<T> {
+    pub(super) fn of(numbers: &StackNumbers<T>) -> System<T> {
         System { mass: mass_matrix(numbers), loads: loads(numbers) }
     }
 }
 
-/// The solution of linear equations times their determinant, and that; `None` where it is zero. Numbers grow no more than determinants do:
+/// The solution of linear equations times their determinant, and that; `None` where it is zero, or may be. Numbers grow no more than determinants do:
 /// every division, by the pivot before, leaves no rest.
-fn solved(mut matrix: Vec<Vec<Ball>>, mut right: Vec<Grown>) -> Option<(Vec<Grown>, Ball)> {
+fn solved<T: Solvable>(mut matrix: Vec<Vec<T>>, mut right: Vec<Grown<T>>) -> Option<(Vec<Grown<T>>, T)> {
     let count = matrix.len();
-    let mut before = Ball::of(1.0);
+    let mut before = T::of(1.0);
     for column in 0..count {
-        let pivot = (column..count).find(|row| sign(&matrix[*row][column]) != Equal)?;
+        let size = |row: &usize| matrix[*row][column].size();
+        let pivot = (column..count).max_by(|one, two| size(one).total_cmp(&size(two)))?;
+        if size(&pivot) == 0.0 {
+            return None;
+        }
         if pivot != column {
             matrix.swap(pivot, column);
             right.swap(pivot, column);
@@ -109,7 +141,7 @@ fn solved(mut matrix: Vec<Vec<Ball>>, mut right: Vec<Grown>) -> Option<(Vec<Grow
         let pivot = &own[column];
         for row in (0..count).filter(|row| *row != column) {
             let by = matrix[row][column].clone();
-            let without = |value: &Ball, own: &Ball| {
+            let without = |value: &T, own: &T| {
                 (value.clone() * pivot.clone() - own.clone() * by.clone()) / before.clone()
             };
             matrix[row] = matrix[row].iter().zip(&own).map(|(value, own)| without(value, own)).collect();
@@ -120,32 +152,32 @@ fn solved(mut matrix: Vec<Vec<Ball>>, mut right: Vec<Grown>) -> Option<(Vec<Grow
     Some((right, before))
 }
 
-impl Decider<'_> {
-    /// The course of a combination; `None` where D is zero: it has no motion of its own.
-    fn course(&self, modes: &[Mode], at: &LoadPoint) -> Option<Course> {
-        let numbers = self.exact();
-        let System { mass, loads } = self.system();
-        let loads: Vec<Grown> = loads
+impl<T: Solvable> System<T> {
+    /// The course of a combination; `None` where D is zero, or may be: it has no motion of its own.
+    fn course(&self, numbers: &StackNumbers<T>, modes: &[Mode], at: &LoadPoint) -> Option<Course<T>> {
+        let System { mass, loads } = self;
+        let [above, below] = [&at.above, &at.below].map(T::of_ball);
+        let loads: Vec<Grown<T>> = loads
             .iter()
             .map(|[steady, growing]| {
-                let value = steady.clone() * at.below.clone() + growing.clone() * at.above.clone();
+                let value = steady.clone() * below.clone() + growing.clone() * above.clone();
                 // A slope that nothing asks for costs nothing as a zero.
-                [value, if at.beyond { growing.clone() * at.below.clone() } else { zero() }]
+                [value, if at.beyond { growing.clone() * below.clone() } else { zero() }]
             })
             .collect();
-        let freedoms: Vec<Freedom<Ball>> =
+        let freedoms: Vec<Freedom<T>> =
             numbers.joints.iter().zip(modes).map(|(joint, mode)| Freedom::of(joint, *mode)).collect();
-        let columns: Vec<(usize, &[Ball; 3])> = freedoms
+        let columns: Vec<(usize, &[T; 3])> = freedoms
             .iter()
             .enumerate()
             .flat_map(|(joint, freedom)| freedom.motions.iter().map(move |motion| (joint, motion)))
             .collect();
-        let rows: Vec<(usize, &[Ball; 3])> = freedoms
+        let rows: Vec<(usize, &[T; 3])> = freedoms
             .iter()
             .enumerate()
             .flat_map(|(joint, freedom)| freedom.rows.iter().map(move |row| (joint, row)))
             .collect();
-        let sum = |terms: &mut dyn Iterator<Item = Ball>| terms.fold(zero(), |sum, term| sum + term);
+        let sum = |terms: &mut dyn Iterator<Item = T>| terms.fold(zero::<T>(), |sum, term| sum + term);
         let matrix = rows
             .iter()
             .map(|(i, row)| {
@@ -174,7 +206,7 @@ impl Decider<'_> {
             determinant = -determinant;
             shares = shares.into_iter().map(|share| share.map(|part| -part)).collect();
         }
-        let mut motions = vec![std::array::from_fn::<Grown, 3, _>(|_| [zero(), zero()]); modes.len()];
+        let mut motions = vec![std::array::from_fn::<Grown<T>, 3, _>(|_| [zero(), zero()]); modes.len()];
         for ((joint, motion), share) in columns.iter().zip(&shares) {
             for (row, direction) in motion.iter().enumerate() {
                 for part in 0..2 {
@@ -196,11 +228,20 @@ impl Decider<'_> {
                 })
             })
             .collect();
-        Some(Course { motions, reactions, scale: determinant * at.below.clone(), orientation })
+        Some(Course { motions, reactions, scale: determinant * below, orientation })
+    }
+}
+
+impl Decider<'_> {
+    fn course(&self, modes: &[Mode], at: &LoadPoint) -> Option<Course<Ball>> {
+        self.system.get_or_init(|| System::of(self.exact())).course(self.exact(), modes, at)
     }
 
-    /// The combination, if it is consistent.
+    /// The combination, if it is consistent; of what is surely not, floating point says so.
     pub(super) fn settled(&self, modes: &[Mode], at: &LoadPoint) -> Option<Combination> {
+        if self.surely_fails(modes, at) {
+            return None;
+        }
         let course = self.course(modes, at)?;
         let mut unpressed = 0;
         for (place, mode) in modes.iter().enumerate() {
@@ -214,11 +255,29 @@ impl Decider<'_> {
         Some(Combination { modes: modes.to_vec(), regular: course.orientation == Greater, unpressed })
     }
 
+    /// True if floating point can tell that a condition fails.
+    fn surely_fails(&self, modes: &[Mode], at: &LoadPoint) -> bool {
+        let system = self.tracked.get_or_init(|| System::of(&self.approx));
+        let Some(course) = system.course(&self.approx, modes, at) else { return false };
+        let each = self.approx.joints.iter().zip(modes).zip(course.motions.iter().zip(&course.reactions));
+        each.into_iter().any(|((joint, mode), (motion, reaction))| {
+            let of = |numbers: &[Grown<Approx>; 3]| numbers.map(|[value, _]| value);
+            let (conditions, count) = joint.conditions(*mode, &of(motion), &of(reaction));
+            conditions[..count].iter().any(|condition| condition.value.sign() == Some(Less))
+        })
+    }
+
     /// The signs of the conditions of a joint, and whether each is strict.
-    fn signs(&self, course: &Course, place: usize, mode: Mode, at: &LoadPoint) -> Vec<(Ordering, bool)> {
+    fn signs(
+        &self,
+        course: &Course<Ball>,
+        place: usize,
+        mode: Mode,
+        at: &LoadPoint,
+    ) -> Vec<(Ordering, bool)> {
         let joint = &self.exact().joints[place];
         let part = |part: usize| {
-            let of = |numbers: &[Grown; 3]| std::array::from_fn(|row| numbers[row][part].clone());
+            let of = |numbers: &[Grown<Ball>; 3]| std::array::from_fn(|row| numbers[row][part].clone());
             joint.conditions(mode, &of(&course.motions[place]), &of(&course.reactions[place]))
         };
         let ((values, count), (slopes, _)) = (part(0), part(1));
@@ -239,7 +298,7 @@ impl Decider<'_> {
         for (place, mode) in modes.iter().enumerate() {
             let joint = &self.exact().joints[place];
             let part = |part: usize| {
-                let of = |numbers: &[Grown; 3]| std::array::from_fn(|row| numbers[row][part].clone());
+                let of = |numbers: &[Grown<Ball>; 3]| std::array::from_fn(|row| numbers[row][part].clone());
                 joint.conditions(*mode, &of(&course.motions[place]), &of(&course.reactions[place]))
             };
             let ((values, count), (slopes, _)) = (part(0), part(1));
@@ -281,7 +340,7 @@ impl Decider<'_> {
         });
         let scale = course.scale.clone();
         let numbers = self.exact();
-        let value = |numbers: &[Grown; 3]| -> [Ball; 3] {
+        let value = |numbers: &[Grown<Ball>; 3]| -> [Ball; 3] {
             std::array::from_fn(|row| numbers[row][0].clone() / scale.clone())
         };
         let joints = course.motions.iter().zip(&course.reactions).map(|(motion, reaction)| {
@@ -291,7 +350,7 @@ impl Decider<'_> {
         });
         let joints: Vec<_> = joints.collect();
         // Of the point of body i at the origin: right, up, and the rotation.
-        let mut at_origin = [zero(), zero(), zero()];
+        let mut at_origin: [Ball; 3] = [zero(), zero(), zero()];
         let bodies =
             numbers.bodies.iter().zip(&numbers.joints).zip(&course.motions).map(|((body, joint), motion)| {
                 let [t, v, ω] = value(motion);
