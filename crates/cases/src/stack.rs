@@ -29,7 +29,7 @@ impl AnsweredStack {
 
     /// The JSON document, which `docs/stack.schema.json` describes.
     pub fn json(&self) -> String {
-        let StackDeparture { load_factor, at_once: _, joints, answer, .. } = &self.departure;
+        let StackDeparture { load_factor, answer, .. } = &self.departure;
         let full = self.at_once.as_ref().ok();
         let motion = full.and_then(StackAnswer::motion);
         written(&StackDocument {
@@ -40,7 +40,7 @@ impl AnsweredStack {
                 _ => "at",
             },
             load_factor: *load_factor,
-            departure_joints: joints.iter().map(|place| place + 1).collect(),
+            departure_joints: self.departure.joints().iter().map(|place| place + 1).collect(),
             departure_modes: reported(answer),
             departure_also_modes: answer.others().collect(),
             modes: full.and_then(reported),
@@ -54,11 +54,7 @@ impl AnsweredStack {
 
     /// The answers in words and tables.
     pub fn text(&self) -> String {
-        let mut text = paragraph(&self.leaves(), 0);
-        let others: Vec<String> = self.departure.answer.others().map(slashed).collect();
-        if !others.is_empty() {
-            text += &paragraph(&format!("As consistent then: {}.", others.join(", ")), 0);
-        }
+        let mut text = paragraph(&self.leaves(), 0) + &also("As consistent then", &self.departure.answer);
         match &self.at_once {
             Err(error) => text += &paragraph(&format!("At once, the full load: not known, {error}."), 0),
             Ok(answer) => {
@@ -71,10 +67,7 @@ impl AnsweredStack {
                     ),
                     0,
                 );
-                let others: Vec<String> = answer.others().map(slashed).collect();
-                if !others.is_empty() {
-                    text += &paragraph(&format!("As consistent: {}.", others.join(", ")), 0);
-                }
+                text += &also("As consistent", answer);
                 if let Some(motion) = answer.motion() {
                     text += &table(answer.modes(), motion);
                 }
@@ -85,8 +78,9 @@ impl AnsweredStack {
 
     /// Where it leaves rest, in a sentence or two.
     fn leaves(&self) -> String {
-        let StackDeparture { load_factor, at_once, joints, answer, .. } = &self.departure;
-        let which: Vec<String> = joints.iter().map(|place| (place + 1).to_string()).collect();
+        let StackDeparture { load_factor, at_once, answer, .. } = &self.departure;
+        let which: Vec<String> =
+            self.departure.joints().iter().map(|place| (place + 1).to_string()).collect();
         let (which, reach) = match which.as_slice() {
             [one] => (format!("joint {one}"), "reaches its limit"),
             [first @ .., last] => (format!("joints {} and {last}", first.join(", ")), "reach their limits"),
@@ -106,6 +100,12 @@ impl AnsweredStack {
 
 fn reported(answer: &StackAnswer) -> Option<&[Mode]> {
     Some(answer.modes()).filter(|modes| !modes.is_empty())
+}
+
+/// The other combinations of an answer, behind words; nothing where there are none.
+fn also(words: &str, answer: &StackAnswer) -> String {
+    let others: Vec<String> = answer.others().map(slashed).collect();
+    if others.is_empty() { String::new() } else { paragraph(&format!("{words}: {}.", others.join(", ")), 0) }
 }
 
 /// Modes as in RE/SL.

@@ -128,7 +128,7 @@ pub(crate) fn figure(given: &StackMap<'_>) -> Figure {
                 &mut canvas.scene,
                 |scene, rect| {
                     scene.fill(&Path::rectangle(rect), REST);
-                    texture::laid_over_rectangle(scene, rect, moves.texture());
+                    texture::laid_within(scene, &[&rect.corners()], moves.texture());
                 },
                 &words,
             );

@@ -4,7 +4,7 @@
 use crate::axes::Axes;
 use crate::palette::{self, FAINT};
 use crate::plot::{Fall, Piece, ruled};
-use crate::scene::{Path, Pen, Rect, Scene};
+use crate::scene::{Path, Pen, Scene};
 use standfast::Verdict;
 
 /// What lies over a tint.
@@ -64,24 +64,24 @@ pub(crate) fn laid_over(scene: &mut Scene, axes: &Axes, pieces: &[Piece], textur
     texture.draw(scene, |fall, spacing| ruled(axes, pieces, spacing, fall));
 }
 
-/// Draws a texture over a rectangle.
-pub(crate) fn laid_over_rectangle(scene: &mut Scene, rect: &Rect, texture: Texture) {
-    texture.draw(scene, |fall, spacing| across(&[&rect.corners()], spacing, fall));
+/// Draws a texture over an area within outlines, less its holes.
+pub(crate) fn laid_within(scene: &mut Scene, outlines: &[&[(f64, f64)]], texture: Texture) {
+    texture.draw(scene, |fall, spacing| across(outlines, spacing, fall));
 }
 
 /// Draws the texture of a verdict over a polygon.
 pub(crate) fn over_polygon(scene: &mut Scene, corners: &[(f64, f64)], verdict: Verdict) {
-    palette::verdict_texture(verdict).draw(scene, |fall, spacing| across(&[corners], spacing, fall));
+    laid_within(scene, &[corners], palette::verdict_texture(verdict));
 }
 
 /// Draws grains over a polygon: soil, and what is filled in.
 pub(crate) fn grains(scene: &mut Scene, corners: &[(f64, f64)]) {
-    Texture::Grains.draw(scene, |fall, spacing| across(&[corners], spacing, fall));
+    laid_within(scene, &[corners], Texture::Grains);
 }
 
 /// Draws stripes over an area within outlines, less its holes.
 pub(crate) fn stripes(scene: &mut Scene, outlines: &[&[(f64, f64)]]) {
-    Texture::Stripes.draw(scene, |fall, spacing| across(outlines, spacing, fall));
+    laid_within(scene, outlines, Texture::Stripes);
 }
 
 /// Lines across an area on the page, which lie where they lie for every area.

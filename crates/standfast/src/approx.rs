@@ -151,7 +151,7 @@ impl Div for Approx {
 }
 
 /// Covers the roundings of a bound that is made of few terms.
-const WIDER: f64 = 1.0 + 1e-12;
+pub(crate) const WIDER: f64 = 1.0 + 1e-12;
 
 #[cfg(test)]
 mod tests {

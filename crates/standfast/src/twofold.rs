@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::approx::Signed;
+use crate::approx::{Signed, WIDER};
 use crate::exact::Real;
 
 /// A value in two parts and a bound on its distance from the exact result.
@@ -19,8 +19,6 @@ pub(crate) struct Twofold {
 
 /// Half a unit in the last place, twice: roundings of the bound itself are covered.
 const LOST: f64 = f64::EPSILON;
-/// Covers the roundings of a bound that is made of few terms.
-const WIDER: f64 = 1.0 + 1e-12;
 /// A product smaller than this may lose digits of its low part. One that overflows has a low part that is no number.
 const SMALL: f64 = 1e-270;
 

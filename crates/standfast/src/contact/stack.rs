@@ -70,29 +70,31 @@
 //! };
 //! let departure = stack.departure()?;
 //! assert!((departure.load_factor - 0.375).abs() < 1e-15); // 0.3/0.8
-//! assert_eq!(departure.joints, [1]); // the upper joint
+//! assert_eq!(departure.joints(), [1]); // the upper joint
 //! let symbols: Vec<_> = departure.answer.modes().iter().map(|mode| mode.symbol()).collect();
 //! assert_eq!(symbols, ["RE", "SL"]);
 //! # Ok::<(), standfast::contact::stack::StackError>(())
 //! ```
 
+mod check;
 mod choice;
+mod laws;
 pub mod plane;
 mod recursion;
 mod rest;
 mod system;
 
 use std::cell::OnceCell;
-use std::cmp::Ordering;
 
 use crate::approx::Approx;
 use crate::ball::{Ball, Scalar};
 use crate::error::InputError;
 use crate::exact::Real;
-use crate::mode::{Corner, Mode, Slip};
-use crate::quantity::{Expected, Quantity};
+use crate::mode::Mode;
+use crate::quantity::Quantity;
 use crate::wrench::Wrench;
 
+pub use check::StackError;
 pub use rest::RestLimit;
 use system::System;
 
@@ -166,75 +168,9 @@ pub struct Stack {
 }
 
 /// The numbers of a stack in some arithmetic: weight and inertia are among the loads.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StackNumbers<T> {
-    /// The bodies, from the ground up.
-    pub bodies: Vec<StackBody<T>>,
-    /// The joint below each.
-    pub joints: Vec<Joint<T>>,
-}
-
-/// Reason why there is no such stack.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum StackError {
-    /// Other numbers of bodies and joints, or none.
-    #[error("bodies: {bodies}, joints: {joints}; expected one joint below each body, and one body at least")]
-    Count {
-        /// Number of bodies.
-        bodies: usize,
-        /// Number of joints.
-        joints: usize,
-    },
-    /// A number of a body or a joint that makes no sense.
-    #[error("{} {}{}: {error}", if *is_joint { "joint" } else { "body" }, place + 1, if *is_variable { ", variable load" } else { "" })]
-    Number {
-        /// True of a joint.
-        is_joint: bool,
-        /// Its place from the ground up, from zero.
-        place: usize,
-        /// True of a variable load.
-        is_variable: bool,
-        /// Reason.
-        error: InputError,
-    },
-    /// A joint that is not above the one before.
-    #[error("joint {} is at {above}, and joint {} below it at {below}; expected bodies and joints from the ground up", place + 1, place)]
-    Order {
-        /// Place of the upper one, from zero.
-        place: usize,
-        /// Its height.
-        above: f64,
-        /// Height of the joint before.
-        below: f64,
-    },
-    /// A shaking in g where there is no gravity.
-    #[error("{what} is {value}, in g, and gravity is 0; expected gravity above zero beside it")]
-    NoGravity {
-        /// The acceleration: horizontal or vertical.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-    },
-    /// A number of the shaking that makes no sense.
-    #[error("{0}: {1}")]
-    Shaking(&'static str, InputError),
-    /// A load factor that makes no sense.
-    #[error(transparent)]
-    LoadFactor(#[from] InputError),
-    /// Another number of modes than of joints.
-    #[error("there are {modes} modes and {joints} joints; expected a mode for each joint")]
-    Modes {
-        /// Number of modes.
-        modes: usize,
-        /// Number of joints.
-        joints: usize,
-    },
-    /// More bodies than are enumerated.
-    #[error(
-        "there are {0} bodies; the modes of {MOST} at most are enumerated, their rest and departure of any number"
-    )]
-    TooMany(usize),
+struct StackNumbers<T> {
+    bodies: Vec<StackBody<T>>,
+    joints: Vec<Joint<T>>,
 }
 
 /// Where a stack leaves rest as its variable loads rise from nothing.
@@ -244,9 +180,8 @@ pub struct StackDeparture {
     pub load_factor: f64,
     /// True if the permanent loads alone move it.
     pub at_once: bool,
-    /// The joints whose rest ends there, from the ground up, from zero; where permanent loads alone move it, those that do not rest.
-    pub joints: Vec<usize>,
-    /// The limits that are reached, in the order of `joints`; of a joint with two, both.
+    /// The limits that are reached, each with its joint from the ground up, from zero; where permanent loads alone move it, those that are
+    /// passed.
     pub limits: Vec<(usize, RestLimit)>,
     /// The combinations that begin with any more load; none where it never leaves rest, and of a stack of more bodies than are
     /// [enumerated](MOST).
@@ -324,6 +259,15 @@ pub struct BodyMotion {
     pub theta_ddot: f64,
 }
 
+impl StackDeparture {
+    /// The joints whose limits are reached, from the ground up, from zero.
+    pub fn joints(&self) -> Vec<usize> {
+        let mut joints: Vec<usize> = self.limits.iter().map(|(joint, _)| *joint).collect();
+        joints.dedup();
+        joints
+    }
+}
+
 impl StackAnswer {
     /// The combination reported, a mode for each joint from the ground up; empty where there is none.
     pub fn modes(&self) -> &[Mode] {
@@ -383,48 +327,21 @@ impl Stack {
         StackNumbers { bodies: bodies.collect(), joints: joints.collect() }
     }
 
-    fn check(&self) -> Result<(), StackError> {
-        let (bodies, joints) = (self.bodies.len(), self.joints.len());
-        if bodies != joints || bodies == 0 {
-            return Err(StackError::Count { bodies, joints });
-        }
-        for (place, body) in self.bodies.iter().enumerate() {
-            for (is_variable, checked) in
-                [(false, body.check()), (true, StackBody::check_load(body.variable))]
-            {
-                checked.map_err(|error| StackError::Number { is_joint: false, place, is_variable, error })?;
-            }
-        }
-        for (place, joint) in self.joints.iter().enumerate() {
-            joint.check().map_err(|error| StackError::Number {
-                is_joint: true,
-                place,
-                is_variable: false,
-                error,
-            })?;
-        }
-        for (below, pair) in self.joints.windows(2).enumerate() {
-            let [below_h, above] = [pair[0].h, pair[1].h];
-            if above <= below_h {
-                return Err(StackError::Order { place: below + 1, above, below: below_h });
-            }
-        }
-        let Shaking { gravity, horizontal, vertical, .. } = self.shaking;
-        InputError::not_negative(Quantity::Gravity, gravity)
-            .map_err(|error| StackError::Shaking("gravity", error))?;
-        for (what, value) in [("horizontal", horizontal), ("vertical", vertical)] {
-            InputError::finite(Quantity::Acceleration, value)
-                .map_err(|error| StackError::Shaking(what, error))?;
-            if gravity == 0.0 && value != 0.0 {
-                return Err(StackError::NoGravity { what, value });
-            }
-        }
-        Ok(())
-    }
-
     fn decider(&self) -> Result<Decider<'_>, StackError> {
         self.check()?;
-        Ok(Decider::new(self.numbers(), || self.numbers()))
+        Ok(Decider {
+            stack: self,
+            approx: self.numbers(),
+            exact: OnceCell::new(),
+            system: OnceCell::new(),
+            tracked: OnceCell::new(),
+        })
+    }
+
+    /// The same of a stack whose combinations are enumerated.
+    fn enumerated(&self) -> Result<Decider<'_>, StackError> {
+        let decider = self.decider()?;
+        if decider.is_enumerable() { Ok(decider) } else { Err(StackError::TooMany(self.bodies.len())) }
     }
 
     /// Where it leaves rest as its variable loads rise from nothing, and into which modes.
@@ -440,10 +357,8 @@ impl Stack {
     /// # Errors
     /// If it is no stack, or has more bodies than are [enumerated](MOST).
     pub fn answer(&self, load_factor: f64) -> Result<StackAnswer, StackError> {
-        InputError::finite(Quantity::LoadFactor, load_factor)?;
-        let decider = self.decider()?;
-        decider.enumerable()?;
-        Ok(decider.answer(&LoadPoint::of(load_factor)))
+        let at = LoadPoint::given(load_factor)?;
+        Ok(self.enumerated()?.answer(&at))
     }
 
     /// The modes as the variable loads rise from nothing without end: a combination stays until one of its conditions fails.
@@ -474,9 +389,7 @@ impl Stack {
     /// # Ok::<(), standfast::contact::stack::StackError>(())
     /// ```
     pub fn path(&self) -> Result<Vec<StackStage>, StackError> {
-        let decider = self.decider()?;
-        decider.enumerable()?;
-        Ok(decider.path())
+        Ok(self.enumerated()?.path())
     }
 
     /// Every combination whose conditions hold then, before stick is tried before slip, each motion once.
@@ -484,14 +397,10 @@ impl Stack {
     /// # Errors
     /// As [`answer`](Stack::answer).
     pub fn every_combination(&self, load_factor: f64) -> Result<Vec<Combination>, StackError> {
-        InputError::finite(Quantity::LoadFactor, load_factor)?;
-        let decider = self.decider()?;
-        decider.enumerable()?;
-        Ok(decider.consistent(&LoadPoint::of(load_factor)))
+        let at = LoadPoint::given(load_factor)?;
+        Ok(self.enumerated()?.consistent(&at))
     }
-}
 
-impl Stack {
     /// D = det(NᵀMB) of a combination, one mode a joint from the ground up, in the units of its numbers; no load changes it. Where it is
     /// above zero for all combinations the answer is unique under every load.
     ///
@@ -506,44 +415,9 @@ impl Stack {
     }
 }
 
-impl StackBody {
-    fn check(&self) -> Result<(), InputError> {
-        InputError::positive(Quantity::InertiaX, self.m_x)?;
-        InputError::positive(Quantity::InertiaY, self.m_y)?;
-        InputError::positive(Quantity::MomentOfInertia, self.inertia)?;
-        InputError::finite(Quantity::CentroidOffset, self.x)?;
-        InputError::finite(Quantity::CentroidHeight, self.y)?;
-        StackBody::check_load(self.permanent)
-    }
-
-    fn check_load(wrench: Wrench) -> Result<(), InputError> {
-        InputError::finite(Quantity::WrenchX, wrench.x)?;
-        InputError::finite(Quantity::WrenchP, wrench.p)?;
-        InputError::finite(Quantity::WrenchM, wrench.m)?;
-        Ok(())
-    }
-}
-
-impl Joint {
-    fn check(&self) -> Result<(), InputError> {
-        InputError::finite(Quantity::JointHeight, self.h)?;
-        InputError::finite(Quantity::JointLeft, self.l)?;
-        InputError::finite(Quantity::JointRight, self.r)?;
-        if self.r <= self.l {
-            return Err(InputError::new(Quantity::JointRight, self.r, Expected::BeyondLeftEnd));
-        }
-        InputError::not_negative(Quantity::MuS, self.mu_s)?;
-        InputError::not_negative(Quantity::MuK, self.mu_k)?;
-        if self.mu_s < self.mu_k {
-            return Err(InputError::new(Quantity::MuS, self.mu_s, Expected::NotBelowKineticFriction));
-        }
-        Ok(())
-    }
-}
-
 /// A load factor, as a fraction: what it is above and below the line, the latter above zero.
 #[derive(Debug, Clone)]
-pub(crate) struct LoadPoint {
+struct LoadPoint {
     above: Ball,
     below: Ball,
     /// True of any load beyond it, however little: a condition that is zero there has the sign of its slope.
@@ -551,6 +425,11 @@ pub(crate) struct LoadPoint {
 }
 
 impl LoadPoint {
+    /// A load factor that a caller gives.
+    fn given(factor: f64) -> Result<LoadPoint, InputError> {
+        InputError::finite(Quantity::LoadFactor, factor).map(LoadPoint::of)
+    }
+
     fn of(factor: f64) -> LoadPoint {
         LoadPoint { above: Ball::of(factor), below: Ball::of(1.0), beyond: false }
     }
@@ -561,54 +440,38 @@ impl LoadPoint {
     }
 }
 
-/// A stack in two arithmetics: rounding that is tracked, and none.
-pub(crate) struct Decider<'a> {
+/// A stack in two arithmetics: rounding that is tracked, and none, where that cannot tell.
+struct Decider<'a> {
+    stack: &'a Stack,
     approx: StackNumbers<Approx>,
     exact: OnceCell<StackNumbers<Ball>>,
     /// Their equations in full.
     system: OnceCell<System<Ball>>,
     tracked: OnceCell<System<Approx>>,
-    in_full: Box<dyn Fn() -> StackNumbers<Ball> + 'a>,
 }
 
-impl<'a> Decider<'a> {
-    pub(crate) fn new(
-        approx: StackNumbers<Approx>,
-        in_full: impl Fn() -> StackNumbers<Ball> + 'a,
-    ) -> Decider<'a> {
-        Decider {
-            approx,
-            exact: OnceCell::new(),
-            system: OnceCell::new(),
-            tracked: OnceCell::new(),
-            in_full: Box::new(in_full),
-        }
-    }
-
+impl Decider<'_> {
     fn exact(&self) -> &StackNumbers<Ball> {
-        self.exact.get_or_init(|| (self.in_full)())
+        self.exact.get_or_init(|| self.stack.numbers())
     }
 
-    fn enumerable(&self) -> Result<(), StackError> {
-        let count = self.approx.bodies.len();
-        if count > MOST { Err(StackError::TooMany(count)) } else { Ok(()) }
+    fn is_enumerable(&self) -> bool {
+        self.approx.bodies.len() <= MOST
     }
 
     /// Where the stack leaves rest.
-    pub(crate) fn departure(&self) -> StackDeparture {
+    fn departure(&self) -> StackDeparture {
         let leaving = self.leaving();
         let answer = match &leaving.at {
-            Some(at) if self.enumerable().is_ok() => self.answer(at),
+            Some(at) if self.is_enumerable() => self.answer(at),
             _ => StackAnswer::default(),
         };
-        let mut joints: Vec<usize> = leaving.limits.iter().map(|(joint, _)| *joint).collect();
-        joints.dedup();
         let load_factor = leaving.at.map_or(f64::INFINITY, |at| at.factor().value());
-        StackDeparture { load_factor, at_once: leaving.at_once, joints, limits: leaving.limits, answer }
+        StackDeparture { load_factor, at_once: leaving.at_once, limits: leaving.limits, answer }
     }
 
     /// The stages of the variable loads that rise without end.
-    pub(crate) fn path(&self) -> Vec<StackStage> {
+    fn path(&self) -> Vec<StackStage> {
         let mut stages: Vec<StackStage> = Vec::new();
         let mut next = Some(LoadPoint { beyond: true, ..LoadPoint::of(0.0) });
         while let Some(at) = next.take() {
@@ -624,109 +487,9 @@ impl<'a> Decider<'a> {
     }
 
     /// The combinations under a load, and the motion of the one reported.
-    pub(crate) fn answer(&self, at: &LoadPoint) -> StackAnswer {
+    fn answer(&self, at: &LoadPoint) -> StackAnswer {
         let combinations = self.chosen(self.consistent(at), at);
-        let motion = combinations.first().map(|first| self.motion(&first.modes, at));
+        let motion = combinations.first().and_then(|first| self.motion(&first.modes, at));
         StackAnswer { combinations, motion }
-    }
-}
-
-/// Motions and rows of a mode in the coordinates (t, v, ω) and (f, N, G) of its joint.
-struct Freedom<T> {
-    motions: Vec<[T; 3]>,
-    rows: Vec<[T; 3]>,
-}
-
-impl<T: Real> Freedom<T> {
-    fn of(joint: &Joint<T>, mode: Mode) -> Freedom<T> {
-        let of = T::of;
-        let unit = |place: usize| std::array::from_fn(|i| of(if i == place { 1.0 } else { 0.0 }));
-        if mode == Mode::Flight {
-            let all: Vec<[T; 3]> = (0..3).map(unit).collect();
-            return Freedom { motions: all.clone(), rows: all };
-        }
-        let (mut motions, mut rows) = (Vec::new(), Vec::new());
-        if let Some(slip) = mode.slip() {
-            motions.push(unit(0));
-            rows.push([of(1.0), of(slip.sign()) * joint.mu_k.clone(), of(0.0)]);
-        }
-        if let Some(corner) = mode.corner() {
-            let about = [of(0.0), -joint.end(corner), of(1.0)];
-            motions.push(about.clone());
-            rows.push(about);
-        }
-        Freedom { motions, rows }
-    }
-}
-
-impl<T: Real> Joint<T> {
-    /// Position of a corner.
-    fn end(&self, corner: Corner) -> T {
-        match corner {
-            Corner::O => self.l.clone(),
-            Corner::OPrime => self.r.clone(),
-        }
-    }
-
-    /// The conditions of a mode, with the relative acceleration (t, v, ω) and the reaction (f, N, G) of the joint.
-    fn conditions(&self, mode: Mode, motion: &[T; 3], reaction: &[T; 3]) -> ([Condition<T>; 4], usize) {
-        let ([t, v, ω], [f, n, g]) = (motion, reaction);
-        let mul = |a: &T, b: &T| a.clone() * b.clone();
-        let not_below = |value: T| Condition { value, strict: false };
-        let above = |value: T| Condition { value, strict: true };
-        let on_joint = || [not_below(g.clone() - mul(&self.l, n)), not_below(mul(&self.r, n) - g.clone())];
-        let holds = || {
-            let grip = mul(&self.mu_s, n);
-            [not_below(grip.clone() - f.clone()), not_below(grip + f.clone())]
-        };
-        let slips = |slip: Slip| {
-            above(match slip {
-                Slip::Left => -t.clone(),
-                Slip::Right => t.clone(),
-            })
-        };
-        let none = || not_below(T::of(0.0));
-        match (mode.corner(), mode.slip()) {
-            _ if mode == Mode::Flight => {
-                let gap = |end: &T| not_below(v.clone() + mul(end, ω));
-                ([gap(&self.l), gap(&self.r), none(), none()], 2)
-            }
-            (None, None) => {
-                let ([one, two], [three, four]) = (on_joint(), holds());
-                ([one, two, three, four], 4)
-            }
-            (None, Some(slip)) => {
-                let [one, two] = on_joint();
-                ([slips(slip), one, two, none()], 3)
-            }
-            (Some(corner), slip) => {
-                let turns = above(if corner == Corner::O { ω.clone() } else { -ω.clone() });
-                let presses = not_below(n.clone());
-                match slip {
-                    Some(slip) => ([turns, presses, slips(slip), none()], 3),
-                    None => {
-                        let [three, four] = holds();
-                        ([turns, presses, three, four], 4)
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// A quantity that must not be below zero, or has to be above it.
-#[derive(Debug, Clone, Copy)]
-struct Condition<T> {
-    value: T,
-    strict: bool,
-}
-
-/// True if a mode that touches presses nothing: by the signs of its conditions, in their order.
-fn is_unpressed(mode: Mode, signs: &[Ordering]) -> bool {
-    match (mode.corner(), mode.slip()) {
-        _ if mode == Mode::Flight => false,
-        (None, None) => signs[..2] == [Ordering::Equal; 2],
-        (None, Some(_)) => signs[1..3] == [Ordering::Equal; 2],
-        (Some(_), _) => signs[1] == Ordering::Equal,
     }
 }

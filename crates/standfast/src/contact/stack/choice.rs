@@ -41,26 +41,28 @@ fn sticks_instead(slips: Mode, sticks: Mode) -> bool {
 }
 
 impl Decider<'_> {
+    /// True if a joint has more friction to stick than to slip.
+    fn holds_better(&self, place: usize) -> bool {
+        let joint = &self.approx.joints[place];
+        joint.mu_s.value() > joint.mu_k.value()
+    }
+
     /// True if `other` has slip in fewer joints than `one`, where a joint that friction may hold better at rest sticks.
     fn is_beaten(&self, one: &Combination, other: &Combination) -> bool {
         let pairs = || one.modes.iter().zip(&other.modes);
-        let joints = &self.approx.joints;
-        let holds_better = |place: usize| joints[place].mu_s.value() > joints[place].mu_k.value();
         pairs().all(|(own, other)| match (own.slip(), other.slip()) {
             (Some(_), Some(_)) => own == other,
             (None, Some(_)) => false,
             (_, None) => true,
         }) && pairs()
             .enumerate()
-            .any(|(place, (own, other))| holds_better(place) && sticks_instead(*own, *other))
+            .any(|(place, (own, other))| self.holds_better(place) && sticks_instead(*own, *other))
     }
 
     /// Those that count: stick is tried before slip; the one reported first.
     pub(super) fn chosen(&self, all: Vec<Combination>, at: &LoadPoint) -> Vec<Combination> {
-        let joints = &self.approx.joints;
-        let holds_better = |place: usize| joints[place].mu_s.value() > joints[place].mu_k.value();
         let mut left = all;
-        if (0..joints.len()).any(holds_better) {
+        if (0..self.approx.joints.len()).any(|place| self.holds_better(place)) {
             let beaten: Vec<bool> =
                 left.iter().map(|one| left.iter().any(|other| self.is_beaten(one, other))).collect();
             left = left.into_iter().zip(beaten).filter(|(_, beaten)| !beaten).map(|(one, _)| one).collect();
@@ -68,7 +70,7 @@ impl Decider<'_> {
                 let would_stick = |one: &Combination| {
                     one.modes.iter().enumerate().any(|(place, mode)| {
                         let slides = mode.corner().is_none() && mode.slip().is_some();
-                        slides && holds_better(place) && {
+                        slides && self.holds_better(place) && {
                             let mut modes = one.modes.clone();
                             modes[place] = Mode::Rest;
                             self.would_hold(&modes, place, at)

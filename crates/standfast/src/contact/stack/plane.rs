@@ -5,7 +5,7 @@
 
 use super::{Stack, StackError};
 use crate::mode::Mode;
-use crate::region::{Curve, Region, Strip};
+use crate::region::{Curve, Strip};
 
 /// Samples of a column, and columns to begin with.
 const SAMPLES: usize = 33;
@@ -175,10 +175,7 @@ impl Found {
 impl StackPlane {
     /// The combination at a place, in floating point.
     pub fn at(&self, k: f64, mu: f64) -> Option<&[Mode]> {
-        let is_there = |region: &&StackRegion| {
-            let whole = Region { mode: Mode::Rest, strips: region.strips.clone() };
-            whole.contains(k, mu)
-        };
+        let is_there = |region: &&StackRegion| region.strips.iter().any(|strip| strip.contains(k, mu));
         self.regions.iter().find(is_there).map(|region| region.modes.as_slice())
     }
 }

@@ -11,8 +11,9 @@
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
+use super::laws::Freedom;
 use super::rest::sign;
-use super::{BodyMotion, Combination, Decider, Freedom, JointMotion, LoadPoint, StackMotion};
+use super::{BodyMotion, Combination, Decider, JointMotion, LoadPoint, StackMotion};
 use crate::approx::{Approx, Signed};
 use crate::exact::Real;
 use crate::mode::Mode;
@@ -347,7 +348,7 @@ impl Decider<'_> {
     }
 
     /// The motion of a consistent combination.
-    pub(super) fn motion(&self, modes: &[Mode], at: &LoadPoint) -> StackMotion {
+    pub(super) fn motion(&self, modes: &[Mode], at: &LoadPoint) -> Option<StackMotion> {
         let recursion = self.recursion(at);
         let carried = Self::carried(&recursion, modes);
         let mut below = [ZERO; 3];
@@ -376,7 +377,7 @@ impl Decider<'_> {
             bodies.push(BodyMotion { x_ddot, y_ddot, theta_ddot });
             true
         });
-        if complete { StackMotion { joints, bodies } } else { self.exact_motion(modes, at) }
+        if complete { Some(StackMotion { joints, bodies }) } else { self.exact_motion(modes, at) }
     }
 }
 

@@ -4,7 +4,6 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::{Decider, LoadPoint, StackBody, StackNumbers};
 use crate::approx::Signed;
-use crate::ball::Ball;
 use crate::exact::Real;
 use crate::mode::{Corner, Slip};
 use crate::wrench::Wrench;
@@ -104,12 +103,12 @@ impl Decider<'_> {
         let approx = forms(&self.approx);
         let exact = std::cell::OnceCell::new();
         let exact = || exact.get_or_init(|| forms(self.exact()));
-        let told = |place: (usize, usize), part: fn(&Line<_>) -> &_, full: fn(&Line<Ball>) -> &Ball| {
-            let tracked: &crate::approx::Approx = part(&approx[place.0][place.1]);
-            tracked.sign().unwrap_or_else(|| sign(full(&exact()[place.0][place.1])))
+        let start = |(joint, form): (usize, usize)| {
+            approx[joint][form].start.sign().unwrap_or_else(|| sign(&exact()[joint][form].start))
         };
-        let start = |place| told(place, |line| &line.start, |line| &line.start);
-        let slope = |place| told(place, |line| &line.slope, |line| &line.slope);
+        let slope = |(joint, form): (usize, usize)| {
+            approx[joint][form].slope.sign().unwrap_or_else(|| sign(&exact()[joint][form].slope))
+        };
         let places: Vec<(usize, usize)> =
             (0..approx.len()).flat_map(|joint| (0..4).map(move |form| (joint, form))).collect();
         let limits = |places: Vec<(usize, usize)>| {

@@ -4,11 +4,9 @@
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 use std::ops::Div;
 
-use super::rest::sign;
-use super::{
-    BodyMotion, Combination, Decider, Freedom, JointMotion, LoadPoint, StackMotion, StackNumbers,
-    is_unpressed,
-};
+use super::laws::{Freedom, is_unpressed};
+use super::rest::{Line, sign};
+use super::{BodyMotion, Combination, Decider, JointMotion, LoadPoint, StackMotion, StackNumbers};
 use crate::approx::{Approx, Signed};
 use crate::ball::{Ball, Scalar};
 use crate::exact::Real;
@@ -267,6 +265,18 @@ impl Decider<'_> {
         })
     }
 
+    /// The conditions of a joint from a load factor on, times the scale of the course, and whether each is strict.
+    fn lines(&self, course: &Course<Ball>, place: usize, mode: Mode) -> Vec<(Line<Ball>, bool)> {
+        let joint = &self.exact().joints[place];
+        let part = |part: usize| {
+            let of = |numbers: &[Grown<Ball>; 3]| std::array::from_fn(|row| numbers[row][part].clone());
+            joint.conditions(mode, &of(&course.motions[place]), &of(&course.reactions[place]))
+        };
+        let ((values, count), (slopes, _)) = (part(0), part(1));
+        let lines = values.into_iter().zip(slopes).take(count);
+        lines.map(|(value, slope)| (Line { start: value.value, slope: slope.value }, value.strict)).collect()
+    }
+
     /// The signs of the conditions of a joint, and whether each is strict.
     fn signs(
         &self,
@@ -275,18 +285,12 @@ impl Decider<'_> {
         mode: Mode,
         at: &LoadPoint,
     ) -> Vec<(Ordering, bool)> {
-        let joint = &self.exact().joints[place];
-        let part = |part: usize| {
-            let of = |numbers: &[Grown<Ball>; 3]| std::array::from_fn(|row| numbers[row][part].clone());
-            joint.conditions(mode, &of(&course.motions[place]), &of(&course.reactions[place]))
-        };
-        let ((values, count), (slopes, _)) = (part(0), part(1));
-        let signs = values.iter().zip(&slopes).take(count).map(|(value, slope)| {
-            let sign = match sign(&value.value) {
-                Equal if at.beyond => sign(&slope.value),
+        let signs = self.lines(course, place, mode).into_iter().map(|(Line { start, slope }, strict)| {
+            let sign = match sign(&start) {
+                Equal if at.beyond => sign(&slope),
                 sign => sign,
             };
-            (sign, value.strict)
+            (sign, strict)
         });
         signs.collect()
     }
@@ -296,15 +300,9 @@ impl Decider<'_> {
         let course = self.course(modes, at)?;
         let mut first: Option<[Ball; 2]> = None;
         for (place, mode) in modes.iter().enumerate() {
-            let joint = &self.exact().joints[place];
-            let part = |part: usize| {
-                let of = |numbers: &[Grown<Ball>; 3]| std::array::from_fn(|row| numbers[row][part].clone());
-                joint.conditions(*mode, &of(&course.motions[place]), &of(&course.reactions[place]))
-            };
-            let ((values, count), (slopes, _)) = (part(0), part(1));
-            for (value, slope) in values.into_iter().zip(slopes).take(count) {
+            for (Line { start, slope }, _) in self.lines(&course, place, *mode) {
                 // How far it is from here as a fraction; nothing that does not fall, nor what is and stays at zero.
-                let ahead = [value.value, -slope.value];
+                let ahead = [start, -slope];
                 let is_falling = sign(&ahead[1]) == Greater;
                 let is_nearer = first.as_ref().is_none_or(|[above, below]| {
                     let apart = ahead[0].clone() * below.clone() - above.clone() * ahead[1].clone();
@@ -329,15 +327,9 @@ impl Decider<'_> {
         })
     }
 
-    /// The motion of a combination, in numbers that are rounded once.
-    pub(super) fn exact_motion(&self, modes: &[Mode], at: &LoadPoint) -> StackMotion {
-        let zeros = || std::array::from_fn(|_| [zero(), zero()]);
-        let course = self.course(modes, at).unwrap_or_else(|| Course {
-            motions: vec![zeros(); modes.len()],
-            reactions: vec![zeros(); modes.len()],
-            scale: Ball::of(1.0),
-            orientation: Equal,
-        });
+    /// The motion of a combination, in numbers that are rounded once; `None` where it has none of its own.
+    pub(super) fn exact_motion(&self, modes: &[Mode], at: &LoadPoint) -> Option<StackMotion> {
+        let course = self.course(modes, at)?;
         let scale = course.scale.clone();
         let numbers = self.exact();
         let value = |numbers: &[Grown<Ball>; 3]| -> [Ball; 3] {
@@ -363,7 +355,7 @@ impl Decider<'_> {
                     theta_ddot: turn.value(),
                 }
             });
-        StackMotion { bodies: bodies.collect(), joints }
+        Some(StackMotion { bodies: bodies.collect(), joints })
     }
 }
 
@@ -428,7 +420,8 @@ mod tests {
                     "{stack:?} {modes:?}"
                 );
                 negative += u32::from(course.orientation == Less);
-                let [rounded, exact] = [decider.motion(modes, &at), decider.exact_motion(modes, &at)];
+                let [rounded, exact] =
+                    [decider.motion(modes, &at), decider.exact_motion(modes, &at)].map(Option::unwrap);
                 for (a, b) in rounded.joints.iter().zip(&exact.joints) {
                     let pairs =
                         [(a.t, b.t), (a.v, b.v), (a.omega, b.omega), (a.f, b.f), (a.n, b.n), (a.xi, b.xi)];
