@@ -3,6 +3,7 @@
 //! | question | start at |
 //! |---|---|
 //! | What acts where? | [`Action`], [`Load`] |
+//! | What acts on a body above a joint? | [`AboveJoint`] |
 //! | Still water on the sides and under the base | [`StillWater`] |
 //! | Pressures under the base | [`Uplift`] |
 //! | A base that is shaken; water that moves with the body | [`Earthquake`], [`AddedMass`] |
@@ -13,6 +14,7 @@
 //! Each kind of load is a small checked type whose `loads` a [`Situation`](crate::Situation) takes. What a load means (is it
 //! there all the time? does it count as weight, uplift or push?) is decided here, once.
 
+mod above;
 mod action;
 pub mod earth;
 mod earthquake;
@@ -21,6 +23,7 @@ mod uplift;
 mod water;
 pub mod wave;
 
+pub use above::AboveJoint;
 pub use action::{Action, BodyForce, BodyPoint, Face, Pose, PressureAt, PressureDiagram};
 pub use earthquake::{AddedMass, Earthquake};
 pub use force::{HorizontalForce, Reduced};

@@ -409,8 +409,9 @@ impl Backfill {
         };
         let points = vec![point(0.0, 4.0 - 6.0 * at), point(height, 6.0 * at - 2.0)];
         let free = water.filter(|_| self.pore_water == PoreWater::Free && wet_height > 0.0 && k_h > 0.0);
-        let pore_water = free
-            .map(|water| [7.0 / 12.0 * k_h * water.unit_weight * wet_height * wet_height, 0.4 * wet_height]);
+        let pore_water = free.map(|water| {
+            [7.0 / 12.0 * k_h * water.unit_weight * wet_height * wet_height, PORE_WATER_AT * wet_height]
+        });
         Ok(EarthIncrement { coefficients, force, drag, points, pore_water })
     }
 
@@ -472,6 +473,21 @@ fn from_base(points: Vec<EarthPoint>) -> Vec<EarthPoint> {
     }
     kept
 }
+
+/// The part of the push of free pore water, which acts `elevation` above the base, that is above a level: its share, and where it acts above
+/// the level, m. `None` where the water does not reach so high.
+///
+/// ```text
+/// p = 7/8 k γ_w √(h z), z below the water         above y: (1 − y/h)^1.5 of it, 0.4 (h − y) above y
+/// ```
+pub(super) fn pore_water_above(elevation: f64, level: f64) -> Option<[f64; 2]> {
+    let height = elevation / PORE_WATER_AT;
+    let above = height - level;
+    (above > 0.0).then(|| [(above / height).powf(1.5), PORE_WATER_AT * above])
+}
+
+/// How high the push of free pore water acts, as a share of its height.
+const PORE_WATER_AT: f64 = 0.4;
 
 /// ∫p dy and ∫p y dy of a part of a pressure over the height, N and N·m per metre run.
 pub fn sums(points: &[EarthPoint], part: fn(&EarthPoint) -> f64) -> [f64; 2] {

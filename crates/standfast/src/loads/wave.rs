@@ -49,7 +49,7 @@ mod pressed;
 mod sainflou;
 mod warning;
 
-pub use added_mass::{added_mass, added_mass_height};
+pub use added_mass::{added_mass, added_mass_above, added_mass_height};
 pub use crown::{Armour, CrownSea, CrownWave, PedersenTerms, PedersenWall, VanGentWall, pedersen, van_gent};
 pub use dispersion::{deep_water_wavelength, shoaling, wavelength};
 pub use goda::{Goda, Impulsive, goda};

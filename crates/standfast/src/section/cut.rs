@@ -108,22 +108,87 @@ impl Section {
         ends.windows(2).map(|pair| self.piece(pair[0], pair[1], water)).collect()
     }
 
+    /// All that is above a level, as one piece; see [`cut`](Section::cut).
+    ///
+    /// # Errors
+    /// If the level is outside the body, or what it parts touches in a point, or has no mass.
+    pub fn above(&self, level: f64, water: Option<WaterTable>) -> Result<Piece, CutError> {
+        let crest = self.height();
+        if !(0.0 < level && level < crest) {
+            return Err(CutError::OutsideBody { level, crest });
+        }
+        self.piece(level, crest, water)
+    }
+
+    /// The left and the right end of all that is above a level, m from the origin of the drawing.
+    pub fn ends_above(&self, level: f64) -> [f64; 2] {
+        let above = || self.slices.iter().filter_map(|slice| slice.between(level, f64::INFINITY));
+        let [left, right] = [|slice: Slice| slice.left, |slice: Slice| slice.right];
+        [
+            above().flat_map(left).fold(f64::INFINITY, f64::min),
+            above().flat_map(right).fold(f64::NEG_INFINITY, f64::max),
+        ]
+    }
+
+    /// The level of the top at a place, m from the origin of the drawing: the highest there that is of the section; `None` beside it.
+    pub fn top_at(&self, x: f64) -> Option<f64> {
+        let has = |slice: &Slice, share: f64| {
+            let at = |[bottom, top]: [f64; 2]| bottom + share * (top - bottom);
+            at(slice.left) <= x + slack(self.size) && x - slack(self.size) <= at(slice.right)
+        };
+        // Where the side of a slice leaves the place.
+        let highest = |slice: &Slice| {
+            let crossing = |[bottom, top]: [f64; 2]| (x - bottom) / (top - bottom);
+            let shares = [1.0, crossing(slice.left), crossing(slice.right), 0.0].into_iter();
+            let inside = shares.filter(|share| (0.0..=1.0).contains(share) && has(slice, *share));
+            inside.fold(None, |most: Option<f64>, share| Some(most.map_or(share, |most| most.max(share))))
+        };
+        self.slices.iter().rev().find_map(|slice| {
+            let share = highest(slice)?;
+            Some(slice.bottom + share * (slice.top - slice.bottom))
+        })
+    }
+
+    /// Masses of what of each part is above a level, centres from the origin of the drawing; see [`masses`](Section::masses).
+    pub fn masses_above(&self, level: f64, water: Option<WaterTable>) -> Vec<SectionMass> {
+        let of = |part: &Part| {
+            let outline = within(&part.outline, |at| level - at.y);
+            let mut sum = Areas::default();
+            if outline.len() > 2 {
+                for (areas, density) in self.dry_and_wet(&Part { outline, ..*part }, water) {
+                    sum.add(&areas, density);
+                }
+            }
+            if sum.area > 0.0 {
+                return sum.mass();
+            }
+            SectionMass { mass: 0.0, centre: Vertex { x: 0.0, y: level }, moment_of_inertia: 0.0 }
+        };
+        self.parts.iter().map(of).collect()
+    }
+
     fn piece(&self, bottom: f64, top: f64, water: Option<WaterTable>) -> Result<Piece, CutError> {
+        // From the middle of the body, so that nothing is lost where the drawing begins far away.
+        let [left, right] = self.ends();
+        let middle = (left + right) / 2.0;
+        let centred = self.moved(-middle);
         let mut sum = Areas::default();
-        for part in &self.parts {
+        for part in &centred.parts {
             let outline = within(&within(&part.outline, |at| bottom - at.y), |at| at.y - top);
             if outline.len() < 3 {
                 continue;
             }
-            for (areas, density) in self.dry_and_wet(&Part { outline, ..*part }, water) {
+            for (areas, density) in centred.dry_and_wet(&Part { outline, ..*part }, water) {
                 sum.add(&areas, density);
             }
         }
         if sum.area <= 0.0 {
             return Err(CutError::NoMass { bottom, top });
         }
+        let mut mass = sum.mass();
+        mass.centre.x += middle;
         let contact = self.contact(bottom).ok_or(CutError::NoContact { level: bottom })?;
-        Ok(Piece { bottom, top, mass: sum.mass(), contact })
+        Ok(Piece { bottom, top, mass, contact })
     }
 
     /// The ends of the section just below and just above a level; at the base both are those above it.

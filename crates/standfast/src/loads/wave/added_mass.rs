@@ -23,6 +23,37 @@ pub fn added_mass_height(depth: f64) -> f64 {
     (1.0 - 16.0 * BETA_4 / (7.0 * PI * ZETA_3)) * depth
 }
 
+/// Mass of water that the wall above a level carries along, kg per metre run, and how high above that level its pressure acts, m: of water of
+/// `density` (kg/m³) and `depth` (m) on one side. Nothing above the water.
+///
+/// ```text
+/// A(y) = 16ρh²/π³ Σ [1 − s sin(nπy/2h)]/n³, n = 1, 3, 5 …, s = (−1)^((n−1)/2)
+/// ∫A dy from y to h = 16ρh²/π³ Σ [h − y − s 2h/(nπ) cos(nπy/2h)]/n³
+/// ```
+pub fn added_mass_above(density: f64, depth: f64, level: f64) -> [f64; 2] {
+    if level <= 0.0 {
+        return [added_mass(1, density, depth), added_mass_height(depth) - level];
+    }
+    if level >= depth {
+        return [0.0; 2];
+    }
+    // The sums without waves are known; what is left falls off as n⁻³ and n⁻⁴, and is of changing sign.
+    let angle = PI * level / (2.0 * depth);
+    let (mut mass, mut moment) = (7.0 / 8.0 * ZETA_3, 7.0 / 8.0 * ZETA_3 * (depth - level));
+    for place in 0..TERMS {
+        let n = 2.0 * f64::from(place) + 1.0;
+        let s = if place % 2 == 0 { 1.0 } else { -1.0 };
+        let (sin, cos) = (n * angle).sin_cos();
+        mass -= s * sin / n.powi(3);
+        moment -= s * 2.0 * depth / (n.powi(4) * PI) * cos;
+    }
+    let scale = 16.0 * density * depth * depth / PI.powi(3);
+    [scale * mass, moment / mass]
+}
+
+/// So many terms of the series leave less than 10⁻¹² of the whole.
+const TERMS: u32 = 2000;
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -31,6 +62,34 @@ mod tests {
     fn the_coefficients_are_those_given() {
         assert!((added_mass(1, 1.0, 1.0) - 0.54275).abs() < 1e-5);
         assert!((added_mass(2, 1000.0, 10.0) - 1.08551 * 1e5).abs() < 1.0);
+    }
+
+    /// What is above a level, against the potential's pressure added up from there; pieces add up to the whole.
+    #[test]
+    fn what_is_above_a_level_is_the_pressure_there() {
+        let depth = 6.0;
+        let pressure = |z: f64| -> f64 {
+            let terms = (0..3000).map(|n| {
+                let λ = (2.0 * f64::from(n) + 1.0) * PI / (2.0 * depth);
+                (if n % 2 == 0 { 2.0 } else { -2.0 }) / (λ * λ * depth) * (λ * z).cos()
+            });
+            terms.sum()
+        };
+        for level in [0.0, 0.5, 2.0, 4.4, 5.7] {
+            let (strips, height) = (4000, depth - level);
+            let (mut force, mut moment) = (0.0, 0.0);
+            for i in 0..strips {
+                let z = height * (f64::from(i) + 0.5) / f64::from(strips);
+                let strip = 1000.0 * pressure(level + z) * height / f64::from(strips);
+                force += strip;
+                moment += strip * z;
+            }
+            let [mass, at] = added_mass_above(1000.0, depth, level);
+            assert!((force / mass - 1.0).abs() < 1e-5, "{level}: {force} {mass}");
+            assert!((moment / force / at - 1.0).abs() < 1e-5, "{level}: {} {at}", moment / force);
+        }
+        assert_eq!(added_mass_above(1000.0, depth, 6.0), [0.0; 2]);
+        assert_eq!(added_mass_above(1000.0, depth, -2.0)[1], added_mass_height(depth) + 2.0);
     }
 
     /// The potential's pressure on the wall, added up over the depth.
