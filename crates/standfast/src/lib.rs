@@ -75,7 +75,10 @@ pub use motion::{CornerAcceleration, Motion};
 pub use plan::Plan;
 pub use quantity::{Expected, Quantity};
 pub use section::Section;
-pub use situation::{BaseOpening, Boundary, Held, InHalfWidths, OpeningRule, Outcome, Response, Situation};
+pub use situation::{
+    BaseOpening, Boundary, Held, InHalfWidths, JointAnswer, JointDeparture, Jointed, OnJoint, OpeningRule,
+    Outcome, Response, Situation,
+};
 pub use span::Span;
 pub use stability::{Bearing, ClassicalActions, GrossOverturning, Margins, Stability};
 pub use stage::Stage;

@@ -50,10 +50,12 @@ use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
 mod holding;
+mod jointed;
 mod opening;
 mod written;
 
 pub use holding::Held;
+pub use jointed::{JointAnswer, JointDeparture, Jointed, OnJoint};
 use opening::Opening;
 pub use opening::{BaseOpening, OpeningRule};
 pub use written::Boundary;

@@ -95,6 +95,7 @@ use crate::quantity::Quantity;
 use crate::wrench::Wrench;
 
 pub use check::StackError;
+pub(crate) use rest::Leaving;
 pub use rest::RestLimit;
 use system::System;
 
@@ -168,9 +169,9 @@ pub struct Stack {
 }
 
 /// The numbers of a stack in some arithmetic: weight and inertia are among the loads.
-struct StackNumbers<T> {
-    bodies: Vec<StackBody<T>>,
-    joints: Vec<Joint<T>>,
+pub(crate) struct StackNumbers<T> {
+    pub(crate) bodies: Vec<StackBody<T>>,
+    pub(crate) joints: Vec<Joint<T>>,
 }
 
 /// Where a stack leaves rest as its variable loads rise from nothing.
@@ -329,13 +330,7 @@ impl Stack {
 
     fn decider(&self) -> Result<Decider<'_>, StackError> {
         self.check()?;
-        Ok(Decider {
-            stack: self,
-            approx: self.numbers(),
-            exact: OnceCell::new(),
-            system: OnceCell::new(),
-            tracked: OnceCell::new(),
-        })
+        Ok(Decider::new(self.numbers(), Box::new(|| self.numbers())))
     }
 
     /// The same of a stack whose combinations are enumerated.
@@ -441,37 +436,71 @@ impl LoadPoint {
 }
 
 /// A stack in two arithmetics: rounding that is tracked, and none, where that cannot tell.
-struct Decider<'a> {
-    stack: &'a Stack,
+pub(crate) struct Decider<'a> {
     approx: StackNumbers<Approx>,
+    /// Its numbers without rounding, made where they are asked for.
+    make: Box<dyn Fn() -> StackNumbers<Ball> + 'a>,
     exact: OnceCell<StackNumbers<Ball>>,
+    /// So many of the lowest joints are of no account for where it leaves rest: something else says that of them.
+    skipped: usize,
     /// Their equations in full.
     system: OnceCell<System<Ball>>,
     tracked: OnceCell<System<Approx>>,
 }
 
-impl Decider<'_> {
-    fn exact(&self) -> &StackNumbers<Ball> {
-        self.exact.get_or_init(|| self.stack.numbers())
+impl<'a> Decider<'a> {
+    pub(crate) fn new(
+        approx: StackNumbers<Approx>,
+        make: Box<dyn Fn() -> StackNumbers<Ball> + 'a>,
+    ) -> Decider<'a> {
+        Decider {
+            approx,
+            make,
+            exact: OnceCell::new(),
+            skipped: 0,
+            system: OnceCell::new(),
+            tracked: OnceCell::new(),
+        }
     }
 
-    fn is_enumerable(&self) -> bool {
+    /// The stack, so many of the lowest joints of no account for where it leaves rest.
+    pub(crate) fn above(self, skipped: usize) -> Decider<'a> {
+        Decider { skipped, ..self }
+    }
+
+    fn exact(&self) -> &StackNumbers<Ball> {
+        self.exact.get_or_init(&self.make)
+    }
+
+    /// True if its combinations are enumerated.
+    pub(crate) fn is_enumerable(&self) -> bool {
         self.approx.bodies.len() <= MOST
     }
 
     /// Where the stack leaves rest.
     fn departure(&self) -> StackDeparture {
         let leaving = self.leaving();
-        let answer = match &leaving.at {
+        let at = self.point(&leaving);
+        let answer = match &at {
             Some(at) if self.is_enumerable() => self.answer(at),
             _ => StackAnswer::default(),
         };
-        let load_factor = leaving.at.map_or(f64::INFINITY, |at| at.factor().value());
+        let load_factor = at.map_or(f64::INFINITY, |at| at.factor().value());
         StackDeparture { load_factor, at_once: leaving.at_once, limits: leaving.limits, answer }
     }
 
+    /// The combinations just beyond a point of the load where it leaves rest.
+    pub(crate) fn departing(&self, leaving: &Leaving) -> StackAnswer {
+        self.point(leaving).map_or_else(StackAnswer::default, |at| self.answer(&at))
+    }
+
+    /// The combinations under a load that is applied at once.
+    pub(crate) fn at_once(&self, load_factor: f64) -> StackAnswer {
+        self.answer(&LoadPoint::of(load_factor))
+    }
+
     /// The stages of the variable loads that rise without end.
-    fn path(&self) -> Vec<StackStage> {
+    pub(crate) fn path(&self) -> Vec<StackStage> {
         let mut stages: Vec<StackStage> = Vec::new();
         let mut next = Some(LoadPoint { beyond: true, ..LoadPoint::of(0.0) });
         while let Some(at) = next.take() {

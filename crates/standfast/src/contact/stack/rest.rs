@@ -4,6 +4,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::{Decider, LoadPoint, StackBody, StackNumbers};
 use crate::approx::Signed;
+use crate::ball::Scalar;
 use crate::exact::Real;
 use crate::mode::{Corner, Slip};
 use crate::wrench::Wrench;
@@ -35,13 +36,14 @@ pub(super) struct Line<T> {
 }
 
 /// Where the stack leaves rest.
-pub(super) struct Leaving {
-    /// Any load beyond λ; `None` if it never does.
-    pub(super) at: Option<LoadPoint>,
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Leaving {
+    /// λ; zero where the permanent loads alone move it, infinite if it never does.
+    pub(crate) load_factor: f64,
     /// True if the permanent loads alone move it.
-    pub(super) at_once: bool,
-    /// The limits that are reached.
-    pub(super) limits: Vec<(usize, RestLimit)>,
+    pub(crate) at_once: bool,
+    /// The limits that are reached, each with its joint.
+    pub(crate) limits: Vec<(usize, RestLimit)>,
 }
 
 /// The wrench of what is above a joint, with its moment about (0, h): X, P, G.
@@ -99,7 +101,7 @@ pub(super) fn sign<T: Signed>(value: &T) -> Ordering {
 
 impl Decider<'_> {
     /// Where the stack leaves rest: at the least zero of the forms that fall.
-    pub(super) fn leaving(&self) -> Leaving {
+    pub(crate) fn leaving(&self) -> Leaving {
         let approx = forms(&self.approx);
         let exact = std::cell::OnceCell::new();
         let exact = || exact.get_or_init(|| forms(self.exact()));
@@ -110,14 +112,13 @@ impl Decider<'_> {
             approx[joint][form].slope.sign().unwrap_or_else(|| sign(&exact()[joint][form].slope))
         };
         let places: Vec<(usize, usize)> =
-            (0..approx.len()).flat_map(|joint| (0..4).map(move |form| (joint, form))).collect();
+            (self.skipped..approx.len()).flat_map(|joint| (0..4).map(move |form| (joint, form))).collect();
         let limits = |places: Vec<(usize, usize)>| {
             places.into_iter().map(|(joint, form)| (joint, RestLimit::ALL[form])).collect::<Vec<_>>()
         };
         let broken: Vec<_> = places.iter().copied().filter(|place| start(*place) == Less).collect();
         if !broken.is_empty() {
-            let at = LoadPoint { beyond: true, ..LoadPoint::of(0.0) };
-            return Leaving { at: Some(at), at_once: true, limits: limits(broken) };
+            return Leaving { load_factor: 0.0, at_once: true, limits: limits(broken) };
         }
         let falling: Vec<_> = places.into_iter().filter(|place| slope(*place) == Less).collect();
         // a/(−b) of one against that of another: a b' − a' b, as both slopes are below zero.
@@ -137,10 +138,31 @@ impl Decider<'_> {
                 Greater => {}
             }
         }
-        let at = first.first().map(|(joint, form)| {
-            let line = &exact()[*joint][*form];
-            LoadPoint { above: line.start.clone(), below: -line.slope.clone(), beyond: true }
+        let load_factor = first.first().map_or(f64::INFINITY, |(joint, form)| {
+            let Line { start, slope } = &approx[*joint][*form];
+            let rounded = start.value() / -slope.value();
+            // Where rounding might put it beside nothing, or on the other side of the full load.
+            if start.sign().is_some() && (rounded - 1.0).abs() > 1e-9 {
+                return rounded;
+            }
+            let Line { start, slope } = &exact()[*joint][*form];
+            match (sign(start), sign(&(start.clone() + slope.clone()))) {
+                (Equal, _) => 0.0,
+                (_, Equal) => 1.0,
+                _ => (start.clone() / -slope.clone()).value(),
+            }
         });
-        Leaving { at, at_once: false, limits: limits(first) }
+        Leaving { load_factor, at_once: false, limits: limits(first) }
+    }
+
+    /// Any load beyond where the stack leaves rest, without rounding; `None` if it never does.
+    pub(super) fn point(&self, leaving: &Leaving) -> Option<LoadPoint> {
+        if leaving.at_once {
+            return Some(LoadPoint { beyond: true, ..LoadPoint::of(0.0) });
+        }
+        let (joint, limit) = leaving.limits.first()?;
+        let form = RestLimit::ALL.iter().position(|other| other == limit)?;
+        let Line { start, slope } = &forms(self.exact())[*joint][form];
+        Some(LoadPoint { above: start.clone(), below: -slope.clone(), beyond: true })
     }
 }
