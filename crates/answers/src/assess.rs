@@ -5,6 +5,7 @@ mod balance;
 mod because;
 mod components;
 pub mod ground;
+mod joints;
 
 use std::cmp::Ordering;
 
@@ -24,6 +25,7 @@ pub use any_check::AnyCheck;
 pub use balance::{Balance, BalancePart};
 pub use components::Component;
 pub use ground::{BaseResponse, Elastic};
+pub use joints::{Joints, Together};
 use standfast_inputs::OutputUnits;
 
 /// The answer to a case.
@@ -71,6 +73,8 @@ pub struct Assessed {
     pub situation: Situation,
     /// The answer on its base.
     pub outcome: Outcome,
+    /// Its joints above the base, each with what is above it; `None` without any. The answer beside is then that of the whole as one body.
+    pub joints: Option<Box<Joints>>,
     /// The share of its base in the answer, where the case says what that bears.
     pub ground: Option<BaseResponse>,
     /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
@@ -281,10 +285,10 @@ impl Assessment {
 impl Assessed {
     /// A situation in the worst of the ways in which it is tried.
     fn of(case: &Case, index: usize, acting: Acting) -> Result<Assessed, InputError> {
-        let answer = |situation: Situation, trial: Trial| {
-            let of = case.under(acting);
+        let of = case.under(acting);
+        let alone = |situation: Situation, trial: Trial, is_on_base: bool| {
             let earthquake = trial.signs().and_then(|signs| of.shaken(signs));
-            let (outcome, ground) = match &of.ground {
+            let (outcome, ground) = match of.ground.as_ref().filter(|_| is_on_base) {
                 Some(foundation) => {
                     let (outcome, ground) = BaseResponse::of(of, foundation, &situation)?;
                     (outcome, Some(ground))
@@ -302,10 +306,16 @@ impl Assessed {
                 is_reported: true,
                 situation,
                 outcome,
+                joints: None,
                 ground,
                 not_rest: None,
                 others,
             })
+        };
+        let answer = |situation: Situation, trial: Trial| {
+            let whole = alone(situation, trial, true)?;
+            let joints = Joints::of(case, &whole, &|situation| alone(situation, trial, false))?;
+            Ok(Assessed { joints: joints.map(Box::new), ..whole })
         };
         let answered = |trial: Trial| {
             let assessed: Assessed = answer(case.decided(acting, trial)?, trial)?;
@@ -334,14 +344,17 @@ impl Assessed {
         Ok(Assessed { others, ..worst })
     }
 
-    /// The verdict under the full load, applied at once.
+    /// The verdict under the full load, applied at once; of bodies on joints none but rest.
     pub fn verdict(&self) -> Option<Verdict> {
-        self.outcome.full.verdict
+        match &self.joints {
+            Some(joints) => joints.rests(self).then_some(Verdict::REST),
+            None => self.outcome.full.verdict,
+        }
     }
 
-    /// The mode that begins under the full load; none where the ground fails.
+    /// The mode that begins under the full load; none where the ground fails, and of bodies on joints none but rest.
     pub fn mode(&self) -> Option<Mode> {
-        self.outcome.full.mode()
+        self.verdict().and_then(Verdict::mode)
     }
 
     /// Accelerations and reactions of the mode that begins.
@@ -349,9 +362,9 @@ impl Assessed {
         self.outcome.full.motion.as_ref()
     }
 
-    /// The departure from rest as the variable loads rise.
+    /// The departure from rest as the variable loads rise: of the first joint to do so.
     pub fn departure(&self) -> Departure {
-        self.outcome.departure
+        self.joints.as_ref().map_or(self.outcome.departure, |joints| joints.departure())
     }
 
     /// True if a load of the situation varies.
@@ -389,11 +402,14 @@ impl Assessed {
         let asked = case.criteria_of(self.acting).iter();
         let asked = asked.filter(|criterion| !criterion.is_chance() || self.not_rest.is_some());
         let used = asked.map(|criterion| Check::of(*criterion, self).urgency()).fold(0.0, f64::max);
-        let stability = &self.outcome.stability;
-        let [sliding, overturning] = match self.outcome.full.is_lifted() {
+        let factors = |one: &Assessed| match one.outcome.full.is_lifted() {
             true => [0.0; 2],
-            false => [stability.sliding, stability.overturning()],
+            false => [one.outcome.stability.sliding, one.outcome.stability.overturning()],
         };
+        let [sliding, overturning] = self
+            .on_joints()
+            .map(factors)
+            .fold([f64::INFINITY; 2], |least, next| [least[0].min(next[0]), least[1].min(next[1])]);
         let factors = [sliding.min(overturning), sliding.max(overturning)];
         Severity([-used, self.departure().load_factor(), factors[0], factors[1]])
     }

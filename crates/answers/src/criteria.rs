@@ -15,6 +15,8 @@ use crate::results::{ResultName, ResultValue};
 pub struct Check {
     /// The criterion.
     pub criterion: Criterion,
+    /// The joint that it is met worst at, from the base, from zero; `None` without joints, and of what is of all of them.
+    pub joint: Option<usize>,
     /// The value of the result, [infinite](ResultValue::Number) or [none](ResultValue::Nothing) where it is that.
     pub value: ResultValue,
     /// Utilisation of the bound; infinite where there is no value that could meet it, `None` for modes.
@@ -65,8 +67,20 @@ impl Check {
         asked_for(self.criterion).map_or(self.criterion.name(), ResultName::in_short)
     }
 
-    /// Check of a criterion in a situation.
+    /// Check of a criterion in a situation: at the joint where it is met worst.
     pub fn of(criterion: Criterion, assessed: &Assessed) -> Check {
+        let at_base = Check::on_one(criterion, assessed);
+        let holds_everywhere = asked_for(criterion)
+            .is_some_and(|result| result != ResultName::LoadFactor && !result.is_of_ground());
+        let Some(joints) = assessed.joints.as_ref().filter(|_| holds_everywhere) else { return at_base };
+        joints.above.iter().enumerate().fold(Check { joint: Some(0), ..at_base }, |worst, (place, above)| {
+            let next = Check { joint: Some(place + 1), ..Check::on_one(criterion, above) };
+            if next.urgency() > worst.urgency() { next } else { worst }
+        })
+    }
+
+    /// Check of a criterion on one body.
+    fn on_one(criterion: Criterion, assessed: &Assessed) -> Check {
         let result = asked_for(criterion);
         let value = match result {
             // Where a body that never leaves rest, or does not rest at all, would be is not a number of the list.
@@ -75,7 +89,10 @@ impl Check {
             None if criterion.is_chance() => {
                 assessed.not_rest.map_or(ResultValue::Nothing, |not_rest| ResultValue::Number(not_rest.high))
             }
-            None => ResultValue::Modes(assessed.outcome.full.modes),
+            None => match &assessed.joints {
+                Some(joints) => joints.possible(assessed).map_or(ResultValue::Nothing, ResultValue::Modes),
+                None => ResultValue::Modes(assessed.outcome.full.modes),
+            },
         };
         let (utilisation, met) = match (criterion.bound, value) {
             (Bound::AtLeast(least), ResultValue::Number(value)) => {
@@ -89,16 +106,17 @@ impl Check {
             }
             _ => (Some(f64::INFINITY), false),
         };
-        Check { criterion, value, utilisation, met }
+        Check { criterion, joint: None, value, utilisation, met }
     }
 
     /// True if rounding could put the value on the other side of the bound.
     pub(crate) fn is_near_bound(&self, assessed: &Assessed) -> bool {
         /// A part of the greatest pressure under an edge below which rounding could lift it.
         const EDGE: f64 = 1e-9;
+        let on_joint = self.joint.and_then(|joint| assessed.on_joints().nth(joint)).unwrap_or(assessed);
         // A base that is pressed from edge to edge is on no bound, as long as both edges are.
         if let (Key::LeastContact, Bearing::Pressed { heel, toe, share: 1.0, .. }) =
-            (self.criterion.key, assessed.outcome.stability.bearing)
+            (self.criterion.key, on_joint.outcome.stability.bearing)
         {
             return heel.min(toe) <= EDGE * heel.max(toe);
         }

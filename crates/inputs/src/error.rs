@@ -5,7 +5,7 @@ mod fault;
 mod help;
 
 use standfast::number::{exact, reached};
-use standfast::section::SectionError;
+use standfast::section::{CutError, SectionError};
 use standfast::{HistoryError, InputError};
 use standfast_motion::MotionError;
 use thiserror::Error;
@@ -742,6 +742,77 @@ pub enum Problem {
     FilledSide {
         /// The side.
         side: &'static str,
+    },
+    /// Joints beside something that has no place for them.
+    #[error("[[joint]] is not for {what}")]
+    JointsNotFor {
+        /// What it is, in words.
+        what: &'static str,
+    },
+    /// A key of the whole body, beside joints.
+    #[error("[[joint]] cuts a uniform block, or parts; `{}` says more of the whole", key.name())]
+    JointsOfBlock {
+        /// The key.
+        key: Key,
+    },
+    /// A joint at the crest, or above it.
+    #[error("the joint is {level} m above the base; expected a level below the crest, at {crest} m")]
+    JointAboveCrest {
+        /// Its level, m.
+        level: f64,
+        /// Of the crest, m.
+        crest: f64,
+    },
+    /// Two joints at one level.
+    #[error("two joints are at one level, {level} m")]
+    SameLevel {
+        /// The level, m.
+        level: f64,
+    },
+    /// A level at which a section cannot be parted.
+    #[error(transparent)]
+    Cut(CutError),
+    /// A joint beside which the centre of mass of what is above it lies.
+    #[error("what is above the joint at {level} m has its centre of mass beside it, and falls")]
+    BesideJoint {
+        /// Its level, m.
+        level: f64,
+    },
+    /// An end of a joint beside what touches there.
+    #[error("`{}` of the joint is {value} m; what is below and above it touches from {from} m to {to} m", key.name())]
+    BesideContact {
+        /// The key.
+        key: Key,
+        /// Its value, m.
+        value: f64,
+        /// Left end of what touches, m.
+        from: f64,
+        /// Right end of it, m.
+        to: f64,
+    },
+    /// A joint without length.
+    #[error("the joint reaches from {left} m to {right} m; expected `right` beyond `left`")]
+    NoJoint {
+        /// Its left end, m.
+        left: f64,
+        /// Its right end, m.
+        right: f64,
+    },
+    /// A joint below water of which nobody says what is in it.
+    #[error(
+        "{what} above the joint at {level} m; expected `uplift` = \"open\" or \"tight\", or the pressures in it"
+    )]
+    JointWater {
+        /// Its level, m.
+        level: f64,
+        /// What does, in words.
+        what: &'static str,
+    },
+    /// An open joint where no water is said.
+    #[error("the joint at {level} m is open, and neither [water] nor [wave] says what is outside")]
+    NothingOpen {
+        /// Its level, m.
+        level: f64,
     },
     /// Something that holds, or turns, a body in a problem that has no place for it.
     #[error("{holds} is not for {what}")]

@@ -25,6 +25,8 @@ pub enum Table {
     Body,
     /// A part that the body is made of.
     Part,
+    /// A joint that parts the body into two.
+    Joint,
     /// The ground: strength and stiffness of the base.
     Ground,
     /// Waves from the right.
@@ -89,12 +91,13 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 35] = [
+    pub const ALL: [Table; 36] = [
         Table::Top,
         Table::Datum,
         Table::Output,
         Table::Body,
         Table::Part,
+        Table::Joint,
         Table::Ground,
         Table::Wave,
         Table::Water,
@@ -191,6 +194,7 @@ impl Table {
             Table::Output => "output",
             Table::Body => "body",
             Table::Part => "part",
+            Table::Joint => "joint",
             Table::Ground => "ground",
             Table::Wave => "wave",
             Table::Water => "water",
@@ -223,8 +227,8 @@ impl Table {
 
     /// Its place in a file as keys name it, the `index`-th of those that repeat: `motion.base.horizontal`, `load[2].history`.
     pub fn path(self, index: usize) -> String {
-        let [of, own] = self.places(index);
-        let place = if self.repeats() { format!("[{}]", own + 1) } else { String::new() };
+        let [of, _] = self.places(index);
+        let place = if self.repeats() { format!("[{}]", self.number(index)) } else { String::new() };
         match self.parent() {
             None => self.name().to_owned(),
             Some(Table::Top) => format!("{}{place}", self.name()),
@@ -235,6 +239,12 @@ impl Table {
     /// The place of the table in which an `index`-th table stands, and its own place there.
     pub const fn places(self, index: usize) -> [usize; 2] {
         if matches!(self, Table::BackfillLayer) { [index / LAYERS, index % LAYERS] } else { [index; 2] }
+    }
+
+    /// The number by which people call an `index`-th table: its place where it stands, counted from one; of joints from the base, which is joint 1.
+    pub const fn number(self, index: usize) -> usize {
+        let [_, own] = self.places(index);
+        if matches!(self, Table::Joint) { own + 2 } else { own + 1 }
     }
 
     /// The number of a table at a place in that of another place; the inverse of [`places`](Table::places).
@@ -264,6 +274,7 @@ impl Table {
             Table::Output => "[output]",
             Table::Body => "[body]",
             Table::Part => "[[part]]",
+            Table::Joint => "[[joint]]",
             Table::Ground => "[ground]",
             Table::Wave => "[wave]",
             Table::Water => "[water]",
@@ -311,6 +322,9 @@ impl Table {
             Table::Part => {
                 "one such table for each part of the section: a rectangle or trapezoid, or a polygon; parts touch, and a cavity \
                  is a part of density 0; mass, centre of mass and moment of inertia follow"
+            }
+            Table::Joint => {
+                "one such table for each level joint above the base, which is joint 1: what is above stands on what is below with friction of its own"
             }
             Table::Ground => {
                 "what the base can bear, without which it is rigid and bears everything: a strength at which it crushes; or ground \
@@ -379,6 +393,7 @@ impl Table {
         matches!(
             self,
             Table::Part
+                | Table::Joint
                 | Table::Pressure
                 | Table::Backfill
                 | Table::BackfillLayer
@@ -410,6 +425,7 @@ impl Table {
                 "[[part]]\nname = \"footing\"\nleft = 0\nwidth = \"15 m\"\nbottom = 0\nheight = \"1.5 m\"\n\
                  density = \"2400 kg/m3\""
             }
+            Table::Joint => "[[joint]]\nname = \"crown wall on cap\"\nelevation = \"8 m\"\nfriction = 0.7",
             Table::Ground => "[ground]\nfriction_angle_deg = 35\nunit_weight = \"10 kN/m3\"",
             Table::Water => "[water]\nlevel = \"7.1 m\"",
             Table::Drain => "drain = { distance = \"2.5 m\", efficiency = 0.5 }",
@@ -698,6 +714,7 @@ const EARTH_STATES: Kind =
 const HOLDS: Kind = Kind::Choice { of: &["right", "left", "down"], words: "\"right\", \"left\" or \"down\"" };
 const ADHESION_ON: Kind =
     Kind::Choice { of: &["pressed", "effective"], words: "\"pressed\" or \"effective\"" };
+const JOINT_WATER: Kind = Kind::Choice { of: &["open", "tight"], words: "\"open\" or \"tight\"" };
 const PORE_WATER: Kind = Kind::Choice { of: &["free", "with-soil"], words: "\"free\" or \"with-soil\"" };
 const OPENINGS: Kind =
     Kind::Choice { of: &["steady", "always", "closed"], words: "\"steady\", \"always\" or \"closed\"" };
@@ -752,7 +769,7 @@ use Kind::{
 use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, ZeroToOne};
 use Table::{
     AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Datum, Drain,
-    Earthquake, Ground, History, Impact, Initial, Load, Moment, Motion, Output, Part, Point, Pressure,
+    Earthquake, Ground, History, Impact, Initial, Joint, Load, Moment, Motion, Output, Part, Point, Pressure,
     Resistance, Soil, Storm, Top, Uplift, Water, Wave,
 };
 
@@ -848,6 +865,26 @@ listed! {
         .gives(&[Quantity::Density]);
     PartDensityBelow = key(Part, "density_below_water", Measured(Dimension::Density, NotNegative), "ρ_pw", "density under still water, its water with it", "\"2100 kg/m3\"")
         .silent("density under still water: the same as above it").gives(&[Quantity::Density]);
+
+    JointName = key(Joint, "name", Text, "", "name of the joint", "\"crown wall on cap\"");
+    JointElevation = key(Joint, "elevation", length(Positive), "h_j", "its height above the base", "\"8 m\"")
+        .gives(&[Quantity::JointHeight]);
+    JointFriction = key(Joint, "friction", Plain(NotNegative), "μ_j", "Coulomb friction in it, to stick", "0.7")
+        .moves(Moves::Friction).gives(&[Quantity::Friction]);
+    JointKineticFriction = key(Joint, "kinetic_friction", Plain(NotNegative), "μ_kj", "Coulomb friction in it, to slip", "0.6")
+        .silent("friction to slip in a joint: that to stick").gives(&[Quantity::KineticFriction]);
+    JointUplift = key(Joint, "uplift", JOINT_WATER, "", "water in it: \"open\", from the pressure outside at one end to that at the other; or \"tight\", none", "\"open\"")
+        .silent("water in a joint: none above all water; else it has to be said");
+    JointUpliftLeft = key(Joint, "uplift_left", Measured(Dimension::Pressure, NotNegative), "p_lj", "pressure in it at its left end, in place of uplift", "\"0 kPa\"")
+        .gives(&[Quantity::Pressure]);
+    JointUpliftRight = key(Joint, "uplift_right", Measured(Dimension::Pressure, NotNegative), "p_rj", "pressure in it at its right end", "\"30 kPa\"")
+        .gives(&[Quantity::Pressure]);
+    JointGrows = key(Joint, "grows", Truth, "", "whether these pressures rise with the variable loads", "true")
+        .silent("pressures in a joint, as given: there all the time");
+    JointLeft = key(Joint, "left", length(Finite), "l_j", "its left end, to the right of the origin of the section; of O without parts", "\"6.5 m\"")
+        .silent("left end of a joint: of the section just below and above it the farther right").gives(&[Quantity::JointLeft]);
+    JointRight = key(Joint, "right", length(Finite), "r_j", "its right end", "\"8 m\"")
+        .silent("right end of a joint: of the section just below and above it the farther left").gives(&[Quantity::JointRight]);
 
     Strength = key(Ground, "strength", Measured(Dimension::Pressure, Positive), "q_u", "pressure at which the base crushes: of stone, mortar, or ground taken so", "\"600 kPa\"")
         .silent("strength of the base: no limit").gives(&[Quantity::Strength]);
@@ -1061,6 +1098,7 @@ listed! {
     MomentTogether = key(Moment, "together", Truth, "", "whether it acts with all other loads, rather than alone of those that do", "true")
         .silent("couple: alone, an alternative to the others");
 
+    MomentElevation = key(Moment, "elevation", length(NotNegative), "e_M", "its height above the base, which says on which body it acts where there are joints", "\"3 m\"");
     ResistanceName = key(Resistance, "name", Text, "", "name of the resistance", "\"tie\"");
     ResistanceLimit = key(Resistance, "limit", Measured(Dimension::Force, NotNegative), "R_h", "the most that it holds", "\"150 kN/m\"")
         .gives(&[Quantity::Resistance]);
@@ -1267,10 +1305,11 @@ impl Id {
     pub fn words(&self) -> String {
         let words = self.key.info().words;
         let short = words.split_once(", ").map_or(words, |(short, _)| short);
-        let [of, place] = self.table.places(self.index);
+        let [of, _] = self.table.places(self.index);
+        let number = self.table.number(self.index);
         match self.table {
-            Table::BackfillLayer => format!("{short}, layer {} of backfill {}", place + 1, of + 1),
-            table if table.repeats() => format!("{short}, {} {}", table.name(), place + 1),
+            Table::BackfillLayer => format!("{short}, layer {number} of backfill {}", of + 1),
+            table if table.repeats() => format!("{short}, {} {number}", table.name()),
             _ => short.to_owned(),
         }
     }

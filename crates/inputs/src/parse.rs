@@ -314,13 +314,34 @@ impl CaseText {
             let problem = Problem::TooManyTables { table, count: list.len() };
             return Err(PlacedProblem { problem, span: value.span() });
         }
+        let from_base = if table == Table::Joint { self.from_base(text, list) } else { Vec::new() };
         for (place, value) in list.iter().enumerate() {
             let inner = as_table(value, table, EXPECTED)?;
-            let index = table.index_in(of, place);
+            let index = from_base.get(place).copied().unwrap_or_else(|| table.index_in(of, place));
             self.begin(table, index, value.span());
             self.read_table(text, inner, table, index)?;
         }
         Ok(())
+    }
+
+    /// The number of each joint from the base up, in whatever order they stand; one whose elevation cannot be read stands last.
+    fn from_base(&self, text: &str, joints: &[Spanned<DeValue<'_>>]) -> Vec<usize> {
+        let elevation = |joint: &Spanned<DeValue<'_>>| {
+            let key = Key::JointElevation;
+            let value = joint.get_ref().as_table()?.get(key.name())?;
+            let frame = frame(self.units, &self.datum, self.sea);
+            match (Field { id: key.into(), value, text, frame }).value(key.info().kind) {
+                Ok(Value::Number(number)) => Some(number),
+                _ => None,
+            }
+        };
+        let elevations: Vec<f64> =
+            joints.iter().map(|joint| elevation(joint).unwrap_or(f64::INFINITY)).collect();
+        let mut order: Vec<usize> = (0..joints.len()).collect();
+        order.sort_by(|one, two| elevations[*one].total_cmp(&elevations[*two]));
+        let mut numbers = vec![0; joints.len()];
+        order.into_iter().enumerate().for_each(|(number, place)| numbers[place] = number);
+        numbers
     }
 
     fn begin(&mut self, table: Table, index: usize, span: Span<usize>) {

@@ -31,6 +31,7 @@ mod code;
 mod combination;
 mod ground;
 mod history;
+mod joint;
 mod loads;
 mod motion;
 mod office;
@@ -44,9 +45,9 @@ use std::sync::Arc;
 use standfast::contact::holding::Adhesion;
 use standfast::contact::opening::Drain;
 use standfast::loads::{
-    Action, AddedMass, BodyPoint, Earthquake, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
+    Action, AddedMass, BodyPoint, Earthquake, Face, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
 };
-use standfast::section::{Part, PartMass, Section, WaterTable};
+use standfast::section::{Part, Section, Vertex, WaterTable};
 use standfast::{Ball, Body, InputError, OpeningRule, Scalar, Situation, Wrench};
 
 pub(crate) use backfill::tables_of_layers;
@@ -57,12 +58,14 @@ pub use combination::{ChangeBy, Combination, InputChange, Trial};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub(crate) use history::HistoryOf;
 pub use history::{course, history_shapes};
+pub use joint::{CaseJoint, JointWater};
 pub use loads::{Direction, FacePressure, PointForce};
 pub(crate) use loads::{SLACK, ends};
 pub use motion::CaseMotion;
 pub(crate) use reader::{Reader, body_of, motion_fault};
 pub use reader::{blamed, check_ranges};
 pub use resistance::Resistance;
+use section::OF_BLOCK;
 pub use section::OF_PARTS;
 pub use waves::{CrownWall, CrownWaves, GodaWaves, StandingWaves, WaveFormula, Waves, goes_with_waves};
 
@@ -98,6 +101,8 @@ pub struct Case<T = f64> {
     pub part_names: Vec<Option<String>>,
     /// The groups of its parts.
     pub part_groups: Vec<Option<String>>,
+    /// The joints above its base, from there up.
+    pub joints: Vec<CaseJoint<T>>,
     /// Coulomb friction μ between body and base, to stick.
     pub friction: T,
     /// Coulomb friction μ to slip.
@@ -215,19 +220,25 @@ impl Case {
             (None, None) => situation,
         };
         let situation = situation.with_holding(case.holding());
-        Ok(match self.effects(&situation, acting, trial) {
+        let loads = case.loads_tried(acting, trial);
+        Ok(match self.effects(&situation, loads, acting, trial) {
             Some(effects) => situation.with_effects(effects),
             None => situation,
         })
     }
 
-    /// The sum of the loads of a situation times the factors of its combination, where these act on effects.
-    fn effects(&self, situation: &Situation, acting: Acting, trial: Trial) -> Option<Wrench> {
+    /// The sum of the loads of a situation times the factors of its combination, where these act on effects; `loads` are all that may act.
+    fn effects(
+        &self,
+        situation: &Situation,
+        loads: Vec<(LoadOrigin, Load)>,
+        acting: Acting,
+        trial: Trial,
+    ) -> Option<Wrench> {
         let Acting::Combination(index) = acting else { return None };
         let combination = self.combinations.get(index).filter(|combination| combination.effects)?;
         let case = self.under(acting);
-        let loads = case.loads_tried(acting, trial).into_iter();
-        let factors = loads.map(|(of, load)| case.factor(combination, of, &load, trial));
+        let factors = loads.into_iter().map(|(of, load)| case.factor(combination, of, &load, trial));
         let factors = factors.filter(|factor| *factor != 0.0);
         let sums = situation.loads().iter().zip(factors);
         Some(sums.map(|(load, factor)| situation.wrench_of(load) * factor).sum())
@@ -235,13 +246,16 @@ impl Case {
 
     /// The situation decided by the numbers as they are written.
     pub fn as_written(&self, situation: Situation, acting: Acting, trial: Trial) -> Situation {
-        let written = Case::<Ball>::in_scalars(Arc::clone(&self.under(acting).inputs)).ok();
-        let written = written.map(|case| Case { biases: self.biases, ..case });
-        let written = written.and_then(|case| case.loaded(acting, trial).ok());
-        match written {
+        match self.written(acting).and_then(|written| written.loaded(acting, trial).ok()) {
             Some(written) => situation.as_written(&written),
             None => situation,
         }
+    }
+
+    /// The case of a situation in the numbers as they are written.
+    fn written(&self, acting: Acting) -> Option<Case<Ball>> {
+        let written = Case::<Ball>::in_scalars(Arc::clone(&self.under(acting).inputs)).ok();
+        written.map(|case| Case { biases: self.biases, ..case })
     }
 
     /// Its waves by Goda's formulas; `None` without any, and of those by another formula.
@@ -361,6 +375,7 @@ impl<T: Scalar> Case<T> {
             water_table: given.water_table(),
             part_names: given.of_parts(Key::PartName),
             part_groups: given.of_parts(Key::PartGroup),
+            joints: Vec::new(),
             friction,
             kinetic_friction,
             ground,
@@ -390,6 +405,7 @@ impl<T: Scalar> Case<T> {
             inputs: Arc::clone(&shared),
         };
         case.bare().map_err(|error| given.blame(Table::Body, error))?;
+        let case = Case { joints: given.joints(&case)?, ..case };
         given.soils_hold(&case.soils, &case.accelerations(), case.gravity.value())?;
         Ok(case)
     }
@@ -419,32 +435,44 @@ impl<T: Scalar> Case<T> {
     /// The body under the loads that act, the water under its base as if it did not open.
     fn loaded(&self, acting: Acting, trial: Trial) -> Result<Situation<T>, InputError> {
         let case = self.under(acting);
-        let mut situation = case.bare()?;
+        let loads = self.factored(case.loads_tried(acting, trial), &case.body, acting, trial);
+        Ok(case.bare()?.with_all(loads))
+    }
+
+    /// Loads of a situation on `body`, its own or what is above a joint, times the factors of their combination; none that these leave out.
+    fn factored(
+        &self,
+        loads: Vec<(LoadOrigin, Load<T>)>,
+        body: &Body<T>,
+        acting: Acting,
+        trial: Trial,
+    ) -> Vec<Load<T>> {
+        let case = self.under(acting);
         let by_effects = match acting {
             Acting::Combination(index) => self.combinations[index].effects,
             _ => false,
         };
-        for (of, load) in case.loads_tried(acting, trial) {
+        let acting = loads.into_iter().filter_map(|(of, load)| {
             let factor = match acting {
                 Acting::Combination(index) => case.factor_as_written(index, of, &load, trial),
                 Acting::All | Acting::Alone(_) => T::of(1.0),
             };
-            if factor != T::of(0.0) {
-                let load = self.biases.on(load, &case.body, case.gravity.clone());
-                // Where factors act on effects the load is as it is.
-                let factor = if by_effects { T::of(1.0) } else { factor };
-                let load = load.times(factor).with_id(of.into());
-                situation = situation.with(match case.floor_deg {
-                    0.0 => load,
-                    slope => {
-                        let action =
-                            load.action.on_slope(&case.body, case.gravity.clone(), slope.to_radians());
-                        Load { action, ..load }
-                    }
-                });
+            if factor == T::of(0.0) {
+                return None;
             }
-        }
-        Ok(situation)
+            let load = self.biases.on(load, body, case.gravity.clone());
+            // Where factors act on effects the load is as it is.
+            let factor = if by_effects { T::of(1.0) } else { factor };
+            let load = load.times(factor).with_id(of.into());
+            Some(match case.floor_deg {
+                0.0 => load,
+                slope => {
+                    let action = load.action.on_slope(body, case.gravity.clone(), slope.to_radians());
+                    Load { action, ..load }
+                }
+            })
+        });
+        acting.collect()
     }
 
     /// The body without loads.
@@ -462,7 +490,7 @@ impl<T: Scalar> Case<T> {
 
     /// All loads of the case but for alternatives to the one that acts, and what each is of.
     fn loads(&self, acting: Acting, earthquake: Option<Earthquake<T>>) -> Vec<(LoadOrigin, Load<T>)> {
-        let mut loads = self.weights(acting);
+        let mut loads = self.weights(acting, None);
         let mut add = |of, more: Vec<Load<T>>| loads.extend(more.into_iter().map(|load| (of, load)));
         let over_time = |load: Load<T>, history: &Option<standfast::History>| match history {
             Some(history) => load.over_time(history.clone()),
@@ -508,31 +536,44 @@ impl<T: Scalar> Case<T> {
         loads
     }
 
-    /// The weight of the body; where a combination names groups of its parts, that of each of these, and that of the rest.
-    fn weights(&self, acting: Acting) -> Vec<(LoadOrigin, Load<T>)> {
+    /// The weight of the body, or of what is above a joint; where a combination names groups of its parts, that of each of these, and that of
+    /// the rest.
+    fn weights(&self, acting: Acting, joint: Option<&CaseJoint<T>>) -> Vec<(LoadOrigin, Load<T>)> {
         let groups = self.weighed_apart(acting);
         let weight = |action| Load::permanent(LoadSource::Weight, LoadKind::Weight, action);
         let whole = || (LoadOrigin::Table(Table::Body), weight(Action::Weight));
         let Some(section) = self.section.as_ref().filter(|_| !groups.is_empty()) else {
             return vec![whole()];
         };
-        let masses = section.masses(self.water_table);
+        let masses: Vec<(f64, Vertex)> = match joint {
+            None => {
+                section.masses(self.water_table).into_iter().map(|part| (part.mass, part.centre)).collect()
+            }
+            Some(joint) => {
+                let [left, right] = section.ends();
+                let masses = section.masses_above(joint.level().value(), self.water_table).into_iter();
+                let from_middle = |at: Vertex| Vertex { x: at.x - (left + right) / 2.0, ..at };
+                masses.map(|part| (part.mass, from_middle(part.centre))).collect()
+            }
+        };
         let length = self.body.plan().side(self.body.width()).value();
         let of = |group: Option<&str>| {
             let members = self.members(&groups, group);
-            let mass: f64 = members.iter().map(|part| masses[*part].mass).sum();
-            let moment = |along: fn(&PartMass) -> f64| -> f64 {
-                members.iter().map(|part| masses[*part].mass * along(&masses[*part])).sum()
+            let mass: f64 = members.iter().map(|part| masses[*part].0).sum();
+            let moment = |along: fn(&Vertex) -> f64| -> f64 {
+                members.iter().map(|part| masses[*part].0 * along(&masses[*part].1)).sum()
             };
-            let [x, y] = [moment(|part| part.centre.x), moment(|part| part.centre.y)].map(|sum| sum / mass);
+            let [x, y] = [moment(|at| at.x), moment(|at| at.y)].map(|sum| sum / mass);
             let down = -(length * mass * self.gravity.value());
-            let action = Action::Force { at: BodyPoint { x, y }, right: 0.0, up: down };
+            let at = BodyPoint { x: T::computed(x), y: T::computed(y) };
+            let at = joint.map_or_else(|| at.clone(), |joint| joint.above.place(&at));
+            let action = Action::Force { at, right: T::of(0.0), up: T::computed(down) };
             let load = Load::permanent(LoadSource::Weight, LoadKind::Weight, action);
             let (of, name) = match group {
                 Some(group) => (LoadOrigin::Group(members[0]), format!("weight of {group}")),
                 None => (LoadOrigin::Table(Table::Body), "weight of the rest".to_owned()),
             };
-            (mass > 0.0).then(|| (of, load.named(name).computed()))
+            (mass > 0.0).then(|| (of, load.named(name)))
         };
         groups.iter().copied().map(Some).chain([None]).filter_map(of).collect()
     }
@@ -697,6 +738,8 @@ enum LoadOrigin {
     Soil(usize, Option<Made>),
     /// A force or a couple, by its place among all, and the table that says it.
     Force(usize, (Table, usize)),
+    /// Still water in a joint, from the side at which it stands.
+    JointWater(Face),
 }
 
 impl LoadOrigin {
@@ -708,6 +751,7 @@ impl LoadOrigin {
             LoadOrigin::Pressure(index) => (Table::Pressure, index),
             LoadOrigin::Soil(index, _) => (Table::Backfill, index),
             LoadOrigin::Force(_, of) => of,
+            LoadOrigin::JointWater(_) => (Table::Water, 0),
         }
     }
 

@@ -89,7 +89,11 @@ impl Variable {
         }
         let names: Vec<_> = Variable::all(inputs).map(|id| id.to_string()).collect();
         let candidates = SHORT_NAMES.iter().map(|(short, _)| *short).chain(names.iter().map(String::as_str));
-        let suggestion = closest(name, candidates.filter(|candidate| *candidate != name)).map(str::to_owned);
+        // The base is the first joint, and has its friction with the body.
+        let of_base = name.strip_prefix("joint[1].").map(|key| format!("body.{key}"));
+        let of_base = of_base.filter(|name| inputs.has(Table::Joint) && names.contains(name));
+        let closest = closest(name, candidates.filter(|candidate| *candidate != name)).map(str::to_owned);
+        let suggestion = of_base.or(closest);
         let numbers = Table::ALL.into_iter().filter(|table| inputs.has(*table)).flat_map(|table| {
             let numbers = table.keys().filter(|key| key.info().range().is_some());
             numbers.map(move |key| Id::of(table, 0, key))
@@ -258,7 +262,7 @@ impl Variable {
             Moves::WaterDensity if has(Key::WaterDensity) && has(Key::WaveWaterDensity) => {
                 notes.push("Still water and the sea have one density.");
             }
-            Moves::Friction if has(Key::KineticFriction) => {
+            Moves::Friction if inputs.number(slipping(self.id)).is_some() => {
                 notes.push("Friction to slip goes with friction to stick, in proportion.");
             }
             _ => {}
@@ -287,13 +291,14 @@ impl Variable {
 
 /// The key of a load, a pressure or a part by its name, with its place in that of the name.
 pub(crate) fn spelled(name: &str, inputs: &Inputs) -> Option<String> {
-    const NAMED: [(Table, Key); 6] = [
+    const NAMED: [(Table, Key); 7] = [
         (Table::Load, Key::LoadName),
         (Table::Moment, Key::MomentName),
         (Table::Resistance, Key::ResistanceName),
         (Table::Pressure, Key::PressureName),
         (Table::Backfill, Key::BackfillName),
         (Table::Part, Key::PartName),
+        (Table::Joint, Key::JointName),
     ];
     NAMED.into_iter().find_map(|(table, of)| {
         let rest = name.strip_prefix(table.name())?.strip_prefix('.')?;
@@ -347,9 +352,10 @@ pub fn change<'a>(
             varied.set(key, value + by);
         }
     }
-    for (key, ratio) in moved.scales {
-        if let Some(value) = varied.number(key).filter(|_| !named(key)) {
-            varied.set(key, value * ratio);
+    for (id, ratio) in moved.scales {
+        let is_named = changes.clone().any(|(variable, _)| variable.id == id);
+        if let Some(value) = varied.number(id).filter(|_| !is_named) {
+            varied.set(id, value * ratio);
         }
     }
     for (variable, value) in changes.clone().filter(|(variable, _)| variable.moves == Moves::Mass) {
@@ -419,7 +425,7 @@ fn weigh<'a>(
         sized.add(variable, case, variable.value(inputs, case), value);
     }
     let of_size: f64 =
-        sized.scales.iter().filter(|(key, _)| *key == Key::Mass).map(|(_, ratio)| ratio).product();
+        sized.scales.iter().filter(|(id, _)| *id == Id::from(Key::Mass)).map(|(_, ratio)| ratio).product();
     let coupled = case.body.mass() * of_size;
     let ratio = match variable.key() {
         Key::Density => value / variable.value(inputs, case),
@@ -441,18 +447,26 @@ pub fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Id> {
         let present = variable.value(inputs, case);
         moved.add(variable, case, present, present);
     }
-    let named = |key: Key| variables.iter().any(|variable| variable.id == Id::from(key));
-    let levels = moved.levels.iter().map(|(key, _)| *key);
-    let levels = levels.filter(|key| !named(*key) || key.info().moves == Moves::Alone);
-    let sized = moved.sizes.iter().chain(&moved.scales).map(|(key, _)| *key).filter(|key| !named(*key));
-    let mut keys: Vec<Key> = levels.chain(sized).filter(|key| inputs.number(*key).is_some()).collect();
-    keys.sort();
-    keys.dedup();
-    let mut ids: Vec<Id> = keys.into_iter().map(Id::from).collect();
+    let named = |id: Id| variables.iter().any(|variable| variable.id == id);
+    let levels = moved.levels.iter().map(|(key, _)| Id::from(*key));
+    let levels = levels.filter(|id| !named(*id) || id.key.info().moves == Moves::Alone);
+    let sizes = moved.sizes.iter().map(|(key, _)| Id::from(*key));
+    let sized = sizes.chain(moved.scales.iter().map(|(id, _)| *id)).filter(|id| !named(*id));
+    let mut ids: Vec<Id> = levels.chain(sized).filter(|id| inputs.number(*id).is_some()).collect();
+    ids.sort();
+    ids.dedup();
     if variables.iter().any(|variable| variable.moves_edges()) {
         ids.extend(stretching(case));
     }
     ids
+}
+
+/// The friction to slip beside a friction to stick: of the base, or of the same joint.
+fn slipping(id: Id) -> Id {
+    match id.key {
+        Key::JointFriction => Id::new(Key::JointKineticFriction, id.index),
+        _ => Id::from(Key::KineticFriction),
+    }
 }
 
 /// Numbers that go with varied ones, and their changes.
@@ -460,7 +474,7 @@ pub fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Id> {
 struct CoupledChanges {
     levels: Vec<(Key, f64)>,
     sizes: Vec<(Key, f64)>,
-    scales: Vec<(Key, f64)>,
+    scales: Vec<(Id, f64)>,
 }
 
 impl CoupledChanges {
@@ -500,7 +514,7 @@ impl CoupledChanges {
                 self.scale(1.0, &[Key::MomentOfInertia]);
                 self.level(0.0, &[Key::BuoyantWeight]);
             }
-            Moves::Friction => self.scale(ratio, &[Key::KineticFriction]),
+            Moves::Friction => self.scales.push((slipping(variable.id), ratio)),
             Moves::WaterDensity => self.scale(ratio, &[Key::WaterDensity, Key::WaveWaterDensity]),
             Moves::WaterLevel => {
                 self.level(by, &[Key::Level, Key::WaterRight]);
@@ -525,7 +539,7 @@ impl CoupledChanges {
     }
 
     fn scale(&mut self, ratio: f64, keys: &[Key]) {
-        self.scales.extend(keys.iter().map(|key| (*key, ratio)));
+        self.scales.extend(keys.iter().map(|key| (Id::from(*key), ratio)));
     }
 
     /// Makes the body higher, at its density.

@@ -738,7 +738,8 @@ impl fmt::Display for Warning {
                  left out on purpose"
             ),
             Warning::LoadInNoCombination { table, index } => {
-                let number = if table.repeats() { format!(" {}", index + 1) } else { String::new() };
+                let number =
+                    if table.repeats() { format!(" {}", table.number(*index)) } else { String::new() };
                 write!(
                     f,
                     "{}{number} acts in no combination, and so nowhere: a combination names it among its factors",

@@ -71,7 +71,7 @@ fn heading(id: Id) -> String {
             let [of, place] = id.table.places(id.index);
             format!("{} {} of [[backfill]] {}", id.table.header(), place + 1, of + 1)
         }
-        table if table.repeats() => format!("{} {}", table.header(), id.index + 1),
+        table if table.repeats() => format!("{} {}", table.header(), table.number(id.index)),
         table => table.header().to_owned(),
     }
 }

@@ -30,6 +30,8 @@ pub fn of_input(symbol: &str, inputs: &Inputs, id: Id) -> String {
                 _ => of_soil(symbol, soil, count, place),
             }
         }
+        // The base is the first of them.
+        Table::Joint => format!("{symbol}{}", id.table.number(id.index)),
         _ => numbered(symbol, id.index, inputs.count(id.key.info().table)),
     }
 }

@@ -123,6 +123,22 @@ impl Problem {
             Problem::Record { help, .. } => (*help)?.into(),
             Problem::ByOtherWaves { .. } => "say how long the thrust lasts, for example duration = \"0.4 s\"".into(),
             Problem::HoldsNot { .. } => "leave one of both out".into(),
+            Problem::JointsNotFor { .. } => "leave one of both out".into(),
+            Problem::JointsOfBlock { .. } => "draw the section with [[part]]; mass, centre and inertia follow".into(),
+            Problem::JointAboveCrest { .. } | Problem::SameLevel { .. } => {
+                "`elevation` is measured from the base, which is joint 1, in m if it has no unit".into()
+            }
+            Problem::Cut(_) => "a joint needs a length on which what is above touches what is below".into(),
+            Problem::BesideJoint { .. } => "put `left` and `right` of the joint where it touches, or leave them out".into(),
+            Problem::BesideContact { .. } | Problem::NoJoint { .. } => "lengths are to the right of the origin of the section, in m if they have no unit; of O without parts".into(),
+            Problem::JointWater { .. } => {
+                "\"open\": from the pressure outside at one end to that at the other; \"tight\": none. It decides: four blocks under 0.6 m of \
+                 head leave rest at 0.80 of it with open joints, at 1.54 with tight ones"
+                    .into()
+            }
+            Problem::NothingOpen { .. } => {
+                "add [water] or [wave]; or give the pressures: uplift_left = \"0 kPa\", uplift_right = \"30 kPa\"".into()
+            }
             Problem::TooManyResistances { .. } => "add up those that act at one place".into(),
             Problem::SameResistance { .. } => "call each otherwise".into(),
             Problem::ShareMissing { .. } => {

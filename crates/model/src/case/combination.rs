@@ -318,6 +318,10 @@ impl<T: Scalar> Case<T> {
                 (Some(self.soils[index].made(made)), shaken)
             }
             LoadOrigin::Force(index, _) => (None, self.forces[index].name.as_deref()),
+            LoadOrigin::JointWater(side) => {
+                let end = if side == Face::Left { "water.left" } else { "water.right" };
+                (Some(end), Table::Water.in_combination())
+            }
         };
         [part, whole].map(|name| name.map(Cow::from)).into_iter().flatten()
     }
@@ -383,10 +387,12 @@ impl ChangeBy {
 }
 
 /// What `materials` divides: of an angle the tangent.
-pub(super) const STRENGTHS: [Key; 11] = [
+pub(super) const STRENGTHS: [Key; 13] = [
     Key::Adhesion,
     Key::Friction,
     Key::KineticFriction,
+    Key::JointFriction,
+    Key::JointKineticFriction,
     Key::Strength,
     Key::GroundAngle,
     Key::Cohesion,
@@ -752,7 +758,14 @@ fn step(inputs: &Inputs, case: &Case, changes: &[&InputChange]) -> Result<Inputs
             }
             // To fifteen digits: 0.011/1.1 is 0.01, as who writes it in decimals finds it.
             ChangeBy::Scale(by) => decimal(variable.value(inputs, case) * by),
-            ChangeBy::Resistance(by) => decimal(divided(change.id.key, variable.value(inputs, case), *by)),
+            ChangeBy::Resistance(by) => {
+                for id in of_all_joints(inputs, change.id, changes) {
+                    let joint = Variable::of(id, inputs);
+                    let value = decimal(divided(id.key, joint.value(inputs, case), *by));
+                    numbers.push((joint, value));
+                }
+                decimal(divided(change.id.key, variable.value(inputs, case), *by))
+            }
             ChangeBy::Material(by) => {
                 for id in with_wall(inputs, change.id, changes) {
                     let Some(present) = inputs.number(id) else { continue };
@@ -793,10 +806,23 @@ fn heights_at_wall<'a>(inputs: &'a Inputs, case: &Case, changes: &[&InputChange]
     Cow::Owned(inputs)
 }
 
+/// The friction of the joints that a divisor of that of the base divides as well: all that are not named themselves.
+fn of_all_joints(inputs: &Inputs, id: Id, changes: &[&InputChange]) -> Vec<Id> {
+    let of_joint = match id.key {
+        Key::Friction => Key::JointFriction,
+        Key::KineticFriction => Key::JointKineticFriction,
+        _ => return Vec::new(),
+    };
+    let joints = (0..inputs.count(Table::Joint)).map(|index| Id::new(of_joint, index));
+    let is_named = |id: &Id| changes.iter().any(|change| change.id == *id);
+    joints.filter(|id| inputs.number(*id).is_some() && !is_named(id)).collect()
+}
+
 /// What a divisor of a strength divides: of a soil in all its layers, and with its angle of friction that on the wall, unless that is
 /// divided by itself.
 fn with_wall(inputs: &Inputs, id: Id, changes: &[&InputChange]) -> Vec<Id> {
     let mut ids = of_all_layers(inputs, id);
+    ids.extend(of_all_joints(inputs, id, changes));
     if id.key == Key::SoilFriction {
         let is_named =
             |wall: Id| changes.iter().any(|change| of_all_layers(inputs, change.id).contains(&wall));

@@ -300,6 +300,45 @@ impl Reader<'_> {
         water: Option<&StillWater<T>>,
         wave: Option<&Waves>,
     ) -> Result<AddedMass<T>, Fault> {
+        match (self.scalar::<T>(Key::WaterMass), self.inputs.get(Key::WetSides)) {
+            (Some(mass), None) => {
+                let water = AddedMass::of(mass).and_then(|water| match self.scalar(Key::WaterElevation) {
+                    Some(elevation) => water.at(elevation),
+                    None => Ok(water),
+                });
+                water.map_err(|error| self.blame(Table::AddedMass, error))
+            }
+            (None, Some(_)) if self.number(Key::WaterElevation).is_some() => {
+                let problem = Problem::Both { one: Key::WaterElevation, two: Key::WetSides };
+                Err(Fault::new(problem, Key::WaterElevation))
+            }
+            (None, Some(_)) => {
+                let Some((density, depths)) = self.moving_water(water, wave)? else {
+                    return Err(Fault::new(Problem::SidesWithoutWater, Key::WetSides));
+                };
+                let side = body.plan().side(body.width()).value();
+                let water = AddedMass::beside(density * side, &depths);
+                water.map(AddedMass::computed).map_err(|error| self.blame(Table::AddedMass, error))
+            }
+            (None, None) => {
+                let problem = Problem::Neither { one: Key::WaterMass, two: Key::WetSides };
+                Err(Fault::new(problem, Table::AddedMass))
+            }
+            (Some(_), Some(_)) => {
+                let problem = Problem::Both { one: Key::WaterMass, two: Key::WetSides };
+                Err(Fault::new(problem, Key::WetSides))
+            }
+        }
+    }
+
+    /// The density of the water beside the body, and its depths on the sides on which it moves with it; `None` where no sides are said, or no
+    /// water is.
+    pub(super) fn moving_water<T: Scalar>(
+        &self,
+        water: Option<&StillWater<T>>,
+        wave: Option<&Waves>,
+    ) -> Result<Option<(f64, Vec<f64>)>, Fault> {
+        let Some(sides) = self.inputs.get(Key::WetSides) else { return Ok(None) };
         // The sea, or the water at the right, and the water at the left.
         let depths = match (water, wave) {
             (Some(water), _) => {
@@ -308,34 +347,8 @@ impl Reader<'_> {
             (None, Some(wave)) => wave.still_water().map(|level| (wave.water_density, [level; 2])),
             (None, None) => None,
         };
-        match (self.scalar::<T>(Key::WaterMass), self.inputs.get(Key::WetSides), depths) {
-            (Some(mass), None, _) => {
-                let water = AddedMass::of(mass).and_then(|water| match self.scalar(Key::WaterElevation) {
-                    Some(elevation) => water.at(elevation),
-                    None => Ok(water),
-                });
-                water.map_err(|error| self.blame(Table::AddedMass, error))
-            }
-            (None, Some(_), _) if self.number(Key::WaterElevation).is_some() => {
-                let problem = Problem::Both { one: Key::WaterElevation, two: Key::WetSides };
-                Err(Fault::new(problem, Key::WaterElevation))
-            }
-            (None, Some(sides), Some((density, depths))) => {
-                let depths = self.wet(sides, depths)?;
-                let side = body.plan().side(body.width()).value();
-                let water = AddedMass::beside(density * side, &depths);
-                water.map(AddedMass::computed).map_err(|error| self.blame(Table::AddedMass, error))
-            }
-            (None, Some(_), None) => Err(Fault::new(Problem::SidesWithoutWater, Key::WetSides)),
-            (None, None, _) => {
-                let problem = Problem::Neither { one: Key::WaterMass, two: Key::WetSides };
-                Err(Fault::new(problem, Table::AddedMass))
-            }
-            (Some(_), Some(_), _) => {
-                let problem = Problem::Both { one: Key::WaterMass, two: Key::WetSides };
-                Err(Fault::new(problem, Key::WetSides))
-            }
-        }
+        let Some((density, depths)) = depths else { return Ok(None) };
+        Ok(Some((density, self.wet(sides, depths)?)))
     }
 
     /// The depths of the water on the sides on which it moves with the body; `depths` are those at the right and at the left.

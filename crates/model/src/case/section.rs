@@ -21,6 +21,10 @@ pub const OF_PARTS: [Key; 9] = [
     Key::MomentOfInertia,
 ];
 
+/// Keys of the body table that say more of a block than that it is uniform.
+pub(super) const OF_BLOCK: [Key; 5] =
+    [Key::BaseLeft, Key::BaseRight, Key::CentroidOffset, Key::CentroidHeight, Key::MomentOfInertia];
+
 /// Keys that give a part as a rectangle or trapezoid, the first four always.
 const TRAPEZOID: [Key; 6] =
     [Key::PartLeft, Key::PartWidth, Key::PartBottom, Key::PartHeight, Key::PartTopLeft, Key::PartTopWidth];

@@ -1,6 +1,6 @@
 //! A base that is shaken, and the water that moves with the body.
 
-use super::wave::{added_mass, added_mass_height};
+use super::wave::added_mass_above;
 use super::{Action, Load, LoadKind, LoadSource};
 use crate::ball::Scalar;
 use crate::error::InputError;
@@ -85,13 +85,21 @@ impl AddedMass {
     /// # Errors
     /// If the density is not above zero, or a depth is negative or not finite.
     pub fn beside(density: f64, depths: &[f64]) -> Result<AddedMass, InputError> {
+        AddedMass::beside_above(density, depths, 0.0)
+    }
+
+    /// The same beside what is above a `level` (m above the base), with its height above that.
+    ///
+    /// # Errors
+    /// As [`beside`](AddedMass::beside).
+    pub fn beside_above(density: f64, depths: &[f64], level: f64) -> Result<AddedMass, InputError> {
         let density = InputError::positive(Quantity::WaterDensity, density)?;
         for &depth in depths {
             InputError::not_negative(Quantity::WaterLevel, depth)?;
         }
-        let masses = || depths.iter().map(|&depth| (added_mass(1, density, depth), depth));
-        let mass: f64 = masses().map(|(mass, _)| mass).sum();
-        let moment: f64 = masses().map(|(mass, depth)| mass * added_mass_height(depth)).sum();
+        let masses = || depths.iter().map(|&depth| added_mass_above(density, depth, level));
+        let mass: f64 = masses().map(|[mass, _]| mass).sum();
+        let moment: f64 = masses().map(|[mass, height]| mass * height).sum();
         Ok(AddedMass { mass, height: (mass > 0.0).then(|| moment / mass) })
     }
 }

@@ -1,0 +1,165 @@
+//! The joints of a situation: each with all that is above it as one body, and all together.
+
+use standfast::contact::holding::Holding;
+use standfast::{
+    Departure, InputError, JointAnswer, JointDeparture, Jointed, Mode, Modes, Situation, Verdict,
+};
+
+use super::Assessed;
+use crate::case::Case;
+
+/// The joints of a situation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joints {
+    /// What is above each joint above the base, from there up: as one body on that joint.
+    pub above: Vec<Assessed>,
+    /// Where the first of all joints leaves rest, the base, which is the first, among them.
+    pub departure: JointDeparture,
+    /// All joints together.
+    pub together: Together,
+}
+
+/// What all joints do together.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Together {
+    /// It is known.
+    Answered(JointAnswer),
+    /// It is not, for a reason: a sentence without its stop.
+    Not(&'static str),
+}
+
+impl Together {
+    /// The answer, where there is one.
+    pub fn answer(&self) -> Option<&JointAnswer> {
+        match self {
+            Together::Answered(answer) => Some(answer),
+            Together::Not(_) => None,
+        }
+    }
+
+    /// Reason why there is none.
+    pub fn why_not(&self) -> Option<&'static str> {
+        match self {
+            Together::Answered(_) => None,
+            Together::Not(why) => Some(why),
+        }
+    }
+}
+
+const ON_GROUND: &str = "on [ground] all joints together are not answered: the base is that of the whole, the joints above it are rigid";
+const ADHERING: &str = "with adhesion under the base all joints together are not answered";
+const OPENING: &str = "the base opens under different heads, and all joints together are not answered; opening = \"closed\" says that it does not";
+const DRAINED: &str = "with drains under the base all joints together are not answered";
+const TOO_MANY: &str = "of more than six bodies all joints together are not answered";
+
+impl Joints {
+    /// The joints of a situation that is answered as if all were one body; `None` without any.
+    pub(super) fn of(
+        case: &Case,
+        whole: &Assessed,
+        answer: &dyn Fn(Situation) -> Result<Assessed, InputError>,
+    ) -> Result<Option<Joints>, InputError> {
+        let (acting, trial) = (whole.acting, whole.trial);
+        let of = case.under(acting);
+        let Some(jointed) = case.on_joints(acting, trial)? else { return Ok(None) };
+        let above = (0..of.joints.len()).map(|place| {
+            let situation = case.above_joint(place, acting, trial)?;
+            let is_near = whole.situation.is_as_written() || situation.is_near_boundary();
+            answer(match is_near {
+                true => case.above_as_written(situation, place, acting, trial),
+                false => situation,
+            })
+        });
+        let above = above.collect::<Result<_, _>>()?;
+        let written = || case.on_joints_as_written(acting, trial);
+        let why = why_not(of, whole, &jointed);
+        let base = why.filter(|why| *why != TOO_MANY).map(|_| &whole.outcome.departure);
+        let departure = jointed.departure(base, &written);
+        let together = match why {
+            Some(why) => Together::Not(why),
+            None => Together::Answered(jointed.answer(&written)),
+        };
+        Ok(Some(Joints { above, departure, together }))
+    }
+
+    /// The number of joints, the base among them.
+    pub fn count(&self) -> usize {
+        self.above.len() + 1
+    }
+
+    /// The departure from rest of all.
+    pub(super) fn departure(&self) -> Departure {
+        let JointDeparture { load_factor, at_once, .. } = self.departure;
+        match load_factor {
+            _ if at_once => Departure::AtOnce { verdict: None, permanent: true },
+            0.0 => Departure::AtOnce { verdict: None, permanent: false },
+            f64::INFINITY => Departure::Never,
+            factor => Departure::At { factor, verdict: None },
+        }
+    }
+
+    /// The combination reported under the full load, a mode for each joint from the base; `None` where that is not known.
+    pub fn modes(&self) -> Option<&[Mode]> {
+        self.together.answer().map(|answer| answer.full.modes())
+    }
+
+    /// The other combinations that are as consistent.
+    pub fn also(&self) -> impl Iterator<Item = &[Mode]> {
+        self.together.answer().into_iter().flat_map(|answer| answer.full.others())
+    }
+
+    /// True if only one combination is consistent under the full load; `None` where that is not known.
+    pub fn is_unique(&self) -> Option<bool> {
+        self.together.answer().map(|answer| answer.full.is_unique())
+    }
+
+    /// The modes in which the joints leave rest, a mode for each; none where that is not known.
+    pub fn departing(&self) -> &[Mode] {
+        self.together.answer().map_or(&[], |answer| answer.departing.modes())
+    }
+
+    /// All modes that some joint may take up under the full load; `None` where that is not known.
+    pub(crate) fn possible(&self, whole: &Assessed) -> Option<Modes> {
+        match &self.together {
+            Together::Answered(answer) => {
+                let all = answer.full.combinations().iter();
+                Some(all.flat_map(|one| one.modes.iter().copied()).collect())
+            }
+            Together::Not(_) => self.rests(whole).then(|| [Mode::Rest].into_iter().collect()),
+        }
+    }
+
+    /// True if no joint moves under the full load: each rests under all that is above it.
+    pub(super) fn rests(&self, whole: &Assessed) -> bool {
+        match self.modes() {
+            Some(modes) => !modes.is_empty() && modes.iter().all(|mode| *mode == Mode::Rest),
+            None => {
+                let rests = |one: &Assessed| one.outcome.full.verdict == Some(Verdict::REST);
+                rests(whole) && self.above.iter().all(rests)
+            }
+        }
+    }
+}
+
+/// Reason why what all joints do together is not answered.
+fn why_not(of: &Case, whole: &Assessed, jointed: &Jointed) -> Option<&'static str> {
+    let leaves = match whole.outcome.departure.load_factor() {
+        f64::INFINITY => 1.0,
+        factor => factor.max(1.0),
+    };
+    match () {
+        () if of.ground.is_some() => Some(ON_GROUND),
+        () if of.holding() != Holding::new(None) => Some(ADHERING),
+        () if of.drain.is_some() => Some(DRAINED),
+        () if whole.situation.opens_up_to(leaves) => Some(OPENING),
+        () if !jointed.is_enumerable() => Some(TOO_MANY),
+        () => None,
+    }
+}
+
+impl Assessed {
+    /// What is on each joint from the base, which is the first: the whole, and where there are joints above, all that is above each.
+    pub fn on_joints(&self) -> impl Iterator<Item = &Assessed> {
+        std::iter::once(self).chain(self.joints.iter().flat_map(|joints| &joints.above))
+    }
+}
