@@ -25,7 +25,7 @@ pub use any_check::AnyCheck;
 pub use balance::{Balance, BalancePart};
 pub use components::Component;
 pub use ground::{BaseResponse, Elastic};
-pub use joints::{Joints, Together};
+pub use joints::{JointPlace, Joints, Together};
 use standfast_inputs::OutputUnits;
 
 /// The answer to a case.

@@ -104,18 +104,21 @@ listed! {
     /// A result of a situation.
     ResultName: ResultInfo;
 
-    Mode = word("mode", &SYMBOLS, "the mode under the full load, applied at once; BF where the ground fails", |a| verdict(a.verdict()));
+    Mode = word("mode", &SYMBOLS, "the mode under the full load, applied at once; BF where the ground fails", |a| verdict(a.verdict().filter(|_| a.joints.is_none())));
     Unique = ResultInfo {
         name: "unique",
         kind: ResultKind::Truth,
         words: "whether no other mode is consistent under the full load",
-        of: |a| ResultValue::Truth(a.outcome.full.is_unique()),
+        of: |a| match &a.joints {
+            Some(joints) => joints.is_unique().map_or(ResultValue::Nothing, ResultValue::Truth),
+            None => ResultValue::Truth(a.outcome.full.is_unique()),
+        },
     };
     Also = ResultInfo {
         name: "also",
         kind: ResultKind::Modes,
         words: "the other consistent modes",
-        of: |a| ResultValue::Modes(a.outcome.full.others()),
+        of: |a| ResultValue::Modes(if a.joints.is_some() { Modes::default() } else { a.outcome.full.others() }),
     };
     Lifted = ResultInfo {
         name: "lifted",
@@ -125,20 +128,13 @@ listed! {
     };
     Departure = word("departure", &["never", "at-once", "at"],
         "whether the body leaves rest as the variable loads rise: for no load factor above zero, at once, or at `load_factor`",
-        |a| ResultValue::Word(departure(&a.departure())));
+        |a| ResultName::departure_of(&a.departure()));
     LoadFactor = number("load_factor", None, "where it leaves rest, as a multiple of the variable loads; only where `departure` is `at`",
-        |a| match a.departure() {
-            Departure::At { factor, .. } => ResultValue::Number(factor),
-            Departure::Never | Departure::AtOnce { .. } => ResultValue::Nothing,
-        });
+        |a| ResultName::load_factor_of(&a.departure()));
     DepartureMode = word("departure_mode", &SYMBOLS, "the mode in which it leaves rest; BF where the ground fails", |a| verdict(a.departure().verdict()));
     DepartureBy = word("departure_by", &["permanent-loads", "any-share"],
         "what moves a body that departs at once: its permanent loads alone, or any share of the variable ones, however small",
-        |a| match a.departure() {
-            Departure::AtOnce { permanent: true, .. } => ResultValue::Word("permanent-loads"),
-            Departure::AtOnce { permanent: false, .. } => ResultValue::Word("any-share"),
-            Departure::Never | Departure::At { .. } => ResultValue::Nothing,
-        });
+        |a| ResultName::departure_by_of(&a.departure()));
 
     SfSliding = number("SF_sliding", None, "safety factor against sliding, μ(W' − U)/P", |a| factor(&a.outcome.full, a.outcome.stability.sliding));
     SfOverturningNet = number("SF_overturning_net", None, "net safety factor against overturning, water under the base taken off the weight; the lesser of both corners",
@@ -372,6 +368,32 @@ impl ResultName {
         }
     }
 
+    /// The value of `departure`.
+    pub fn departure_of(departure: &Departure) -> ResultValue {
+        ResultValue::Word(match departure {
+            Departure::Never => "never",
+            Departure::AtOnce { .. } => "at-once",
+            Departure::At { .. } => "at",
+        })
+    }
+
+    /// The value of `load_factor`.
+    pub fn load_factor_of(departure: &Departure) -> ResultValue {
+        match *departure {
+            Departure::At { factor, .. } => ResultValue::Number(factor),
+            Departure::Never | Departure::AtOnce { .. } => ResultValue::Nothing,
+        }
+    }
+
+    /// The value of `departure_by`.
+    pub fn departure_by_of(departure: &Departure) -> ResultValue {
+        match departure {
+            Departure::AtOnce { permanent: true, .. } => ResultValue::Word("permanent-loads"),
+            Departure::AtOnce { permanent: false, .. } => ResultValue::Word("any-share"),
+            Departure::Never | Departure::At { .. } => ResultValue::Nothing,
+        }
+    }
+
     /// The result of a name.
     pub fn find(name: &str) -> Option<ResultName> {
         ResultName::ALL.iter().copied().find(|result| result.name() == name)
@@ -430,15 +452,6 @@ pub fn event(event: ImpactEvent) -> &'static str {
         ImpactEvent::Slip => "slip",
         ImpactEvent::Lift => "lift",
         ImpactEvent::Yield => "yield",
-    }
-}
-
-/// Departure from rest, in a word.
-fn departure(departure: &Departure) -> &'static str {
-    match departure {
-        Departure::Never => "never",
-        Departure::AtOnce { .. } => "at-once",
-        Departure::At { .. } => "at",
     }
 }
 

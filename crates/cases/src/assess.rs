@@ -7,6 +7,7 @@ mod coordinates;
 mod figures;
 pub mod ground;
 pub mod holding;
+pub mod joints;
 mod json;
 mod loads;
 pub mod made;
@@ -32,7 +33,7 @@ pub use combination::{changes as combination_changes, pair_words, pairs};
 pub use loads::{floor_words, left_out, share};
 pub use standfast_answers::assess::{
     AnyCheck, Assessed, Assessment, Balance, BalancePart, BaseResponse, CaseCheck, Component, Elastic,
-    MotionAssessment, predicate,
+    JointPlace, Joints, MotionAssessment, Together, predicate,
 };
 pub use text::criteria_met;
 pub(crate) use text::{heading, met_words, note, title};

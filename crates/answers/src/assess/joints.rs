@@ -1,20 +1,34 @@
 //! The joints of a situation: each with all that is above it as one body, and all together.
 
 use standfast::contact::holding::Holding;
-use standfast::{
-    Departure, InputError, JointAnswer, JointDeparture, Jointed, Mode, Modes, Situation, Verdict,
-};
+use standfast::contact::stack::{JointMotion, StackMotion};
+use standfast::{Departure, InputError, JointAnswer, JointDeparture, Mode, Modes, Situation, Verdict};
 
 use super::Assessed;
 use crate::case::Case;
 
+/// A joint: the base, or one above it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointPlace {
+    /// Its name; none of the base.
+    pub name: Option<String>,
+    /// Above the base, m.
+    pub elevation: f64,
+    /// Its left and its right end, to the right of the origin of the section; of O without parts.
+    pub ends: [f64; 2],
+}
+
 /// The joints of a situation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joints {
+    /// The joints from the base, which is the first.
+    pub places: Vec<JointPlace>,
+    /// Mid-width of the body, to the right of where ends are counted from.
+    middle: f64,
     /// What is above each joint above the base, from there up: as one body on that joint.
     pub above: Vec<Assessed>,
     /// Where the first of all joints leaves rest, the base, which is the first, among them.
-    pub departure: JointDeparture,
+    pub leaves: JointDeparture,
     /// All joints together.
     pub together: Together,
 }
@@ -48,9 +62,33 @@ impl Together {
 
 const ON_GROUND: &str = "on [ground] all joints together are not answered: the base is that of the whole, the joints above it are rigid";
 const ADHERING: &str = "with adhesion under the base all joints together are not answered";
-const OPENING: &str = "the base opens under different heads, and all joints together are not answered; opening = \"closed\" says that it does not";
+const OPENING: &str = "the base opens under different heads before a joint leaves rest, and all joints together are then not answered; opening = \"closed\" says that it does not";
 const DRAINED: &str = "with drains under the base all joints together are not answered";
 const TOO_MANY: &str = "of more than six bodies all joints together are not answered";
+
+impl JointPlace {
+    /// The joints of a case from the base.
+    fn all(case: &Case) -> Vec<JointPlace> {
+        let base = match &case.section {
+            Some(section) => section.base(),
+            None => [0.0, case.body.base_width()],
+        };
+        let above = case.joints.iter().map(|joint| JointPlace {
+            name: joint.name.clone(),
+            elevation: joint.level(),
+            ends: joint.ends,
+        });
+        [JointPlace { name: None, elevation: 0.0, ends: base }].into_iter().chain(above).collect()
+    }
+}
+
+/// Mid-width of a body, to the right of the origin of its section; of O without parts.
+fn middle(case: &Case) -> f64 {
+    match &case.section {
+        Some(section) => section.ends().into_iter().sum::<f64>() / 2.0,
+        None => case.body.width() / 2.0,
+    }
+}
 
 impl Joints {
     /// The joints of a situation that is answered as if all were one body; `None` without any.
@@ -72,24 +110,48 @@ impl Joints {
         });
         let above = above.collect::<Result<_, _>>()?;
         let written = || case.on_joints_as_written(acting, trial);
-        let why = why_not(of, whole, &jointed);
-        let base = why.filter(|why| *why != TOO_MANY).map(|_| &whole.outcome.departure);
-        let departure = jointed.departure(base, &written);
+        let base = &whole.outcome.departure;
+        let opens = |factor: f64| whole.situation.opens_up_to(factor);
+        let more_than_friction = of_base(of);
+        let is_special = more_than_friction.is_some() || opens(at_least_full(base.load_factor()));
+        let leaves = jointed.departure(is_special.then_some(base), &written);
+        let why = match () {
+            () if more_than_friction.is_some() => more_than_friction,
+            () if opens(at_least_full(leaves.load_factor)) => Some(OPENING),
+            () if !jointed.is_enumerable() => Some(TOO_MANY),
+            () => None,
+        };
         let together = match why {
             Some(why) => Together::Not(why),
-            None => Together::Answered(jointed.answer(&written)),
+            None => {
+                let mut answer = jointed.answer(&written);
+                // Beyond where the base opens it has other loads.
+                let opens = whole.situation.base_opening().and_then(|opening| opening.opens_at);
+                if let Some(opens) = opens {
+                    answer.path.retain(|stage| stage.from < opens);
+                    answer.path.iter_mut().for_each(|stage| stage.to = stage.to.min(opens));
+                }
+                Together::Answered(answer)
+            }
         };
-        Ok(Some(Joints { above, departure, together }))
+        let (places, middle) = (JointPlace::all(of), middle(of));
+        Ok(Some(Joints { places, middle, above, leaves, together }))
     }
 
-    /// The number of joints, the base among them.
-    pub fn count(&self) -> usize {
-        self.above.len() + 1
+    /// The motion under the full load, joints as their ends are counted; `None` where it is not known.
+    pub fn motion(&self) -> Option<StackMotion> {
+        let motion = self.together.answer()?.full.motion()?;
+        let from_origin = |joint: &JointMotion| {
+            // Where nothing presses, no reaction has a place.
+            let xi = if joint.n == 0.0 { 0.0 } else { joint.xi + self.middle };
+            JointMotion { v: joint.v - joint.omega * self.middle, xi, ..*joint }
+        };
+        Some(StackMotion { joints: motion.joints.iter().map(from_origin).collect(), ..motion.clone() })
     }
 
     /// The departure from rest of all.
-    pub(super) fn departure(&self) -> Departure {
-        let JointDeparture { load_factor, at_once, .. } = self.departure;
+    pub fn departure(&self) -> Departure {
+        let JointDeparture { load_factor, at_once, .. } = self.leaves;
         match load_factor {
             _ if at_once => Departure::AtOnce { verdict: None, permanent: true },
             0.0 => Departure::AtOnce { verdict: None, permanent: false },
@@ -141,20 +203,19 @@ impl Joints {
     }
 }
 
-/// Reason why what all joints do together is not answered.
-fn why_not(of: &Case, whole: &Assessed, jointed: &Jointed) -> Option<&'static str> {
-    let leaves = match whole.outcome.departure.load_factor() {
-        f64::INFINITY => 1.0,
-        factor => factor.max(1.0),
-    };
+/// What has more to do with the base of a case than friction, as a reason why what all joints do together is not answered.
+fn of_base(of: &Case) -> Option<&'static str> {
     match () {
         () if of.ground.is_some() => Some(ON_GROUND),
         () if of.holding() != Holding::new(None) => Some(ADHERING),
         () if of.drain.is_some() => Some(DRAINED),
-        () if whole.situation.opens_up_to(leaves) => Some(OPENING),
-        () if !jointed.is_enumerable() => Some(TOO_MANY),
         () => None,
     }
+}
+
+/// A load factor where something ends, or that of the full load, if that is more; of what never ends the full load.
+fn at_least_full(factor: f64) -> f64 {
+    if factor == f64::INFINITY { 1.0 } else { factor.max(1.0) }
 }
 
 impl Assessed {

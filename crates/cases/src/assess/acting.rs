@@ -1,8 +1,8 @@
 //! Loads that act in a situation, and the others that were tried, for reading.
 
-use standfast::{Slip, Verdict};
+use standfast::{Slip, Stability, Verdict};
 
-use super::{Assessed, Assessment, combination, verdict};
+use super::{Assessed, Assessment, combination, joints, verdict};
 use crate::case::{Acting, Case, Direction, PointForce};
 use crate::key::Table;
 use crate::layout::{columns, digits, paragraph, row};
@@ -48,18 +48,37 @@ pub(super) fn summary(assessment: &Assessment) -> String {
     columns(&rows, 2, numbers)
 }
 
-/// Mode, safety factors, departure and uniqueness, in the cells of a row.
+/// Mode, safety factors, departure and uniqueness, in the cells of a row; on joints the least factors, and the joint that leaves rest first.
 fn results(assessed: &Assessed) -> Vec<String> {
-    let outcome = &assessed.outcome;
-    let factor =
-        |factor| if outcome.full.is_lifted() { "none".to_owned() } else { assessed.output.factor(factor) };
+    let least = |of: fn(&Stability) -> f64| {
+        let factors = assessed.on_joints().map(|on| match on.outcome.full.is_lifted() {
+            true => None,
+            false => Some(of(&on.outcome.stability)),
+        });
+        let least = factors.reduce(|least, next| Some(least?.min(next?))).flatten();
+        least.map_or_else(|| "none".to_owned(), |factor| assessed.output.factor(factor))
+    };
+    let first = joints::first_words(assessed);
+    let is_unique = match &assessed.joints {
+        Some(joints) => joints.is_unique(),
+        None => Some(assessed.outcome.full.is_unique()),
+    };
     row![
-        assessed.verdict().map_or("none", Verdict::symbol),
-        factor(outcome.stability.sliding),
-        factor(outcome.stability.overturning()),
+        match &assessed.joints {
+            Some(joints) => joints::symbols(assessed, joints),
+            None => assessed.verdict().map_or("none", Verdict::symbol).to_owned(),
+        },
+        least(|stability| stability.sliding),
+        least(Stability::overturning),
         verdict::departure_word(&assessed.departure()),
-        assessed.departure().verdict().map_or("", Verdict::symbol),
-        if assessed.outcome.full.is_unique() { "yes" } else { "no" },
+        first.unwrap_or_else(|| {
+            assessed.departure().verdict().map_or(String::new(), |verdict| verdict.symbol().to_owned())
+        }),
+        match is_unique {
+            Some(true) => "yes",
+            Some(false) => "no",
+            None => "–",
+        },
     ]
 }
 

@@ -12,6 +12,7 @@ use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
 use super::holding::{AdhesionEntry, ResistanceEntry};
+use super::joints::JointEntries;
 use super::made::{MadeLoad, made_loads};
 use super::opening::BaseOpeningEntry;
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck, combination};
@@ -134,6 +135,9 @@ struct Situation<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     made_loads: Vec<MadeLoad>,
     path: Vec<PathStage>,
+    /// Of bodies on joints.
+    #[serde(flatten)]
+    joints: Option<JointEntries<'a>>,
     report: Option<Report>,
     /// Reason why there is no report.
     no_report: Option<&'static str>,
@@ -461,6 +465,7 @@ impl<'a> Situation<'a> {
     fn of(assessment: &'a Assessment, assessed: &'a Assessed, view: &AssessmentView) -> Situation<'a> {
         let case = &assessment.case;
         let full = &assessed.outcome.full;
+        let one_body = assessed.joints.is_none();
         Situation {
             load: match assessed.acting {
                 Acting::Alone(index) => Some(Force::of(&case.forces[index])),
@@ -484,9 +489,12 @@ impl<'a> Situation<'a> {
                 .collect(),
             results: Results { of: assessed, criteria: case.criteria_of(assessed.acting) },
             ground: assessed.ground.as_ref().map(|_| Ground(assessed)),
-            mode_words: assessed.verdict().map(Verdict::words),
-            because: assessed.because().iter().map(RelationDocument::of).collect(),
-            motion: assessed.motion().copied(),
+            mode_words: assessed.verdict().filter(|_| one_body).map(Verdict::words),
+            because: match one_body {
+                true => assessed.because().iter().map(RelationDocument::of).collect(),
+                false => Vec::new(),
+            },
+            motion: assessed.motion().copied().filter(|_| one_body),
             wrench: full.wrench,
             components: assessed
                 .components()
@@ -504,13 +512,20 @@ impl<'a> Situation<'a> {
             adhesion: AdhesionEntry::of(case, assessed),
             resistances: ResistanceEntry::all(case, assessed),
             made_loads: made_loads(case.under(assessed.acting), assessed),
-            path: assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
+            path: match one_body {
+                true => assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
+                false => Vec::new(),
+            },
+            joints: JointEntries::of(assessed, view),
             // The report's ground is rigid.
-            report: full.effective.as_ref().filter(|_| !assessed.is_on_ground()).map(|reduced| Report {
-                point: PointDocument::of_rigid(reduced, full),
-                overturning: reduced.point.safety_against_overturning(),
+            report: full.effective.as_ref().filter(|_| one_body && !assessed.is_on_ground()).map(|reduced| {
+                Report {
+                    point: PointDocument::of_rigid(reduced, full),
+                    overturning: reduced.point.safety_against_overturning(),
+                }
             }),
             no_report: match () {
+                () if !one_body => Some("joints"),
                 () if assessed.is_on_ground() => Some("base-gives-way"),
                 () if full.effective.is_none() => Some("no-point"),
                 () => None,

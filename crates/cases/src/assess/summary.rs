@@ -2,12 +2,15 @@
 
 use standfast::{Boundary, Departure, Mode, Verdict};
 
-use super::{AnyCheck, Assessed, Assessment, ground, predicate, verdict};
+use super::{AnyCheck, Assessed, Assessment, Joints, ground, joints, predicate, verdict};
 use crate::json::CheckEntry;
 use crate::layout::percent;
 use crate::summary::{
     GoverningCriterion, Summary, ToldCriterion, capital, criteria, criterion_words, quoted, warned_of_case,
 };
+
+/// What a summary is about, where nothing else is said.
+pub(super) const BODY: &str = "the body";
 
 /// A body at rest.
 const REST: Option<Verdict> = Some(Verdict::Begins(Mode::Rest));
@@ -23,7 +26,7 @@ pub(super) fn summary(assessment: &Assessment) -> Summary {
     let (warnings, warned) = warned_of_case(&assessment.case.warnings());
     Summary {
         criteria: criteria(&told),
-        answer: happens(assessment, "the body", predicate),
+        answer: happens(assessment, BODY, predicate),
         met: assessment.met(),
         governing: checks.first().map(|check| {
             GoverningCriterion::of(CheckEntry::of(check), place(assessment, check.assessed(assessment)))
@@ -76,26 +79,45 @@ pub(super) fn happens(assessment: &Assessment, who: &str, does: fn(Option<Verdic
         (_, false) => format!(" under each of the {count} combinations"),
     };
     let is_exact = |assessed: &Assessed| assessed.outcome.full.boundary == Some(Boundary::Exact);
+    // Of bodies on joints each joint is told of, in place of the whole.
+    let on_joints = |clause: String| match who {
+        BODY => capital(&clause),
+        _ => format!("{place}: {clause}"),
+    };
+    let moves = |one: &Assessed| match &one.joints {
+        Some(joints) => on_joints(joints::at_once(one, joints)),
+        None => format!("{place} {}", does(one.verdict())),
+    };
+    let stays = match assessment.case.joints.is_empty() {
+        true => format!("{place} {}", does(REST)),
+        false => on_joints("every joint rests".to_owned()),
+    };
     match moving.as_slice() {
         [] if assessment.all.iter().any(is_held) => {
-            format!("{place} {}{each}, but only while the variable loads act.", does(REST))
+            format!("{stays}{each}, but only while the variable loads act.")
         }
-        [] if assessment.all.iter().any(is_exact) => {
-            format!("{place} {}{each}, exactly on the boundary: the least more load moves it.", does(REST))
+        [] if assessment.case.joints.is_empty() && assessment.all.iter().any(is_exact) => {
+            format!("{stays}{each}, exactly on the boundary: the least more load moves it.")
         }
-        [] => format!("{place} {}{each}.", does(REST)),
-        [one] if count == 1 => format!("{place} {}.", does(one.verdict())),
+        [] => format!("{stays}{each}."),
+        [one] if count == 1 => format!("{}.", moves(one)),
         [one, rest @ ..] => {
             let name = quoted(&assessment.name(one).unwrap_or_default());
+            let [it_rests, it_moves, rests] = match assessment.case.joints.is_empty() {
+                true => ["it stays at rest", "it moves", "rests"],
+                false => ["every joint rests", "a joint moves", "all rest"],
+            };
             let more = match (rest.len(), count - moving.len()) {
-                (0, 1) => "; under the other one it stays at rest".to_owned(),
-                (0, others) => format!("; under the other {others} it stays at rest"),
-                (more, 0) => format!("; under the other {more} it moves, too"),
+                (0, 1) => format!("; under the other one {it_rests}"),
+                (0, others) => format!("; under the other {others} {it_rests}"),
+                (more, 0) => format!("; under the other {more} {it_moves}, too"),
                 (more, others) => {
-                    format!("; it moves under {more} more of the {count} {word}, and rests under {others}")
+                    format!(
+                        "; {it_moves} under {more} more of the {count} {word}, and {rests} under {others}"
+                    )
                 }
             };
-            format!("{place} {} under {name}{more}.", does(one.verdict()))
+            format!("{} under {name}{more}.", moves(one))
         }
     }
 }
@@ -105,34 +127,9 @@ fn near(assessment: &Assessment) -> Option<String> {
     let assessed = assessment.least(|assessed| assessed.departure().load_factor());
     let head = place(assessment, assessed).map_or(String::new(), |name| format!("Under {}, ", quoted(&name)));
     let loads = verdict::risen_loads(assessed);
-    let factors = assessed.ground.as_ref().and_then(|ground| ground.load_factors);
-    let [less, more] = [factors.and_then(|factors| factors.less), factors.and_then(|factors| factors.more)];
-    let departs = match assessed.departure() {
-        Departure::AtOnce { permanent: true, verdict } => {
-            format!("the permanent loads alone move it: it {}.", predicate(verdict))
-        }
-        Departure::AtOnce { permanent: false, .. } => format!("any share of {loads} moves it."),
-        Departure::At { factor, verdict: Some(Verdict::BearingFailure) } => {
-            let range = match (less, more) {
-                (Some(less), Some(more)) if more.is_finite() => {
-                    format!(" ({} to {} for φ ± 2°)", percent(less), percent(more))
-                }
-                (Some(less), _) => format!(" ({} for φ − 2°)", percent(less)),
-                _ => String::new(),
-            };
-            let rigid = on_rigid_ground(assessed).unwrap_or_default();
-            format!("the ground fails at {}{range}.{rigid}", verdict::share_of_loads(assessed, factor))
-        }
-        Departure::At { factor, verdict } => {
-            let goes = verdict
-                .map_or_else(|| "it moves".to_owned(), |verdict| format!("it {}", predicate(Some(verdict))));
-            let less = less.filter(|less| *less < factor).map_or(String::new(), |less| {
-                format!("; with an angle of friction 2° less the ground fails before, at {}", percent(less))
-            });
-            format!("at {} {goes}{less}.", verdict::share_of_loads(assessed, factor))
-        }
-        Departure::Never if assessed.rises() => format!("no multiple of {loads} moves it."),
-        Departure::Never => String::new(),
+    let departs = match &assessed.joints {
+        Some(joints) => near_on_joints(assessed, joints, &loads),
+        None => near_as_one(assessed, &loads),
     };
     let least = assessment
         .least(|assessed| verdict::least_factor(assessed).map_or(f64::INFINITY, |(least, _)| least));
@@ -160,6 +157,58 @@ fn near(assessment: &Assessment) -> Option<String> {
         .filter(|words| !words.is_empty())
         .collect();
     (!words.is_empty()).then(|| words.join(" "))
+}
+
+/// Where the rising `loads` first move a joint.
+fn near_on_joints(assessed: &Assessed, joints: &Joints, loads: &str) -> String {
+    let clause = joints::departing(assessed, joints);
+    match assessed.departure() {
+        Departure::AtOnce { permanent: true, .. } => {
+            format!("the permanent loads alone move a joint: {clause}.")
+        }
+        Departure::AtOnce { permanent: false, .. } => {
+            format!("any share of {loads} moves a joint: {clause}.")
+        }
+        Departure::At { factor, .. } => {
+            let glued = joints::glued_words(assessed);
+            format!("at {} {clause}. {glued}", verdict::share_of_loads(assessed, factor))
+        }
+        Departure::Never if assessed.rises() => format!("no multiple of {loads} moves a joint."),
+        Departure::Never => String::new(),
+    }
+}
+
+/// Where the rising `loads` first move one body.
+fn near_as_one(assessed: &Assessed, loads: &str) -> String {
+    let factors = assessed.ground.as_ref().and_then(|ground| ground.load_factors);
+    let [less, more] = [factors.and_then(|factors| factors.less), factors.and_then(|factors| factors.more)];
+    match assessed.departure() {
+        Departure::AtOnce { permanent: true, verdict } => {
+            format!("the permanent loads alone move it: it {}.", predicate(verdict))
+        }
+        Departure::AtOnce { permanent: false, .. } => format!("any share of {loads} moves it."),
+        Departure::At { factor, verdict: Some(Verdict::BearingFailure) } => {
+            let range = match (less, more) {
+                (Some(less), Some(more)) if more.is_finite() => {
+                    format!(" ({} to {} for φ ± 2°)", percent(less), percent(more))
+                }
+                (Some(less), _) => format!(" ({} for φ − 2°)", percent(less)),
+                _ => String::new(),
+            };
+            let rigid = on_rigid_ground(assessed).unwrap_or_default();
+            format!("the ground fails at {}{range}.{rigid}", verdict::share_of_loads(assessed, factor))
+        }
+        Departure::At { factor, verdict } => {
+            let goes = verdict
+                .map_or_else(|| "it moves".to_owned(), |verdict| format!("it {}", predicate(Some(verdict))));
+            let less = less.filter(|less| *less < factor).map_or(String::new(), |less| {
+                format!("; with an angle of friction 2° less the ground fails before, at {}", percent(less))
+            });
+            format!("at {} {goes}{less}.", verdict::share_of_loads(assessed, factor))
+        }
+        Departure::Never if assessed.rises() => format!("no multiple of {loads} moves it."),
+        Departure::Never => String::new(),
+    }
 }
 
 /// What would first happen if the ground bore everything.

@@ -6,7 +6,7 @@ use standfast::Mode;
 
 use super::{
     AnyCheck, Assessed, Assessment, AssessmentView, GOVERNING, acting, checks, combination, coordinates,
-    ground, holding, loads, opening, sea, soil, verdict,
+    ground, holding, joints, loads, opening, sea, soil, verdict,
 };
 use crate::case::Case;
 use crate::describe::{self, Scale};
@@ -153,12 +153,18 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     text += &opening::render(assessed);
     text += &holding::render(case, assessed);
     text += &ground::render(under, assessed);
+    text += &joints::render(assessed);
 
     text += "\nVerdict\n";
     for sentence in verdict::full_load(assessed) {
         text += &paragraph(&sentence, 2);
     }
     text += &acting::tried(case, assessed);
+    if assessed.joints.is_some() {
+        text += &joints::motion(assessed);
+        text += &path(assessed, view);
+        return text;
+    }
     text += match (full.effective.is_some(), assessed.situation.in_air().is_some()) {
         _ if assessed.is_on_ground() => "\nCoordinates\n",
         (true, false) => "\nIn the report's diagram, with effective coordinates\n",
@@ -191,7 +197,11 @@ fn path(assessed: &Assessed, view: &AssessmentView) -> String {
         "\nLoad path\n".to_owned()
     } else {
         let title = "\nLoad path: the variable loads rise by a factor, the permanent ones stay\n";
-        title.to_owned() + &verdict::stages(assessed, view)
+        let stages = match &assessed.joints {
+            Some(joints) => joints::stages(joints, view),
+            None => verdict::stages(assessed, view),
+        };
+        title.to_owned() + &stages
     };
     for sentence in verdict::path(assessed) {
         text += &paragraph(&sentence, 2);

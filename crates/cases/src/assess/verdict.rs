@@ -3,7 +3,7 @@
 use standfast::loads::{Load, LoadSource};
 use standfast::{Boundary, Departure, Mode, Outcome, Response, Verdict};
 
-use super::{Assessed, AssessmentView, BaseResponse, predicate};
+use super::{Assessed, AssessmentView, BaseResponse, joints, predicate};
 use crate::case::{Made, soil_of};
 use crate::layout::{columns, digits, percent, row};
 use crate::summary::{listed, quoted};
@@ -14,6 +14,9 @@ const NO_MOTION: &str = "The ground cannot bear the reaction. How the body then 
 
 /// The state under the full load, applied at once.
 pub fn full_load(assessed: &Assessed) -> Vec<String> {
+    if let Some(joints) = &assessed.joints {
+        return joints::full_load(assessed, joints);
+    }
     let full = &assessed.outcome.full;
     let mut sentences = Vec::new();
     if full.is_lifted() {
@@ -44,7 +47,20 @@ pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
 /// The least of the safety factors: against sliding, and against overturning, net and by gross moments; what it is against. `None` of a body
 /// that no load pushes, or that is lifted; and on a base that gives way, whose one margin is the share of the load at which the body leaves
 /// rest: factors there are those of a rigid base, or of the ground under one load alone.
-pub fn least_factor(assessed: &Assessed) -> Option<(f64, &'static str)> {
+pub fn least_factor(assessed: &Assessed) -> Option<(f64, String)> {
+    let least = assessed.on_joints().enumerate().filter_map(|(joint, on)| {
+        let (factor, against) = least_on_one(on)?;
+        Some((factor, against, joint))
+    });
+    let least = least.reduce(|least, next| if next.0 < least.0 { next } else { least });
+    least.map(|(factor, against, joint)| match &assessed.joints {
+        Some(joints) => (factor, format!("{against} on {}", joints::called(joints, joint))),
+        None => (factor, against.to_owned()),
+    })
+}
+
+/// The same of one body.
+fn least_on_one(assessed: &Assessed) -> Option<(f64, &'static str)> {
     let Outcome { stability, gross, full, .. } = &assessed.outcome;
     let turning = if is_object(assessed) { "the onset of rocking" } else { "overturning" };
     let factors = [
@@ -216,6 +232,17 @@ pub(super) fn stages(assessed: &Assessed, view: &AssessmentView) -> String {
 /// Sentences on the rise of the variable loads: departure from rest, and its difference from the full load at once.
 pub fn path(assessed: &Assessed) -> Vec<String> {
     const NONE: &str = "No variable load acts, so no load rises.";
+    if let Some(joints) = &assessed.joints {
+        let loads = if assessed.rises() { risen_loads(assessed) } else { String::new() };
+        let leaving = joints::leaving(assessed, joints, &loads);
+        return match (assessed.rises(), assessed.departure()) {
+            (false, Departure::Never) => vec![NONE.to_owned()],
+            (false, _) => vec![NONE.to_owned(), leaving],
+            (true, _) => {
+                [Some(leaving), joints::difference(assessed, joints)].into_iter().flatten().collect()
+            }
+        };
+    }
     match assessed.outcome.departure {
         Departure::Never if !assessed.rises() => vec![NONE.to_owned()],
         departure if !assessed.rises() => vec![NONE.to_owned(), leaving(&departure, "")],

@@ -1,0 +1,467 @@
+//! The joints of a situation, for reading and for programs: what is above each, which moves first, and all at once.
+
+use serde::Serialize;
+use standfast::contact::stack::{BodyMotion, JointMotion, StackAnswer, StackStage};
+use standfast::{Corner, Departure, Mode, Stability, Verdict};
+use standfast_inputs::digits::{digits, percent};
+
+use super::{Assessed, AssessmentView, JointPlace, Joints, Together, predicate, verdict};
+use crate::json::number_or_word;
+use crate::layout::{columns, paragraph, row};
+use crate::results::{ResultName, ResultValue};
+use crate::summary::{capital, listed};
+use crate::units::Dimension;
+
+/// A joint by its number and name: `joint 3 (cap)`; the base is joint 1.
+pub fn called(joints: &Joints, joint: usize) -> String {
+    let name = match joint {
+        0 => Some("base"),
+        above => joints.places[above].name.as_deref(),
+    };
+    name.map_or_else(|| format!("joint {}", joint + 1), |name| format!("joint {} ({name})", joint + 1))
+}
+
+/// Joints in a row: "joint 1", "joints 1, 2 and 4".
+fn together(joints: &[usize]) -> String {
+    let numbers: Vec<String> = joints.iter().map(|joint| (joint + 1).to_string()).collect();
+    let word = if joints.len() == 1 { "joint" } else { "joints" };
+    format!("{word} {}", listed(&numbers))
+}
+
+/// What a joint in a mode does, with the symbol.
+fn goes(mode: Mode) -> String {
+    let end = |corner| if corner == Corner::O { "left end" } else { "right end" };
+    let words = match (mode.corner(), mode.slip()) {
+        _ if mode == Mode::Flight => "comes apart".to_owned(),
+        (Some(corner), None) => format!("rocks about its {}", end(corner)),
+        (Some(corner), Some(_)) => format!("slides and rocks about its {}", end(corner)),
+        (None, Some(_)) => mode.words().to_owned(),
+        (None, None) => return "rests".to_owned(),
+    };
+    format!("{words} ({mode})")
+}
+
+/// What all joints do, in a clause: "joint 3 (third) slides to the left (SL), joints 1, 2 and 4 rest".
+fn all_go(joints: &Joints, modes: &[Mode]) -> String {
+    let places = || modes.iter().copied().enumerate();
+    let mut clauses: Vec<String> = places()
+        .filter(|(_, mode)| *mode != Mode::Rest)
+        .map(|(joint, mode)| format!("{} {}", called(joints, joint), goes(mode)))
+        .collect();
+    let resting: Vec<usize> =
+        places().filter(|(_, mode)| *mode == Mode::Rest).map(|(joint, _)| joint).collect();
+    match resting.as_slice() {
+        [] => {}
+        all if all.len() == modes.len() => return "every joint rests".to_owned(),
+        [one] => clauses.push(format!("{} rests", together(&[*one]))),
+        several => clauses.push(format!("{} rest", together(several))),
+    }
+    clauses.join(", ")
+}
+
+/// Modes from the base up: `RE / SL / RE`.
+fn slashed(modes: &[Mode]) -> String {
+    modes.iter().map(|mode| mode.symbol()).collect::<Vec<_>>().join(" / ")
+}
+
+/// What begins under the full load, in a clause; `case` is that of the situation.
+pub(super) fn at_once(assessed: &Assessed, joints: &Joints) -> String {
+    match joints.modes() {
+        Some([]) => "no joint has a consistent mode".to_owned(),
+        Some(modes) => all_go(joints, modes),
+        None => {
+            let on: Vec<&Assessed> = assessed.on_joints().collect();
+            let moves = |joint: &usize| on[*joint].outcome.full.verdict != Some(Verdict::REST);
+            match (0..on.len()).filter(moves).collect::<Vec<_>>().as_slice() {
+                [] => "every joint rests".to_owned(),
+                moving => {
+                    let moving: Vec<String> = moving.iter().map(|joint| called(joints, *joint)).collect();
+                    format!("{} cannot rest", listed(&moving))
+                }
+            }
+        }
+    }
+}
+
+/// What begins as the loads pass where the first joint leaves rest, in a clause.
+pub(super) fn departing(assessed: &Assessed, joints: &Joints) -> String {
+    let first = joints.leaves.joints();
+    match joints.departing() {
+        [] => match first.as_slice() {
+            [0] => {
+                let goes = assessed.outcome.departure.verdict();
+                let goes = goes.map_or_else(
+                    || "leaves rest".to_owned(),
+                    |verdict| match verdict {
+                        Verdict::Begins(mode) => self::goes(mode),
+                        _ => "gives way: the ground fails (BF)".to_owned(),
+                    },
+                );
+                format!("{} {goes}", called(joints, 0))
+            }
+            [one] => {
+                let above = assessed.on_joints().nth(*one);
+                let mode = above.and_then(|above| above.outcome.departure.mode());
+                format!("{} {}", called(joints, *one), mode.map_or_else(|| "leaves rest".to_owned(), goes))
+            }
+            several => format!("{} leave rest", together(several)),
+        },
+        modes => all_go(joints, modes),
+    }
+}
+
+/// Sentences on the full load, applied at once.
+pub(super) fn full_load(assessed: &Assessed, joints: &Joints) -> Vec<String> {
+    let factor = verdict::factor_at_rest(assessed).map_or(String::new(), |factor| format!(", {factor}"));
+    let mut sentences =
+        vec![format!("Under the full load, applied suddenly, {}{factor}.", at_once(assessed, joints))];
+    match &joints.together {
+        Together::Answered(answer) => sentences.push(uniqueness(&answer.full)),
+        Together::Not(why) => sentences.push(format!("{}.", capital(why))),
+    }
+    sentences.push(glued(assessed));
+    sentences
+}
+
+/// The combination from the base up, and whether others are as consistent.
+fn uniqueness(answer: &StackAnswer) -> String {
+    let head = format!("From the base up: {}", slashed(answer.modes()));
+    let others: Vec<String> = answer.others().map(slashed).collect();
+    match others.as_slice() {
+        [] => format!("{head}; the answer is unique."),
+        others => format!(
+            "{head}; the answer is not unique: {} {} as consistent.",
+            listed(others),
+            if others.len() == 1 { "is" } else { "are" }
+        ),
+    }
+}
+
+/// What the whole would do as one body.
+fn glued(assessed: &Assessed) -> String {
+    let leaves = match assessed.outcome.departure {
+        Departure::Never => "and no multiple of the variable loads would move it".to_owned(),
+        Departure::AtOnce { .. } => "and would leave rest at once".to_owned(),
+        Departure::At { factor, .. } => format!("and would leave rest at {}", percent(factor)),
+    };
+    let mode = assessed.outcome.full.verdict.map_or("no mode", Verdict::symbol);
+    format!("As one body on its base all would be {mode} {leaves}: the base alone is not the answer.")
+}
+
+/// Sentence on where the first joint leaves rest as the variable loads rise.
+pub(super) fn leaving(assessed: &Assessed, joints: &Joints, loads: &str) -> String {
+    let clause = departing(assessed, joints);
+    match assessed.departure() {
+        Departure::Never => format!("No multiple of {loads} moves a joint."),
+        Departure::AtOnce { permanent: true, .. } => {
+            format!("The permanent loads alone move a joint: {clause}.")
+        }
+        Departure::AtOnce { permanent: false, .. } => {
+            format!("Any share of {loads}, however small, moves a joint: {clause}.")
+        }
+        Departure::At { factor, .. } => {
+            let rises =
+                if loads.contains(" and ") || loads.ends_with("loads") { "rise together" } else { "rises" };
+            format!("As {loads} {rises}, {clause} from {} on.", percent(factor))
+        }
+    }
+}
+
+/// Sentence on the difference between the full load at once and a rising one; nothing to say of one that never moves a joint.
+pub(super) fn difference(assessed: &Assessed, joints: &Joints) -> Option<String> {
+    let rests = assessed.verdict() == Some(Verdict::REST);
+    Some(match assessed.departure() {
+        Departure::AtOnce { permanent: true, .. } => {
+            "The joints are not at rest before the variable loads rise.".to_owned()
+        }
+        Departure::At { factor, .. } if factor < 1.0 && rests => format!(
+            "Applied suddenly, the full load leaves every joint at rest; rising slowly, it moves one before, at {}.",
+            percent(factor)
+        ),
+        _ if rests => "Every joint rests under the full load, applied suddenly or slowly.".to_owned(),
+        _ => {
+            let full = joints.modes().filter(|modes| *modes != joints.departing());
+            let full = full.filter(|modes| !modes.is_empty())?;
+            format!("Applied suddenly, the full load starts another motion: {}.", all_go(joints, full))
+        }
+    })
+}
+
+/// The table of joints, from the top, and the motion and the load path where they are known.
+pub(super) fn render(assessed: &Assessed) -> String {
+    let Some(joints) = &assessed.joints else { return String::new() };
+    let output = assessed.output;
+    let force = output.symbol(Dimension::Force);
+    let [length, pressure] = [Dimension::Length, Dimension::Pressure].map(|of| output.symbol(of));
+    let mut rows = vec![
+        row![
+            "", "", "at", "contact", "X", "P", "e", "SF", "SF about", "SF about", "pressed", "p max",
+            "leaves", ""
+        ],
+        row![
+            "",
+            "",
+            length.clone(),
+            length.clone(),
+            force.clone(),
+            force,
+            length,
+            "slide",
+            "O",
+            "O'",
+            "",
+            pressure,
+            "rest at",
+            ""
+        ],
+    ];
+    let first = joints.leaves.joints();
+    let places: Vec<(&JointPlace, &Assessed)> = joints.places.iter().zip(assessed.on_joints()).collect();
+    for (joint, (place, on)) in places.into_iter().enumerate().rev() {
+        let full = &on.outcome.full;
+        let lifted = full.is_lifted();
+        let factor = |factor: f64| if lifted { "none".to_owned() } else { output.factor(factor) };
+        let [about_o, about_o_prime] = about_ends(on);
+        let bearing = &on.outcome.stability;
+        let word = |result: ResultName, dimension: Option<Dimension>| match (result.of(on), dimension) {
+            (ResultValue::Number(number), Some(dimension)) => output.value(dimension, number),
+            (ResultValue::Number(share), None) => percent(share),
+            _ => "–".to_owned(),
+        };
+        let [from, to] = place.ends.map(|x| output.value(Dimension::Length, x));
+        let e = bearing.eccentricity(on.situation.body().base_width());
+        rows.push(row![
+            (joint + 1).to_string(),
+            if joint == 0 { "base" } else { place.name.as_deref().unwrap_or_default() },
+            output.value(Dimension::Length, place.elevation),
+            format!("{from} to {to}"),
+            output.value(Dimension::Force, 0.0 - full.wrench.x),
+            output.value(Dimension::Force, full.wrench.p),
+            e.map_or_else(|| "–".to_owned(), |e| output.value(Dimension::Length, e)),
+            factor(bearing.sliding),
+            factor(about_o),
+            factor(about_o_prime),
+            word(ResultName::ContactShare, None),
+            word(ResultName::BearingMax, Some(Dimension::Pressure)),
+            leaves_at(joints, joint, on),
+            if first.contains(&joint) { "governs" } else { "" },
+        ]);
+    }
+    let mut text = "\nJoints, from the top: each with all that is above it, under the full load\n".to_owned();
+    text += &columns(&rows, 2, &[0, 2, 4, 5, 6, 7, 8, 9, 10, 11, 12]);
+    text += &paragraph(
+        "X to the left, P downwards; e from the middle of the contact, whose ends O and O' are. A joint carries all that is above it, \
+         whatever the others do. Joint 1 is the base, of which the sections above tell.",
+        2,
+    );
+    text
+}
+
+/// Where a joint leaves rest by itself.
+fn leaves_at(joints: &Joints, joint: usize, on: &Assessed) -> String {
+    // What is found for all together is nearer to what is written.
+    let governs = joints.leaves.joints().contains(&joint);
+    let own = if governs { joints.departure() } else { on.outcome.departure };
+    verdict::departure_word(&own)
+}
+
+/// Safety factors against overturning about O and about O'.
+fn about_ends(on: &Assessed) -> [f64; 2] {
+    let Stability { overturning_about_heel: heel, overturning_about_toe: toe, .. } = on.outcome.stability;
+    if on.outcome.actions.heel == Corner::O { [heel, toe] } else { [toe, heel] }
+}
+
+/// The motion of all joints, where one moves.
+pub(super) fn motion(assessed: &Assessed) -> String {
+    let Some(joints) = &assessed.joints else { return String::new() };
+    let moves = assessed.verdict() != Some(Verdict::REST);
+    let Some((motion, modes)) = joints.motion().zip(joints.modes()).filter(|_| moves) else {
+        return String::new();
+    };
+    let output = assessed.output;
+    let (force, length) = (output.symbol(Dimension::Force), output.symbol(Dimension::Length));
+    let mut rows = vec![
+        row!["", "mode", "t", "ω̇", "f", "N", "ξ", "ẍ", "ÿ", "θ̈"],
+        row!["", "", "m/s²", "rad/s²", force.clone(), force, length, "m/s²", "m/s²", "rad/s²"],
+    ];
+    let all = modes.iter().zip(&motion.joints).zip(&motion.bodies).enumerate();
+    for (place, ((mode, joint), body)) in all.collect::<Vec<_>>().into_iter().rev() {
+        let BodyMotion { x_ddot, y_ddot, theta_ddot } = *body;
+        rows.push(row![
+            (place + 1).to_string(),
+            mode.symbol(),
+            digits(joint.t),
+            digits(joint.omega),
+            output.value(Dimension::Force, joint.f),
+            output.value(Dimension::Force, joint.n),
+            output.value(Dimension::Length, joint.xi),
+            digits(x_ddot),
+            digits(y_ddot),
+            digits(theta_ddot),
+        ]);
+    }
+    let key = "t, ω̇: acceleration along the joint and angular acceleration, relative to the body below; f, N: friction and normal \
+               reaction on the body above, N at ξ; ẍ, ÿ, θ̈: its centre, on a shaken base relative to that. To the right, upwards, \
+               counter-clockwise.";
+    let table = columns(&rows, 2, &[0, 2, 3, 4, 5, 6, 7, 8, 9]);
+    format!("\nAt onset: the joints from the top, each with the body on it\n{table}{}", paragraph(key, 2))
+}
+
+/// The stages of the rising load.
+pub(super) fn stages(joints: &Joints, view: &AssessmentView) -> String {
+    let Some(answer) = joints.together.answer() else { return String::new() };
+    let mut rows = vec![row!["from", "to", "modes from the base up", ""]];
+    rows.extend(up_to(&answer.path, view.up_to).map(|stage| {
+        let others: Vec<String> = stage.others.iter().map(|modes| slashed(modes)).collect();
+        let also =
+            if others.is_empty() { String::new() } else { format!("not unique, also {}", listed(&others)) };
+        row![digits(stage.from), digits(stage.to), slashed(&stage.modes), also]
+    }));
+    columns(&rows, 2, &[0, 1])
+}
+
+fn up_to(path: &[StackStage], largest: f64) -> impl Iterator<Item = StackStage> {
+    let within = path.iter().filter(move |stage| stage.from < largest);
+    within.map(move |stage| StackStage { to: stage.to.min(largest), ..stage.clone() })
+}
+
+/// The line of the glued whole in a summary.
+pub(super) fn glued_words(assessed: &Assessed) -> String {
+    format!("As one body on its base it {}.", predicate(assessed.outcome.full.verdict))
+}
+
+/// What stands in a row of a summary of situations: the joint that moves first.
+pub(super) fn first_words(assessed: &Assessed) -> Option<String> {
+    let joints = assessed.joints.as_ref()?;
+    let first = joints.leaves.joints();
+    match first.as_slice() {
+        [] => None,
+        [one] => Some(called(joints, *one)),
+        several => Some(together(several)),
+    }
+}
+
+/// The modes under the full load from the base up, where they are known; else whether all rest.
+pub(super) fn symbols(assessed: &Assessed, joints: &Joints) -> String {
+    match joints.modes() {
+        Some(modes) if !modes.is_empty() => slashed(modes),
+        _ if assessed.verdict() == Some(Verdict::REST) => Verdict::REST.symbol().to_owned(),
+        _ => "not all rest".to_owned(),
+    }
+}
+
+/// A joint in the JSON.
+#[derive(Debug, Serialize)]
+pub(super) struct JointEntry<'a> {
+    name: Option<&'a str>,
+    elevation: f64,
+    left: f64,
+    right: f64,
+    x: f64,
+    p: f64,
+    arm: Option<f64>,
+    eccentricity: ResultValue,
+    #[serde(rename = "SF_sliding")]
+    sliding: ResultValue,
+    #[serde(rename = "SF_overturning_left")]
+    about_o: ResultValue,
+    #[serde(rename = "SF_overturning_right")]
+    about_o_prime: ResultValue,
+    contact_length: ResultValue,
+    contact_share: ResultValue,
+    bearing_max: ResultValue,
+    departure: ResultValue,
+    load_factor: ResultValue,
+    departure_by: ResultValue,
+    motion: Option<JointMotion>,
+}
+
+/// All that the JSON says of the joints of a situation.
+#[derive(Debug, Serialize)]
+pub(super) struct JointEntries<'a> {
+    /// From the base.
+    joints: Vec<JointEntry<'a>>,
+    bodies: Option<Vec<BodyMotion>>,
+    modes: Option<&'a [Mode]>,
+    also_modes: Vec<&'a [Mode]>,
+    /// Reason why there are no modes.
+    no_modes: Option<&'static str>,
+    /// From the base, which is 1.
+    departure_joints: Vec<usize>,
+    departure_modes: Option<&'a [Mode]>,
+    modes_path: Vec<JointStage>,
+}
+
+#[derive(Debug, Serialize)]
+struct JointStage {
+    from: f64,
+    #[serde(serialize_with = "number_or_word")]
+    to: f64,
+    modes: Vec<Mode>,
+    also_modes: Vec<Vec<Mode>>,
+}
+
+impl<'a> JointEntries<'a> {
+    /// The entries of a situation; `None` without joints.
+    pub(super) fn of(assessed: &'a Assessed, view: &AssessmentView) -> Option<JointEntries<'a>> {
+        let joints = assessed.joints.as_deref()?;
+        let answer = joints.together.answer();
+        let motion = joints.motion();
+        let entries = joints.places.iter().zip(assessed.on_joints()).enumerate();
+        let entries = entries.map(|(place, (at, on))| {
+            let lifted = on.outcome.full.is_lifted();
+            let factor = |factor| if lifted { ResultValue::Nothing } else { ResultValue::Number(factor) };
+            let [about_o, about_o_prime] = about_ends(on).map(factor);
+            // Of the whole the departure in its results is that of all joints.
+            let own = on.outcome.departure;
+            JointEntry {
+                name: at.name.as_deref(),
+                elevation: at.elevation,
+                left: at.ends[0],
+                right: at.ends[1],
+                x: on.outcome.full.wrench.x,
+                p: on.outcome.full.wrench.p,
+                arm: arm(on),
+                eccentricity: ResultName::Eccentricity.of(on),
+                sliding: ResultName::SfSliding.of(on),
+                about_o,
+                about_o_prime,
+                contact_length: ResultName::ContactLength.of(on),
+                contact_share: ResultName::ContactShare.of(on),
+                bearing_max: ResultName::BearingMax.of(on),
+                departure: ResultName::departure_of(&own),
+                load_factor: ResultName::load_factor_of(&own),
+                departure_by: ResultName::departure_by_of(&own),
+                motion: motion.as_ref().map(|motion| motion.joints[place]),
+            }
+        });
+        Some(JointEntries {
+            joints: entries.collect(),
+            bodies: motion.map(|motion| motion.bodies),
+            modes: joints.modes().filter(|modes| !modes.is_empty()),
+            also_modes: joints.also().collect(),
+            no_modes: joints.together.why_not(),
+            departure_joints: joints.leaves.joints().iter().map(|joint| joint + 1).collect(),
+            departure_modes: Some(joints.departing()).filter(|modes| !modes.is_empty()),
+            modes_path: answer.map_or_else(Vec::new, |answer| {
+                let stages = up_to(&answer.path, view.up_to);
+                let stage = |StackStage { from, to, modes, others }| JointStage {
+                    from,
+                    to,
+                    modes,
+                    also_modes: others,
+                };
+                stages.map(stage).collect()
+            }),
+        })
+    }
+}
+
+/// Distance of the resultant from the left end of a joint; `None` where nothing presses.
+fn arm(on: &Assessed) -> Option<f64> {
+    let from_heel = on.outcome.stability.resultant_arm?;
+    Some(match on.outcome.actions.heel {
+        Corner::O => from_heel,
+        Corner::OPrime => on.situation.body().base_width() - from_heel,
+    })
+}
