@@ -112,9 +112,9 @@ pub use scene::Label;
 pub use scene::Rect;
 pub use screen::{Map, Picture, tint_on_screen};
 pub use section::{
-    Arrow, Backfill, BaseReaction, FailureSketch, Level, Material, Measure, Mound, Outline, Pressed, Section,
-    SectionArrow, SectionFit, SectionNumber, SectionPicture, Side, Stated, section, section_as_fitted,
-    section_beside, section_on_screen, section_on_screen_beside,
+    Arrow, Backfill, BaseReaction, FailureSketch, JointLine, Level, Material, Measure, Mound, Outline,
+    Pressed, Section, SectionArrow, SectionFit, SectionNumber, SectionPicture, Side, Stated, section,
+    section_as_fitted, section_beside, section_on_screen, section_on_screen_beside,
 };
 
 /// A drawing with its caption.

@@ -176,6 +176,21 @@ pub struct Stated {
     pub unit: String,
 }
 
+/// A joint between what is above and below it, m from mid-width and above the base.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointLine {
+    /// Its left and its right end.
+    pub ends: (f64, f64),
+    /// Its level.
+    pub elevation: f64,
+    /// Its number, from the base, which is 1.
+    pub number: usize,
+    /// True if it leaves rest first.
+    pub governs: bool,
+    /// Where the resultant of all that is above it passes its level; `None` where nothing presses.
+    pub resultant: Option<f64>,
+}
+
 /// Content of a section.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section<'a> {
@@ -183,6 +198,8 @@ pub struct Section<'a> {
     pub title: &'a str,
     /// The body.
     pub parts: &'a [Outline],
+    /// The joints from the base, which is the first; none of a body of one piece.
+    pub joints: Vec<JointLine>,
     /// The corners O and O′ on the base, m from mid-width.
     pub base: (f64, f64),
     /// The centre of mass, m from mid-width and above the base.
@@ -228,6 +245,7 @@ pub struct Section<'a> {
 /// let figure = section(&Section {
 ///     title: "Block",
 ///     parts: &[block],
+///     joints: Vec::new(),
 ///     base: (-0.5, 0.5),
 ///     centroid: (0.0, 1.0),
 ///     levels: Vec::new(),

@@ -197,6 +197,7 @@ fn sections() -> Vec<Figure> {
         section(&Section {
             title: "Block",
             parts: &[part],
+            joints: Vec::new(),
             base: (-half, half),
             centroid: (0.0, height / 2.0),
             levels: Vec::new(),

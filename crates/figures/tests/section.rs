@@ -33,6 +33,7 @@ fn bare(parts: &[Outline], width: f64) -> Section<'_> {
     Section {
         title: "any",
         parts,
+        joints: Vec::new(),
         base: (-width / 2.0, width / 2.0),
         centroid: (0.0, 1.0),
         levels: Vec::new(),

@@ -166,6 +166,10 @@ impl Ball {
     }
 
     fn fraction(numerator: BigInt, denominator: BigInt, radius: f64) -> Ball {
+        // Of what is known to some digits no more need be kept.
+        if radius > 0.0 && numerator.bits() + denominator.bits() > 2 * KEPT {
+            return Ball::shortened(&numerator, &denominator, radius);
+        }
         // What comes from f64 has powers of two below the line, which take no search for a divisor.
         if let Some(power) = power_of_two(&denominator) {
             let common = numerator.trailing_zeros().map_or(power, |zeros| zeros.min(power));
@@ -175,11 +179,28 @@ impl Ball {
         Ball { numerator: numerator / &divisor, denominator: denominator / divisor, radius }
     }
 
+    /// The fraction with so many bits as are [kept](KEPT); what is left off joins the radius.
+    fn shortened(numerator: &BigInt, denominator: &BigInt, radius: f64) -> Ball {
+        let shift = KEPT as i64 - (numerator.bits() as i64 - denominator.bits() as i64);
+        let power = BigInt::from(1) << shift.unsigned_abs();
+        let (numerator, denominator) = match shift {
+            0.. => ((numerator << shift.unsigned_abs()) / denominator, power),
+            _ => ((numerator / (denominator << shift.unsigned_abs())) * power, BigInt::from(1)),
+        };
+        let zeros = numerator.trailing_zeros().unwrap_or(0).min(denominator.trailing_zeros().unwrap_or(0));
+        let whole = Ball { numerator: numerator >> zeros, denominator: denominator >> zeros, radius };
+        let lost = whole.magnitude() * scale(1.0, -(KEPT as i64 - 2));
+        Ball { radius: up(radius + lost), ..whole }
+    }
+
     /// No less than the magnitude of its middle.
     fn magnitude(&self) -> f64 {
         up(self.value().abs())
     }
 }
+
+/// Bits that are kept of a number that is not known exactly: more than twice those of an f64.
+const KEPT: u64 = 128;
 
 /// The power of two that a number above zero is.
 fn power_of_two(number: &BigInt) -> Option<u64> {
@@ -401,6 +422,22 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// What is known to some digits is kept to no more bits than tell them, and holds what it was.
+    #[test]
+    fn what_is_not_exact_is_kept_short() {
+        let mut product = Ball::computed(1.0 / 3.0);
+        let mut exact = Ball::of(1.0 / 3.0);
+        for factor in [1e-30, -7.0, 0.1, 1e40, 1.0 / 7.0].iter().cycle().take(40) {
+            (product, exact) = (product * Ball::written(*factor), exact * Ball::written(*factor));
+            assert!(product.numerator.bits() + product.denominator.bits() <= 2 * KEPT + 200);
+        }
+        assert!(exact.numerator.bits() + exact.denominator.bits() > 3 * KEPT);
+        assert_eq!(product.value(), exact.value());
+        assert!(product.radius < 2.0 * COMPUTED * product.magnitude());
+        assert_eq!((product - exact.clone()).sign(), None);
+        assert!(exact.is_exact());
     }
 
     #[test]

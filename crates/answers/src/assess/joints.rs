@@ -1,8 +1,10 @@
 //! The joints of a situation: each with all that is above it as one body, and all together.
 
 use standfast::contact::holding::Holding;
-use standfast::contact::stack::{JointMotion, StackMotion};
-use standfast::{Departure, InputError, JointAnswer, JointDeparture, Mode, Modes, Situation, Verdict};
+use standfast::contact::stack::{JointMotion, StackMotion, StackStage};
+use standfast::{
+    Departure, InputError, JointAnswer, JointDeparture, Jointed, Mode, Modes, Situation, Verdict,
+};
 
 use super::Assessed;
 use crate::case::Case;
@@ -25,6 +27,7 @@ pub struct Joints {
     pub places: Vec<JointPlace>,
     /// Mid-width of the body, to the right of where ends are counted from.
     middle: f64,
+    jointed: Jointed,
     /// What is above each joint above the base, from there up: as one body on that joint.
     pub above: Vec<Assessed>,
     /// Where the first of all joints leaves rest, the base, which is the first, among them.
@@ -123,19 +126,10 @@ impl Joints {
         };
         let together = match why {
             Some(why) => Together::Not(why),
-            None => {
-                let mut answer = jointed.answer(&written);
-                // Beyond where the base opens it has other loads.
-                let opens = whole.situation.base_opening().and_then(|opening| opening.opens_at);
-                if let Some(opens) = opens {
-                    answer.path.retain(|stage| stage.from < opens);
-                    answer.path.iter_mut().for_each(|stage| stage.to = stage.to.min(opens));
-                }
-                Together::Answered(answer)
-            }
+            None => Together::Answered(jointed.answer(&written)),
         };
         let (places, middle) = (JointPlace::all(of), middle(of));
-        Ok(Some(Joints { places, middle, above, leaves, together }))
+        Ok(Some(Joints { places, middle, jointed, above, leaves, together }))
     }
 
     /// The motion under the full load, joints as their ends are counted; `None` where it is not known.
@@ -147,6 +141,11 @@ impl Joints {
             JointMotion { v: joint.v - joint.omega * self.middle, xi, ..*joint }
         };
         Some(StackMotion { joints: motion.joints.iter().map(from_origin).collect(), ..motion.clone() })
+    }
+
+    /// Mid-width of the body, to the right of where ends are counted from.
+    pub fn middle(&self) -> f64 {
+        self.middle
     }
 
     /// The departure from rest of all.
@@ -168,6 +167,17 @@ impl Joints {
     /// The other combinations that are as consistent.
     pub fn also(&self) -> impl Iterator<Item = &[Mode]> {
         self.together.answer().into_iter().flat_map(|answer| answer.full.others())
+    }
+
+    /// The stages of the variable loads that rise up to a factor, where all joints are answered together, up to where the base opens; `whole` is
+    /// the situation of `case` whose joints they are.
+    pub fn path(&self, case: &Case, whole: &Assessed, up_to: f64) -> Vec<StackStage> {
+        if self.together.answer().is_none() {
+            return Vec::new();
+        }
+        let opens = whole.situation.base_opening().and_then(|opening| opening.opens_at);
+        let written = || case.on_joints_as_written(whole.acting, whole.trial);
+        self.jointed.path(opens.map_or(up_to, |opens| opens.min(up_to)), &written)
     }
 
     /// True if only one combination is consistent under the full load; `None` where that is not known.

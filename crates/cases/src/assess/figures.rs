@@ -73,7 +73,10 @@ pub(super) fn of(
         // In air the load factor is k, and the k–μ diagram shows the path.
         // Where water follows an opening, it is another for every load factor.
         // Nor does the plane know what holds a body beside friction.
-        let bends = assessed.situation.opens_up_to(up_to) || assessed.outcome.held.is_some();
+        // Both are of one body.
+        let bends = assessed.situation.opens_up_to(up_to)
+            || assessed.outcome.held.is_some()
+            || assessed.joints.is_some();
         if assessed.rises() && assessed.situation.in_air().is_none() && !bends {
             figures.push(path(assessment, assessed, &suffix, up_to)?);
         }
@@ -91,7 +94,8 @@ pub(super) fn of(
 fn planes(assessment: &Assessment, shown: &[&Assessed]) -> Result<Vec<Plane>, InputError> {
     let mut planes: Vec<Plane> = Vec::new();
     for (i, assessed) in shown.iter().enumerate() {
-        let Some(reduced) = &assessed.outcome.full.effective else { continue };
+        let one_body = assessed.joints.is_none();
+        let Some(reduced) = assessed.outcome.full.effective.as_ref().filter(|_| one_body) else { continue };
         let point = &reduced.point;
         let in_air = assessed.situation.in_air().is_some();
         let label = assessment.name(assessed).unwrap_or_else(|| "full load".to_owned());

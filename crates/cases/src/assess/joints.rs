@@ -3,13 +3,15 @@
 use serde::Serialize;
 use standfast::contact::stack::{BodyMotion, JointMotion, StackAnswer, StackStage};
 use standfast::{Corner, Departure, Mode, Stability, Verdict};
+use standfast_figures::JointLine;
 use standfast_inputs::digits::{digits, percent};
 
-use super::{Assessed, AssessmentView, JointPlace, Joints, Together, predicate, verdict};
+use super::{Assessed, Assessment, AssessmentView, JointPlace, Joints, Together, predicate, verdict};
+use crate::case::Case;
 use crate::json::number_or_word;
 use crate::layout::{columns, paragraph, row};
 use crate::results::{ResultName, ResultValue};
-use crate::summary::{capital, listed};
+use crate::summary::{capital, listed, quoted};
 use crate::units::Dimension;
 
 /// A joint by its number and name: `joint 3 (cap)`; the base is joint 1.
@@ -308,21 +310,19 @@ pub(super) fn motion(assessed: &Assessed) -> String {
 }
 
 /// The stages of the rising load.
-pub(super) fn stages(joints: &Joints, view: &AssessmentView) -> String {
-    let Some(answer) = joints.together.answer() else { return String::new() };
+pub(super) fn stages(case: &Case, assessed: &Assessed, joints: &Joints, view: &AssessmentView) -> String {
+    let path = joints.path(case, assessed, view.up_to);
+    if path.is_empty() {
+        return String::new();
+    }
     let mut rows = vec![row!["from", "to", "modes from the base up", ""]];
-    rows.extend(up_to(&answer.path, view.up_to).map(|stage| {
+    rows.extend(path.iter().map(|stage| {
         let others: Vec<String> = stage.others.iter().map(|modes| slashed(modes)).collect();
         let also =
             if others.is_empty() { String::new() } else { format!("not unique, also {}", listed(&others)) };
         row![digits(stage.from), digits(stage.to), slashed(&stage.modes), also]
     }));
     columns(&rows, 2, &[0, 1])
-}
-
-fn up_to(path: &[StackStage], largest: f64) -> impl Iterator<Item = StackStage> {
-    let within = path.iter().filter(move |stage| stage.from < largest);
-    within.map(move |stage| StackStage { to: stage.to.min(largest), ..stage.clone() })
 }
 
 /// The line of the glued whole in a summary.
@@ -348,6 +348,37 @@ pub(super) fn symbols(assessed: &Assessed, joints: &Joints) -> String {
         _ if assessed.verdict() == Some(Verdict::REST) => Verdict::REST.symbol().to_owned(),
         _ => "not all rest".to_owned(),
     }
+}
+
+/// The joints as a section has them, with the resultants of a situation; none of a body of one piece.
+pub(super) fn lines(assessed: &Assessed) -> Vec<JointLine> {
+    let Some(joints) = &assessed.joints else { return Vec::new() };
+    let first = joints.leaves.joints();
+    let lines = joints.places.iter().zip(assessed.on_joints()).enumerate().map(|(joint, (place, on))| {
+        let [from, to] = place.ends.map(|x| x - joints.middle());
+        JointLine {
+            ends: (from, to),
+            elevation: place.elevation,
+            number: joint + 1,
+            governs: first.contains(&joint),
+            resultant: arm(on).map(|arm| from + arm),
+        }
+    });
+    lines.collect()
+}
+
+/// Sentence on the line of thrust and the governing joint, for below a section.
+pub(super) fn thrust_words(assessment: &Assessment, assessed: &Assessed, joints: &Joints) -> String {
+    let under = assessment.name(assessed).filter(|_| assessment.all.len() > 1);
+    let under = under.map_or_else(|| "the full load".to_owned(), |name| quoted(&name));
+    let first = first_words(assessed).map_or_else(String::new, |first| {
+        let count = joints.leaves.joints().len();
+        let leave = if count == 1 { "leaves" } else { "leave" };
+        format!(" The heavy line is {first}, which {leave} rest first.")
+    });
+    format!(
+        "Numbers are those of joints, from the base, which is 1. Dots are where the resultant of all that is above a joint passes it, under {under}.{first}"
+    )
 }
 
 /// A joint in the JSON.
@@ -401,11 +432,16 @@ struct JointStage {
     also_modes: Vec<Vec<Mode>>,
 }
 
+impl From<StackStage> for JointStage {
+    fn from(StackStage { from, to, modes, others }: StackStage) -> JointStage {
+        JointStage { from, to, modes, also_modes: others }
+    }
+}
+
 impl<'a> JointEntries<'a> {
     /// The entries of a situation; `None` without joints.
-    pub(super) fn of(assessed: &'a Assessed, view: &AssessmentView) -> Option<JointEntries<'a>> {
+    pub(super) fn of(case: &Case, assessed: &'a Assessed, view: &AssessmentView) -> Option<JointEntries<'a>> {
         let joints = assessed.joints.as_deref()?;
-        let answer = joints.together.answer();
         let motion = joints.motion();
         let entries = joints.places.iter().zip(assessed.on_joints()).enumerate();
         let entries = entries.map(|(place, (at, on))| {
@@ -443,16 +479,7 @@ impl<'a> JointEntries<'a> {
             no_modes: joints.together.why_not(),
             departure_joints: joints.leaves.joints().iter().map(|joint| joint + 1).collect(),
             departure_modes: Some(joints.departing()).filter(|modes| !modes.is_empty()),
-            modes_path: answer.map_or_else(Vec::new, |answer| {
-                let stages = up_to(&answer.path, view.up_to);
-                let stage = |StackStage { from, to, modes, others }| JointStage {
-                    from,
-                    to,
-                    modes,
-                    also_modes: others,
-                };
-                stages.map(stage).collect()
-            }),
+            modes_path: joints.path(case, assessed, view.up_to).into_iter().map(JointStage::from).collect(),
         })
     }
 }

@@ -516,7 +516,7 @@ impl<'a> Situation<'a> {
                 true => assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
                 false => Vec::new(),
             },
-            joints: JointEntries::of(assessed, view),
+            joints: JointEntries::of(case, assessed, view),
             // The report's ground is rigid.
             report: full.effective.as_ref().filter(|_| one_body && !assessed.is_on_ground()).map(|reduced| {
                 Report {

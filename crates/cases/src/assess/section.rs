@@ -13,7 +13,7 @@ use standfast_figures::{
 use standfast_model::load_words;
 
 use super::Assessment;
-use super::holding;
+use super::{holding, joints};
 use crate::case::{
     Acting, Case, Direction, GodaWaves, Limit, Made, PointForce, Resistance, SoilFill, StandingWaves, Trial,
     WaveFormula, Waves, soil_of,
@@ -81,6 +81,7 @@ pub(super) fn with_section<T>(
     notes.extend(has_sketch.then(|| FILLED.to_owned()));
     notes.extend(is_on_soil.then(|| SOIL.to_owned()));
     notes.extend(worst.ground.as_ref().map(|_| under::reaction_words(assessment, worst, reaction.as_ref())));
+    notes.extend(worst.joints.as_ref().map(|joints| joints::thrust_words(assessment, worst, joints)));
     let failure = reaction.as_ref().and_then(|reaction| reaction.failure.as_ref());
     notes.extend(failure.zip(worst.ground.as_ref()).map(|(_, ground)| under::failure_words(ground)));
     let (mut pressures, mut arrows, mut of) =
@@ -103,6 +104,7 @@ pub(super) fn with_section<T>(
     let section = Section {
         title: case.title.as_deref().unwrap_or_default(),
         parts: &parts(case),
+        joints: joints::lines(worst),
         base: (-left, right),
         centroid: (case.body.centroid_offset(), case.body.centroid_height()),
         levels: levels(case),

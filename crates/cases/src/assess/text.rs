@@ -162,7 +162,7 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     text += &acting::tried(case, assessed);
     if assessed.joints.is_some() {
         text += &joints::motion(assessed);
-        text += &path(assessed, view);
+        text += &path(case, assessed, view);
         return text;
     }
     text += match (full.effective.is_some(), assessed.situation.in_air().is_some()) {
@@ -184,7 +184,7 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
             text += &paragraph(describe::RELATIVE, 2);
         }
     }
-    text += &path(assessed, view);
+    text += &path(case, assessed, view);
     if let Some(reduced) = full.effective.as_ref().filter(|_| !assessed.is_on_ground()) {
         text += "\nChanges of mode as the friction grows, at this load\n";
         text += &describe::along_mu(reduced, 2);
@@ -192,13 +192,13 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     text
 }
 
-fn path(assessed: &Assessed, view: &AssessmentView) -> String {
+fn path(case: &Case, assessed: &Assessed, view: &AssessmentView) -> String {
     let mut text = if !assessed.rises() {
         "\nLoad path\n".to_owned()
     } else {
         let title = "\nLoad path: the variable loads rise by a factor, the permanent ones stay\n";
         let stages = match &assessed.joints {
-            Some(joints) => joints::stages(joints, view),
+            Some(joints) => joints::stages(case, assessed, joints, view),
             None => verdict::stages(assessed, view),
         };
         title.to_owned() + &stages

@@ -25,6 +25,9 @@ const LEGEND: f64 = COLUMN - 2.0 * MARGIN;
 
 pub(super) const THIN: Pen = Pen::solid(FAINT, 0.7);
 
+/// The line of thrust.
+const THRUST: Pen = Pen { colour: MARK, width: 1.4, dashes: "5 3" };
+
 /// Draws a section at an origin: the place of mid-width at the base.
 pub(super) struct Painter<'a> {
     pub given: &'a Section<'a>,
@@ -99,6 +102,7 @@ impl<'a> Painter<'a> {
     pub(super) fn paint(mut self) -> Painting {
         self.surroundings();
         self.body();
+        self.joints();
         self.pinned_body();
         let left = self.columns(Side::Left);
         let right = self.columns(Side::Right);
@@ -275,6 +279,33 @@ impl<'a> Painter<'a> {
         self.hold(&Rect { x0: low.0, y0: high.1, x1: high.0, y1: low.1 });
     }
 
+    /// The joints with their ends, the governing one heavy, and the line of thrust: where the resultant of all that is above each passes it.
+    fn joints(&mut self) {
+        /// A resultant is drawn no farther beside its joint, as a share of the width of the body.
+        const BESIDE: f64 = 0.25;
+        let joints = self.given.joints.clone();
+        let Rect { x0, x1, .. } = self.own;
+        let reach = BESIDE * (x1 - x0);
+        let mut thrust: Vec<(f64, f64)> = Vec::new();
+        for joint in &joints {
+            let [from, to] = [joint.ends.0, joint.ends.1].map(|x| self.place(x, joint.elevation));
+            if joint.number > 1 || joint.governs {
+                self.line(from, to, Pen::solid(INK, if joint.governs { 4.5 } else { 1.8 }));
+            }
+            for end in [from, to] {
+                self.drawn.scene.dot(end, 2.2, INK, None);
+            }
+            let within = joint.resultant.filter(|x| *x > x0 - reach && *x < x1 + reach);
+            thrust.extend(within.map(|x| self.place(x, joint.elevation)));
+        }
+        for pair in thrust.windows(2) {
+            self.line(pair[0], pair[1], THRUST);
+        }
+        for at in thrust {
+            self.drawn.scene.dot(at, 3.0, MARK, Some(Pen::solid(PAPER, 1.0)));
+        }
+    }
+
     /// The body behind, in dashes.
     fn pinned_body(&mut self) {
         for [from, to] in self.pinned.clone() {
@@ -286,6 +317,11 @@ impl<'a> Painter<'a> {
     fn inside(&mut self) {
         let centre = self.place(self.given.centroid.0, self.given.centroid.1);
         let mut taken = vec![Rect::around(centre.0, centre.1, 8.0, 8.0)];
+        // No letter stands on a joint.
+        taken.extend(self.given.joints.iter().filter(|joint| joint.number > 1).map(|joint| {
+            let [(x0, y), (x1, _)] = [joint.ends.0, joint.ends.1].map(|x| self.place(x, joint.elevation));
+            Rect { x0, x1, y0: y - 2.0, y1: y + 2.0 }
+        }));
         let first = self.given.pressures.len();
         let mut lines: Vec<f64> = Vec::new();
         let arrows = self.given.arrows.iter().enumerate().filter(|(_, arrow)| arrow.is_inside);
@@ -306,6 +342,10 @@ impl<'a> Painter<'a> {
         }
         self.drawn.scene.dot(centre, 2.6, INK, None);
         self.near(&Text::new("$C$", LABEL), (centre.0 - 10.0, centre.1 - 11.0), INK, &mut taken);
+        for joint in self.given.joints.iter().filter(|joint| joint.number > 1) {
+            let (x, y) = self.place(joint.ends.1, joint.elevation);
+            self.near(&Text::new(&joint.number.to_string(), LABEL), (x - 10.0, y - 8.0), INK, &mut taken);
+        }
         for part in self.given.parts.iter().filter(|part| !part.label.is_empty()) {
             self.part_name(part, &mut taken);
         }

@@ -384,7 +384,7 @@ impl Stack {
     /// # Ok::<(), standfast::contact::stack::StackError>(())
     /// ```
     pub fn path(&self) -> Result<Vec<StackStage>, StackError> {
-        Ok(self.enumerated()?.path())
+        Ok(self.enumerated()?.path(f64::INFINITY))
     }
 
     /// Every combination whose conditions hold then, before stick is tried before slip, each motion once.
@@ -499,8 +499,8 @@ impl<'a> Decider<'a> {
         self.answer(&LoadPoint::of(load_factor))
     }
 
-    /// The stages of the variable loads that rise without end.
-    pub(crate) fn path(&self) -> Vec<StackStage> {
+    /// The stages of the variable loads that rise up to a factor, the last of which ends where it does.
+    pub(crate) fn path(&self, up_to: f64) -> Vec<StackStage> {
         let mut stages: Vec<StackStage> = Vec::new();
         let mut next = Some(LoadPoint { beyond: true, ..LoadPoint::of(0.0) });
         while let Some(at) = next.take() {
@@ -511,6 +511,7 @@ impl<'a> Decider<'a> {
             let to = next.as_ref().map_or(f64::INFINITY, |at| at.factor().value());
             let others = others.iter().map(|one| one.modes.clone()).collect();
             stages.push(StackStage { from, to, modes: first.modes.clone(), others });
+            next = next.filter(|_| to < up_to);
         }
         stages
     }

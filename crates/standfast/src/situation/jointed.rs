@@ -51,8 +51,6 @@ pub struct JointAnswer {
     pub departing: StackAnswer,
     /// What begins under the full load, applied at once.
     pub full: StackAnswer,
-    /// The stages of the rising variable loads.
-    pub path: Vec<StackStage>,
 }
 
 impl JointDeparture {
@@ -123,13 +121,16 @@ impl Jointed {
     /// What all joints do together, of [so many bodies](Jointed::is_enumerable); `written` as in [`departure`](Jointed::departure).
     pub fn answer(&self, written: &dyn Fn() -> Option<Jointed<Ball>>) -> JointAnswer {
         let decider = self.decider(written);
-        let leaving = decider.leaving();
+        JointAnswer { departing: decider.departing(&decider.leaving()), full: decider.at_once(1.0) }
+    }
+
+    /// The stages of the variable loads that rise up to a factor, of [so many bodies](Jointed::is_enumerable); none where all loads are
+    /// permanent. `written` as in [`departure`](Jointed::departure).
+    pub fn path(&self, up_to: f64, written: &dyn Fn() -> Option<Jointed<Ball>>) -> Vec<StackStage> {
         let varies = self.0.iter().any(|on| on.situation.loads.iter().any(|load| !load.permanent));
-        JointAnswer {
-            departing: decider.departing(&leaving),
-            full: decider.at_once(1.0),
-            path: if varies { decider.path() } else { Vec::new() },
-        }
+        let stages = if varies { self.decider(written).path(up_to) } else { Vec::new() };
+        let within = stages.into_iter().filter(|stage| stage.from < up_to);
+        within.map(|stage| StackStage { to: stage.to.min(up_to), ..stage }).collect()
     }
 
     fn decider<'a>(&'a self, written: &'a dyn Fn() -> Option<Jointed<Ball>>) -> Decider<'a> {
