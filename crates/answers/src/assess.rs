@@ -5,6 +5,7 @@ mod balance;
 mod because;
 mod components;
 pub mod ground;
+pub mod joint_words;
 mod joints;
 
 use std::cmp::Ordering;

@@ -172,12 +172,21 @@ impl Check {
         used_words(self.utilisation)
     }
 
+    /// The joint that it is met worst at, as it stands behind the name of a result; empty without joints.
+    pub fn on_joint(&self, assessed: &Assessed) -> String {
+        let joint = assessed.joints.as_ref().zip(self.joint).map(|(joints, joint)| joints.called(joint));
+        joint.map_or(String::new(), |joint| format!(" on {joint}"))
+    }
+
     /// Reason why it is not met: `SF_sliding is 1.165, not ≥ 1.2`.
     pub fn failure(&self, assessed: &Assessed) -> String {
         let (name, value) = (self.criterion.name(), self.value_words(assessed));
         match self.criterion.bound {
-            Bound::NoneOf(not) => format!("of {name} {} the body may take up {value}", listed_modes(not)),
-            _ => format!("{name} is {value}, not {}", self.criterion.required()),
+            Bound::NoneOf(not) => {
+                let who = if assessed.joints.is_some() { "joints" } else { "the body" };
+                format!("of {name} {} {who} may take up {value}", listed_modes(not))
+            }
+            _ => format!("{name}{} is {value}, not {}", self.on_joint(assessed), self.criterion.required()),
         }
     }
 

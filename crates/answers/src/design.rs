@@ -225,14 +225,14 @@ impl Varied<'_> {
     }
 }
 
-/// SF_sliding of a situation.
+/// SF_sliding of a situation, the least of its joints.
 pub fn sliding(assessed: &Assessed) -> f64 {
-    assessed.outcome.stability.sliding
+    assessed.on_joints().map(|on| on.outcome.stability.sliding).fold(f64::INFINITY, f64::min)
 }
 
-/// SF_overturning_net of a situation, about either corner.
+/// SF_overturning_net of a situation, about either corner, the least of its joints.
 pub fn overturning(assessed: &Assessed) -> f64 {
-    assessed.outcome.stability.overturning()
+    assessed.on_joints().map(|on| on.outcome.stability.overturning()).fold(f64::INFINITY, f64::min)
 }
 
 /// Up to which multiple of its variable loads a situation leaves the body at rest.
@@ -377,17 +377,25 @@ fn moves_though_met(answer: &Assessment) -> Option<String> {
     let assessed = if moving(worst) { worst } else { answer.tried().find(|assessed| moving(assessed))? };
     let place = answer.name(assessed).filter(|_| answer.all.len() > 1);
     let place = place.map_or(String::new(), |name| format!(" in {name}"));
-    let (when, verdict) = match assessed.departure() {
+    let (when, verdict, clause) = match assessed.departure() {
         Departure::At { factor, verdict } if factor < 1.0 => {
-            (format!("from {} % of the variable load on", digits(100.0 * factor)), verdict)
+            let when = format!("from {} % of the variable load on", digits(100.0 * factor));
+            (when, verdict, assessed.departs())
         }
         Departure::AtOnce { verdict, permanent: true } => {
-            ("under the permanent loads alone".to_owned(), verdict)
+            ("under the permanent loads alone".to_owned(), verdict, assessed.departs())
         }
-        Departure::AtOnce { verdict, .. } => ("under any share of the variable load".to_owned(), verdict),
-        _ => ("under the full load at once".to_owned(), assessed.verdict()),
+        Departure::AtOnce { verdict, .. } => {
+            ("under any share of the variable load".to_owned(), verdict, assessed.departs())
+        }
+        _ => ("under the full load at once".to_owned(), assessed.verdict(), assessed.at_once()),
     };
-    Some(format!("the target is met, but not by a body at rest{place}: {when} it {}", predicate(verdict)))
+    Some(match assessed.joints {
+        Some(_) => format!("the target is met, but not by joints at rest{place}: {when} {clause}"),
+        None => {
+            format!("the target is met, but not by a body at rest{place}: {when} it {}", predicate(verdict))
+        }
+    })
 }
 
 /// That a target is met as far as the range reaches, and which option finds a boundary.

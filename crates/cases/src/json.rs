@@ -51,6 +51,9 @@ pub(crate) struct CheckEntry {
     #[serde(serialize_with = "optional_number_or_word")]
     pub utilisation: Option<f64>,
     pub met: bool,
+    /// The joint that it is met worst at, from the base, which is 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint: Option<usize>,
 }
 
 impl CheckEntry {
@@ -65,6 +68,7 @@ impl CheckEntry {
                 value: check.value,
                 utilisation: check.utilisation,
                 met: check.met,
+                joint: check.joint.map(|joint| joint + 1),
             },
             AnyCheck::Motion(check, _) => CheckEntry::of_motion(check),
         }
@@ -82,6 +86,7 @@ impl CheckEntry {
             },
             utilisation,
             met,
+            joint: None,
         }
     }
 }

@@ -3,7 +3,8 @@
 use std::fmt;
 
 use serde::Serialize;
-use standfast_answers::assess::{AnyCheck, predicate};
+use standfast_answers::assess::AnyCheck;
+pub(crate) use standfast_answers::assess::joint_words::listed;
 use standfast_answers::motion::MotionValue;
 use standfast_answers::results::ResultValue;
 use standfast_model::{Bound, Key, MotionCriterion, Warning};
@@ -108,15 +109,6 @@ pub(crate) fn once<T: PartialEq>(texts: impl Iterator<Item = T>) -> Vec<T> {
     found
 }
 
-/// Words in a row: "a", "a and b", "a, b and c".
-pub(crate) fn listed(words: &[String]) -> String {
-    match words {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
-}
-
 /// Words with a capital letter in front.
 pub fn capital(words: &str) -> String {
     let mut letters = words.chars();
@@ -153,18 +145,27 @@ pub(crate) fn criterion_words(check: &AnyCheck<'_>, yearly: bool) -> String {
             let criterion = &found.check.criterion;
             match (criterion.bound, found.check.value) {
                 (Bound::NoneOf(_), _) => {
-                    format!("the body {}, and {required} is allowed", predicate(found.assessed.verdict()))
+                    format!("{}, and {required} is allowed", found.assessed.at_once())
                 }
-                (_, ResultValue::Nothing) => format!("{name} has no value, {required} is asked"),
+                (_, ResultValue::Nothing) => {
+                    format!(
+                        "{name}{} has no value, {required} is asked",
+                        found.check.on_joint(found.assessed)
+                    )
+                }
                 _ if criterion.key == Key::LeastLoadFactor
                     && found.check.utilisation == Some(f64::INFINITY) =>
                 {
-                    format!("the body leaves rest at once, a {name} {required} is asked")
+                    let who = if found.assessed.joints.is_some() { "a joint" } else { "the body" };
+                    format!("{who} leaves rest at once, a {name} {required} is asked")
                 }
                 _ if criterion.is_chance() => {
                     format!("{name} is {value} {}, {required} is asked{used}", period(yearly))
                 }
-                _ => format!("{name} is {value}, {required} is asked{used}"),
+                _ => {
+                    let on_joint = found.check.on_joint(found.assessed);
+                    format!("{name}{on_joint} is {value}, {required} is asked{used}")
+                }
             }
         }
     }

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use standfast::contact::stack::RestLimit;
 use standfast::{Mode, Verdict};
 use thiserror::Error;
 
@@ -316,7 +317,7 @@ impl Target {
                 let turns = factor >= 1.0 && assessed.mode() != Some(Mode::Rest);
                 sliding(assessed) >= factor && overturning(assessed) >= factor && !full.is_lifted() && !turns
             }
-            Target::NoRock | Target::NoSlide => self.offending(assessed).is_none(),
+            Target::NoRock | Target::NoSlide => self.offending(&answer.case, assessed).is_none(),
             Target::Criterion(criterion) => Check::of(criterion, assessed).met,
             Target::Motion(_) => true,
             Target::Utilisation(share) => answer.case.criteria_of(assessed.acting).iter().all(|criterion| {
@@ -355,7 +356,7 @@ impl Target {
     }
 
     /// The mode that is not to be, under the full load or, with its load factor, before.
-    fn offending(self, assessed: &Assessed) -> Option<(f64, Option<Verdict>)> {
+    fn offending(self, case: &Case, assessed: &Assessed) -> Option<(f64, Option<Verdict>)> {
         // Ground that fails lets the body turn and slip.
         let offends = |verdict: Option<Verdict>| match (self, verdict.and_then(Verdict::mode)) {
             (Target::NoRock, Some(mode)) => mode.corner().is_some() || mode == Mode::Flight,
@@ -363,6 +364,19 @@ impl Target {
             (_, None) => true,
             _ => false,
         };
+        if let Some(joints) = &assessed.joints {
+            let begin =
+                |modes: &[Mode]| modes.iter().copied().map(Verdict::Begins).find(|one| offends(Some(*one)));
+            let path = joints.path(case, assessed, 1.0).into_iter();
+            let mut on_the_way = path.filter_map(|stage| Some((stage.from, Some(begin(&stage.modes)?))));
+            let moves_before = assessed.departure().load_factor() < 1.0;
+            return match joints.modes() {
+                Some(modes) => on_the_way.next().or_else(|| Some((1.0, Some(begin(modes)?)))),
+                // In which modes they move nobody knows.
+                None if moves_before => Some((assessed.departure().load_factor(), None)),
+                None => (assessed.mode() != Some(Mode::Rest)).then_some((1.0, None)),
+            };
+        }
         let stages = assessed.outcome.path.iter().filter(|stage| stage.from < 1.0);
         let mut candidates =
             stages.map(|stage| (stage.from, stage.verdict)).chain([(1.0, assessed.verdict())]);
@@ -407,13 +421,18 @@ impl Target {
             Target::Factor(factor) => of_factors(assessed, factor),
             Target::Rest => full_load(assessed),
             Target::NoRock | Target::NoSlide => {
-                let (at, verdict) = self.offending(assessed).unwrap_or_default();
+                let (at, verdict) = self.offending(&answer.case, assessed).unwrap_or_default();
                 let when = if at < 1.0 {
                     format!("as the load rises, from {} % on", digits(100.0 * at))
                 } else {
                     "under the full load at once".to_owned()
                 };
-                Binding::of(motion(verdict), format!("{when}, the body {}", predicate(verdict)))
+                let does = match &assessed.joints {
+                    Some(joints) if at < 1.0 => joints.departs(assessed),
+                    Some(joints) => joints.at_once(assessed),
+                    None => format!("the body {}", predicate(verdict)),
+                };
+                Binding::of(motion(verdict), format!("{when}, {does}"))
             }
             Target::Criterion(_) | Target::Utilisation(_) => of_check(answer, &self.checks(answer)[0], self),
             Target::Motion(_) => Binding::of("", "nothing".to_owned()),
@@ -457,9 +476,14 @@ fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
 
 /// Mode that ends rest under the full load.
 fn full_load(assessed: &Assessed) -> Binding {
-    let verdict = assessed.verdict();
-    let brief = format!("under the full load the body {}", predicate(verdict));
-    Binding::because(motion(verdict), brief, condition(assessed, verdict))
+    let brief = format!("under the full load {}", assessed.at_once());
+    match of_joint(assessed) {
+        Some(by) => Binding::of(by, brief),
+        None => {
+            let verdict = assessed.verdict();
+            Binding::because(motion(verdict), brief, condition(assessed, verdict))
+        }
+    }
 }
 
 /// Failure of a criterion where it is met worst.
@@ -475,11 +499,11 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
         Key::GreatestBearing => "bearing",
         Key::LeastContact => "contact",
         Key::GreatestEccentricity => "eccentricity",
-        Key::ModesNot => motion(assessed.verdict()),
+        Key::ModesNot => of_joint(assessed).unwrap_or_else(|| motion(assessed.verdict())),
         Key::LeastGround | Key::GreatestEffective => GROUND,
         Key::GreatestRotation => "rotation",
         Key::GreatestNotRest => "probability",
-        _ => motion(verdict),
+        _ => of_joint(assessed).unwrap_or_else(|| motion(verdict)),
     };
     let words = match (check.met, target) {
         (true, Target::Utilisation(share)) => {
@@ -492,7 +516,7 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
         }
         _ if check.criterion.key == Key::LeastLoadFactor => {
             let why = condition(assessed, verdict).map_or(String::new(), |why| format!(": {why}"));
-            format!("{}{place}: the body {}{why}", check.failure(assessed), predicate(verdict))
+            format!("{}{place}: {}{why}", check.failure(assessed), assessed.departs())
         }
         _ => check.failure(assessed) + &place,
     };
@@ -501,6 +525,16 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
 
 /// Word for a failure of the ground.
 const GROUND: &str = "ground";
+
+/// The motion with which the first joint leaves rest, in a word; `None` without joints.
+fn of_joint(assessed: &Assessed) -> Option<&'static str> {
+    let joints = assessed.joints.as_ref()?;
+    Some(match joints.leaves.limits.first() {
+        Some((_, Some(RestLimit::Slides(_)))) => "sliding",
+        Some((_, Some(RestLimit::Turns(_)))) => "rocking",
+        _ => motion(assessed.outcome.departure.verdict()),
+    })
+}
 
 /// The motion of a mode in a word, or the ground that fails.
 fn motion(verdict: Option<Verdict>) -> &'static str {

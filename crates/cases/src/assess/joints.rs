@@ -13,110 +13,13 @@ use crate::layout::{columns, paragraph, row};
 use crate::results::{ResultName, ResultValue};
 use crate::summary::{capital, listed, quoted};
 use crate::units::Dimension;
-
-/// A joint by its number and name: `joint 3 (cap)`; the base is joint 1.
-pub fn called(joints: &Joints, joint: usize) -> String {
-    let name = match joint {
-        0 => Some("base"),
-        above => joints.places[above].name.as_deref(),
-    };
-    name.map_or_else(|| format!("joint {}", joint + 1), |name| format!("joint {} ({name})", joint + 1))
-}
-
-/// Joints in a row: "joint 1", "joints 1, 2 and 4".
-fn together(joints: &[usize]) -> String {
-    let numbers: Vec<String> = joints.iter().map(|joint| (joint + 1).to_string()).collect();
-    let word = if joints.len() == 1 { "joint" } else { "joints" };
-    format!("{word} {}", listed(&numbers))
-}
-
-/// What a joint in a mode does, with the symbol.
-fn goes(mode: Mode) -> String {
-    let end = |corner| if corner == Corner::O { "left end" } else { "right end" };
-    let words = match (mode.corner(), mode.slip()) {
-        _ if mode == Mode::Flight => "comes apart".to_owned(),
-        (Some(corner), None) => format!("rocks about its {}", end(corner)),
-        (Some(corner), Some(_)) => format!("slides and rocks about its {}", end(corner)),
-        (None, Some(_)) => mode.words().to_owned(),
-        (None, None) => return "rests".to_owned(),
-    };
-    format!("{words} ({mode})")
-}
-
-/// What all joints do, in a clause: "joint 3 (third) slides to the left (SL), joints 1, 2 and 4 rest".
-fn all_go(joints: &Joints, modes: &[Mode]) -> String {
-    let places = || modes.iter().copied().enumerate();
-    let mut clauses: Vec<String> = places()
-        .filter(|(_, mode)| *mode != Mode::Rest)
-        .map(|(joint, mode)| format!("{} {}", called(joints, joint), goes(mode)))
-        .collect();
-    let resting: Vec<usize> =
-        places().filter(|(_, mode)| *mode == Mode::Rest).map(|(joint, _)| joint).collect();
-    match resting.as_slice() {
-        [] => {}
-        all if all.len() == modes.len() => return "every joint rests".to_owned(),
-        [one] => clauses.push(format!("{} rests", together(&[*one]))),
-        several => clauses.push(format!("{} rest", together(several))),
-    }
-    clauses.join(", ")
-}
-
-/// Modes from the base up: `RE / SL / RE`.
-fn slashed(modes: &[Mode]) -> String {
-    modes.iter().map(|mode| mode.symbol()).collect::<Vec<_>>().join(" / ")
-}
-
-/// What begins under the full load, in a clause; `case` is that of the situation.
-pub(super) fn at_once(assessed: &Assessed, joints: &Joints) -> String {
-    match joints.modes() {
-        Some([]) => "no joint has a consistent mode".to_owned(),
-        Some(modes) => all_go(joints, modes),
-        None => {
-            let on: Vec<&Assessed> = assessed.on_joints().collect();
-            let moves = |joint: &usize| on[*joint].outcome.full.verdict != Some(Verdict::REST);
-            match (0..on.len()).filter(moves).collect::<Vec<_>>().as_slice() {
-                [] => "every joint rests".to_owned(),
-                moving => {
-                    let moving: Vec<String> = moving.iter().map(|joint| called(joints, *joint)).collect();
-                    format!("{} cannot rest", listed(&moving))
-                }
-            }
-        }
-    }
-}
-
-/// What begins as the loads pass where the first joint leaves rest, in a clause.
-pub(super) fn departing(assessed: &Assessed, joints: &Joints) -> String {
-    let first = joints.leaves.joints();
-    match joints.departing() {
-        [] => match first.as_slice() {
-            [0] => {
-                let goes = assessed.outcome.departure.verdict();
-                let goes = goes.map_or_else(
-                    || "leaves rest".to_owned(),
-                    |verdict| match verdict {
-                        Verdict::Begins(mode) => self::goes(mode),
-                        _ => "gives way: the ground fails (BF)".to_owned(),
-                    },
-                );
-                format!("{} {goes}", called(joints, 0))
-            }
-            [one] => {
-                let above = assessed.on_joints().nth(*one);
-                let mode = above.and_then(|above| above.outcome.departure.mode());
-                format!("{} {}", called(joints, *one), mode.map_or_else(|| "leaves rest".to_owned(), goes))
-            }
-            several => format!("{} leave rest", together(several)),
-        },
-        modes => all_go(joints, modes),
-    }
-}
+use standfast_answers::assess::joint_words;
 
 /// Sentences on the full load, applied at once.
 pub(super) fn full_load(assessed: &Assessed, joints: &Joints) -> Vec<String> {
     let factor = verdict::factor_at_rest(assessed).map_or(String::new(), |factor| format!(", {factor}"));
     let mut sentences =
-        vec![format!("Under the full load, applied suddenly, {}{factor}.", at_once(assessed, joints))];
+        vec![format!("Under the full load, applied suddenly, {}{factor}.", joints.at_once(assessed))];
     match &joints.together {
         Together::Answered(answer) => sentences.push(uniqueness(&answer.full)),
         Together::Not(why) => sentences.push(format!("{}.", capital(why))),
@@ -127,8 +30,8 @@ pub(super) fn full_load(assessed: &Assessed, joints: &Joints) -> Vec<String> {
 
 /// The combination from the base up, and whether others are as consistent.
 fn uniqueness(answer: &StackAnswer) -> String {
-    let head = format!("From the base up: {}", slashed(answer.modes()));
-    let others: Vec<String> = answer.others().map(slashed).collect();
+    let head = format!("From the base up: {}", joint_words::slashed(answer.modes()));
+    let others: Vec<String> = answer.others().map(joint_words::slashed).collect();
     match others.as_slice() {
         [] => format!("{head}; the answer is unique."),
         others => format!(
@@ -152,7 +55,7 @@ fn glued(assessed: &Assessed) -> String {
 
 /// Sentence on where the first joint leaves rest as the variable loads rise.
 pub(super) fn leaving(assessed: &Assessed, joints: &Joints, loads: &str) -> String {
-    let clause = departing(assessed, joints);
+    let clause = joints.departs(assessed);
     match assessed.departure() {
         Departure::Never => format!("No multiple of {loads} moves a joint."),
         Departure::AtOnce { permanent: true, .. } => {
@@ -184,7 +87,7 @@ pub(super) fn difference(assessed: &Assessed, joints: &Joints) -> Option<String>
         _ => {
             let full = joints.modes().filter(|modes| *modes != joints.departing());
             let full = full.filter(|modes| !modes.is_empty())?;
-            format!("Applied suddenly, the full load starts another motion: {}.", all_go(joints, full))
+            format!("Applied suddenly, the full load starts another motion: {}.", joints.all_go(full))
         }
     })
 }
@@ -317,10 +220,10 @@ pub(super) fn stages(case: &Case, assessed: &Assessed, joints: &Joints, view: &A
     }
     let mut rows = vec![row!["from", "to", "modes from the base up", ""]];
     rows.extend(path.iter().map(|stage| {
-        let others: Vec<String> = stage.others.iter().map(|modes| slashed(modes)).collect();
+        let others: Vec<String> = stage.others.iter().map(|modes| joint_words::slashed(modes)).collect();
         let also =
             if others.is_empty() { String::new() } else { format!("not unique, also {}", listed(&others)) };
-        row![digits(stage.from), digits(stage.to), slashed(&stage.modes), also]
+        row![digits(stage.from), digits(stage.to), joint_words::slashed(&stage.modes), also]
     }));
     columns(&rows, 2, &[0, 1])
 }
@@ -336,15 +239,15 @@ pub(super) fn first_words(assessed: &Assessed) -> Option<String> {
     let first = joints.leaves.joints();
     match first.as_slice() {
         [] => None,
-        [one] => Some(called(joints, *one)),
-        several => Some(together(several)),
+        [one] => Some(joints.called(*one)),
+        several => Some(joint_words::together(several)),
     }
 }
 
 /// The modes under the full load from the base up, where they are known; else whether all rest.
 pub(super) fn symbols(assessed: &Assessed, joints: &Joints) -> String {
     match joints.modes() {
-        Some(modes) if !modes.is_empty() => slashed(modes),
+        Some(modes) if !modes.is_empty() => joint_words::slashed(modes),
         _ if assessed.verdict() == Some(Verdict::REST) => Verdict::REST.symbol().to_owned(),
         _ => "not all rest".to_owned(),
     }

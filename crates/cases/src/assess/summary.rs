@@ -85,7 +85,7 @@ pub(super) fn happens(assessment: &Assessment, who: &str, does: fn(Option<Verdic
         _ => format!("{place}: {clause}"),
     };
     let moves = |one: &Assessed| match &one.joints {
-        Some(joints) => on_joints(joints::at_once(one, joints)),
+        Some(joints) => on_joints(joints.at_once(one)),
         None => format!("{place} {}", does(one.verdict())),
     };
     let stays = match assessment.case.joints.is_empty() {
@@ -161,7 +161,7 @@ fn near(assessment: &Assessment) -> Option<String> {
 
 /// Where the rising `loads` first move a joint.
 fn near_on_joints(assessed: &Assessed, joints: &Joints, loads: &str) -> String {
-    let clause = joints::departing(assessed, joints);
+    let clause = joints.departs(assessed);
     match assessed.departure() {
         Departure::AtOnce { permanent: true, .. } => {
             format!("the permanent loads alone move a joint: {clause}.")

@@ -54,7 +54,7 @@ pub fn least_factor(assessed: &Assessed) -> Option<(f64, String)> {
     });
     let least = least.reduce(|least, next| if next.0 < least.0 { next } else { least });
     least.map(|(factor, against, joint)| match &assessed.joints {
-        Some(joints) => (factor, format!("{against} on {}", joints::called(joints, joint))),
+        Some(joints) => (factor, format!("{against} on {}", joints.called(joint))),
         None => (factor, against.to_owned()),
     })
 }

@@ -1,0 +1,126 @@
+//! The joints of a situation in words.
+
+use standfast::{Corner, Mode, Verdict};
+
+use super::{Assessed, Joints, predicate};
+
+/// Joints in a row: "joint 1", "joints 1, 2 and 4".
+pub fn together(joints: &[usize]) -> String {
+    let numbers: Vec<String> = joints.iter().map(|joint| (joint + 1).to_string()).collect();
+    let word = if joints.len() == 1 { "joint" } else { "joints" };
+    format!("{word} {}", listed(&numbers))
+}
+
+/// Words in a row: "a", "a and b", "a, b and c".
+pub fn listed(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// Modes from the base up: `RE / SL / RE`.
+pub fn slashed(modes: &[Mode]) -> String {
+    modes.iter().map(|mode| mode.symbol()).collect::<Vec<_>>().join(" / ")
+}
+
+/// What a joint in a mode does, with the symbol.
+fn goes(mode: Mode) -> String {
+    let end = |corner| if corner == Corner::O { "left end" } else { "right end" };
+    let words = match (mode.corner(), mode.slip()) {
+        _ if mode == Mode::Flight => "comes apart".to_owned(),
+        (Some(corner), None) => format!("rocks about its {}", end(corner)),
+        (Some(corner), Some(_)) => format!("slides and rocks about its {}", end(corner)),
+        (None, Some(_)) => mode.words().to_owned(),
+        (None, None) => return "rests".to_owned(),
+    };
+    format!("{words} ({mode})")
+}
+
+impl Joints {
+    /// A joint by its number and name: `joint 3 (cap)`; the base is joint 1.
+    pub fn called(&self, joint: usize) -> String {
+        let name = match joint {
+            0 => Some("base"),
+            above => self.places[above].name.as_deref(),
+        };
+        name.map_or_else(|| format!("joint {}", joint + 1), |name| format!("joint {} ({name})", joint + 1))
+    }
+
+    /// What all joints do, in a clause: "joint 3 (third) slides to the left (SL), joints 1, 2 and 4 rest".
+    pub fn all_go(&self, modes: &[Mode]) -> String {
+        let places = || modes.iter().copied().enumerate();
+        let mut clauses: Vec<String> = places()
+            .filter(|(_, mode)| *mode != Mode::Rest)
+            .map(|(joint, mode)| format!("{} {}", self.called(joint), goes(mode)))
+            .collect();
+        let resting: Vec<usize> =
+            places().filter(|(_, mode)| *mode == Mode::Rest).map(|(joint, _)| joint).collect();
+        match resting.as_slice() {
+            [] => {}
+            all if all.len() == modes.len() => return EVERY.to_owned(),
+            [one] => clauses.push(format!("{} rests", together(&[*one]))),
+            several => clauses.push(format!("{} rest", together(several))),
+        }
+        clauses.join(", ")
+    }
+
+    /// What begins under the full load, in a clause; `whole` is the situation whose joints they are.
+    pub fn at_once(&self, whole: &Assessed) -> String {
+        match self.modes() {
+            Some([]) => "no joint has a consistent mode".to_owned(),
+            Some(modes) => self.all_go(modes),
+            None => {
+                let on: Vec<&Assessed> = whole.on_joints().collect();
+                let moves = |joint: &usize| on[*joint].outcome.full.verdict != Some(Verdict::REST);
+                match (0..on.len()).filter(moves).collect::<Vec<_>>().as_slice() {
+                    [] => EVERY.to_owned(),
+                    moving => {
+                        let moving: Vec<String> = moving.iter().map(|joint| self.called(*joint)).collect();
+                        format!("{} cannot rest", listed(&moving))
+                    }
+                }
+            }
+        }
+    }
+
+    /// What begins as the loads pass where the first joint leaves rest, in a clause.
+    pub fn departs(&self, whole: &Assessed) -> String {
+        let first = self.leaves.joints();
+        match (self.departing(), first.as_slice()) {
+            ([], [one]) => {
+                let verdict = whole.on_joints().nth(*one).and_then(|on| on.outcome.departure.verdict());
+                let goes = match verdict {
+                    Some(Verdict::Begins(mode)) => goes(mode),
+                    Some(_) => "gives way: the ground fails (BF)".to_owned(),
+                    None => "leaves rest".to_owned(),
+                };
+                format!("{} {goes}", self.called(*one))
+            }
+            ([], several) => format!("{} leave rest", together(several)),
+            (modes, _) => self.all_go(modes),
+        }
+    }
+}
+
+impl Assessed {
+    /// What begins under the full load, in a clause: of the body, or of its joints.
+    pub fn at_once(&self) -> String {
+        match &self.joints {
+            Some(joints) => joints.at_once(self),
+            None => format!("the body {}", predicate(self.verdict())),
+        }
+    }
+
+    /// What begins as the loads pass where it leaves rest, in a clause.
+    pub fn departs(&self) -> String {
+        match &self.joints {
+            Some(joints) => joints.departs(self),
+            None => format!("the body {}", predicate(self.departure().verdict())),
+        }
+    }
+}
+
+/// What joints do that all rest.
+const EVERY: &str = "every joint rests";
