@@ -560,6 +560,9 @@ impl<T: Scalar> Case<T> {
         let of = |group: Option<&str>| {
             let members = self.members(&groups, group);
             let mass: f64 = members.iter().map(|part| masses[*part].0).sum();
+            if mass <= 0.0 {
+                return None;
+            }
             let moment = |along: fn(&Vertex) -> f64| -> f64 {
                 members.iter().map(|part| masses[*part].0 * along(&masses[*part].1)).sum()
             };
@@ -573,7 +576,7 @@ impl<T: Scalar> Case<T> {
                 Some(group) => (LoadOrigin::Group(members[0]), format!("weight of {group}")),
                 None => (LoadOrigin::Table(Table::Body), "weight of the rest".to_owned()),
             };
-            (mass > 0.0).then(|| (of, load.named(name)))
+            Some((of, load.named(name)))
         };
         groups.iter().copied().map(Some).chain([None]).filter_map(of).collect()
     }

@@ -369,10 +369,7 @@ impl<T: Scalar> Case<T> {
                 }
                 _ => {
                     let acts = match of {
-                        LoadOrigin::Force(index, _) => {
-                            let force = &self.forces[index];
-                            self.acts_at(force).is_none_or(|elevation| joint.above.reaches(&elevation))
-                        }
+                        LoadOrigin::Force(index, _) => self.acts_above(joint, &self.forces[index]),
                         _ => true,
                     };
                     let part = if acts { joint.above.load(&self.body, &load) } else { None };
@@ -391,18 +388,21 @@ impl<T: Scalar> Case<T> {
         loads
     }
 
-    /// The elevation at which a force, or a couple, acts, where that is not its own: a vertical force on the top there, whatever its own says.
-    fn acts_at(&self, force: &PointForce<T>) -> Option<T> {
+    /// True if a force may act above a joint, where not its elevation alone says so: a couple acts where it is said to, a vertical force of which
+    /// no elevation is said on the top there, which of a ledge at the joint is below it.
+    fn acts_above(&self, joint: &CaseJoint<T>, force: &PointForce<T>) -> bool {
         let given = |key: Key| self.inputs.scalar::<T>(Id::of(force.of.0, force.of.1, key));
-        match force.direction {
-            Direction::Turning(_) => given(Key::MomentElevation),
-            Direction::Down | Direction::Up if given(Key::Elevation).is_none() => {
-                let section = self.section.as_ref()?;
-                let [left, _] = section.base();
-                let x = left + force.distance.as_ref()?.value();
-                section.top_at(x).map(T::computed)
+        match (force.direction, given(Key::Elevation), &self.section) {
+            (Direction::Turning(_), ..) => {
+                given(Key::MomentElevation).is_none_or(|elevation| joint.above.reaches(&elevation))
             }
-            _ => None,
+            (Direction::Down | Direction::Up, None, Some(section)) => {
+                let [left, _] = section.base();
+                let x = force.distance.as_ref().map(|distance| left + distance.value());
+                let level = joint.level().value();
+                x.and_then(|x| section.top_at(x)).is_none_or(|top| top > level * (1.0 + 1e-9))
+            }
+            _ => true,
         }
     }
 
