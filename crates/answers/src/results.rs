@@ -109,10 +109,7 @@ listed! {
         name: "unique",
         kind: ResultKind::Truth,
         words: "whether no other mode is consistent under the full load",
-        of: |a| match &a.joints {
-            Some(joints) => joints.is_unique().map_or(ResultValue::Nothing, ResultValue::Truth),
-            None => ResultValue::Truth(a.outcome.full.is_unique()),
-        },
+        of: |a| a.is_unique().map_or(ResultValue::Nothing, ResultValue::Truth),
     };
     Also = ResultInfo {
         name: "also",

@@ -22,6 +22,7 @@ mod factor;
 
 use std::sync::Arc;
 
+use standfast::Mode;
 use standfast::loads::Earthquake;
 
 pub use factor::{Factor, NoFactor, PLAIN, heading};
@@ -77,6 +78,14 @@ pub enum SweepResult {
     Criterion,
     /// The names of the warnings about the case; see [`Answer::warnings`].
     Warnings,
+    /// The joint at which the governing criterion is met worst.
+    CriterionJoint,
+    /// The modes of all joints from the base up.
+    JointModes,
+    /// The joints that leave rest first.
+    DepartureJoints,
+    /// The modes in which the joints leave rest.
+    DepartureModes,
     /// Of the governing situation.
     Of(ResultName),
     /// Of the waves.
@@ -171,6 +180,10 @@ impl Sweep {
                 SweepResult::Of(name) => !name.is_of_ground() || self.case.ground.is_some(),
                 SweepResult::Sea(_) => self.case.goda().is_some(),
                 SweepResult::Warnings => true,
+                SweepResult::CriterionJoint => has_criteria && !self.case.joints.is_empty(),
+                SweepResult::JointModes | SweepResult::DepartureJoints | SweepResult::DepartureModes => {
+                    !self.case.joints.is_empty()
+                }
             })
             .collect()
     }
@@ -277,6 +290,30 @@ impl Answer {
         &self.assessment.all[self.governing]
     }
 
+    /// A result that is several names, with blanks between them; `None` without any, and of any other.
+    pub fn names(&self, result: SweepResult) -> Option<String> {
+        let joints = || self.governing().joints.as_ref();
+        let joined = |names: Vec<String>| (!names.is_empty()).then(|| names.join(" "));
+        let modes = |modes: &[Mode]| joined(modes.iter().map(|mode| mode.symbol().to_owned()).collect());
+        match result {
+            SweepResult::Warnings => {
+                let mut names: Vec<String> = Vec::new();
+                for warning in self.warnings() {
+                    if !names.iter().any(|name| name == warning.name()) {
+                        names.push(warning.name().to_owned());
+                    }
+                }
+                joined(names)
+            }
+            SweepResult::JointModes => modes(joints()?.modes()?),
+            SweepResult::DepartureModes => modes(joints()?.departing()),
+            SweepResult::DepartureJoints => {
+                joined(joints()?.leaves.joints().iter().map(|joint| (joint + 1).to_string()).collect())
+            }
+            _ => None,
+        }
+    }
+
     /// A result; which situation governs, by its place among them.
     pub fn get(&self, result: SweepResult) -> ResultValue {
         let shaken = |of: fn(&Earthquake) -> f64| {
@@ -295,7 +332,14 @@ impl Answer {
                 used.map_or(ResultValue::Nothing, ResultValue::Number)
             }
             // They are more than one value.
-            SweepResult::Warnings => ResultValue::Nothing,
+            SweepResult::Warnings
+            | SweepResult::JointModes
+            | SweepResult::DepartureJoints
+            | SweepResult::DepartureModes => ResultValue::Nothing,
+            SweepResult::CriterionJoint => {
+                let joint = self.check.and_then(|(check, _)| check.joint);
+                joint.map_or(ResultValue::Nothing, |joint| ResultValue::Number(joint as f64 + 1.0))
+            }
             SweepResult::Criterion => {
                 let name = self.check.map(|(check, _)| check.criterion.name());
                 name.map_or(ResultValue::Nothing, ResultValue::Word)
@@ -320,6 +364,10 @@ impl SweepResult {
             SweepResult::Utilisation,
             SweepResult::Criterion,
             SweepResult::Warnings,
+            SweepResult::CriterionJoint,
+            SweepResult::JointModes,
+            SweepResult::DepartureJoints,
+            SweepResult::DepartureModes,
         ];
         let of_situation = ResultName::ALL.iter().copied().map(SweepResult::Of);
         of_case.into_iter().chain(of_situation).chain(SeaResult::ALL.iter().copied().map(SweepResult::Sea))
@@ -376,6 +424,10 @@ impl SweepResult {
             SweepResult::Utilisation => "utilisation",
             SweepResult::Criterion => "criterion",
             SweepResult::Warnings => "warnings",
+            SweepResult::CriterionJoint => "criterion_joint",
+            SweepResult::JointModes => "modes",
+            SweepResult::DepartureJoints => "departure_joints",
+            SweepResult::DepartureModes => "departure_modes",
             SweepResult::Of(name) => name.name(),
             SweepResult::Sea(name) => name.name(),
         }
@@ -386,13 +438,18 @@ impl SweepResult {
     pub fn kind(self) -> ResultKind {
         use crate::units::Dimension::Acceleration;
         match self {
-            SweepResult::Situation | SweepResult::Utilisation => ResultKind::Number(None),
+            SweepResult::Situation | SweepResult::Utilisation | SweepResult::CriterionJoint => {
+                ResultKind::Number(None)
+            }
             SweepResult::EarthquakeHorizontal | SweepResult::EarthquakeVertical => {
                 ResultKind::Number(Some(Acceleration))
             }
             SweepResult::Met => ResultKind::Truth,
             SweepResult::Criterion => ResultKind::Word(&CRITERIA),
-            SweepResult::Warnings => ResultKind::Names,
+            SweepResult::Warnings
+            | SweepResult::JointModes
+            | SweepResult::DepartureJoints
+            | SweepResult::DepartureModes => ResultKind::Names,
             SweepResult::Of(name) => name.info().kind,
             SweepResult::Sea(name) => ResultKind::Number(name.info().dimension),
         }
@@ -414,6 +471,14 @@ impl SweepResult {
             }
             SweepResult::Criterion => "the governing criterion",
             SweepResult::Warnings => "the names of the warnings about the case, which may be slips",
+            SweepResult::CriterionJoint => {
+                "the joint at which the governing criterion is met worst, from the base, which is 1"
+            }
+            SweepResult::JointModes => {
+                "the mode of each joint from the base up under the full load, applied at once, where that is known"
+            }
+            SweepResult::DepartureJoints => "the joints that leave rest first, from the base, which is 1",
+            SweepResult::DepartureModes => "the mode of each joint from the base up as the first leaves rest",
             SweepResult::Of(name) => name.info().words,
             SweepResult::Sea(name) => name.info().words,
         }

@@ -33,7 +33,7 @@ pub use combination::{changes as combination_changes, pair_words, pairs};
 pub use loads::{floor_words, left_out, share};
 pub use standfast_answers::assess::{
     AnyCheck, Assessed, Assessment, Balance, BalancePart, BaseResponse, CaseCheck, Component, Elastic,
-    JointPlace, Joints, MotionAssessment, Together, predicate,
+    JointPlace, Joints, MotionAssessment, Together, joint_words, predicate,
 };
 pub use text::criteria_met;
 pub(crate) use text::{heading, met_words, note, title};

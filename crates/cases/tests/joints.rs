@@ -6,6 +6,7 @@ use common::{assess, file, number, refused, six};
 use standfast::contact::stack::{Joint, Shaking, Stack, StackBody};
 use standfast::{Departure, Mode, Wrench};
 use standfast_cases::assess::{Assessed, Assessment};
+use standfast_cases::random::{ChanceRequest, Probability};
 use standfast_cases::results::ResultName;
 
 const G: f64 = 9.81;
@@ -628,9 +629,13 @@ fn combinations_reach_every_joint() {
     assert_eq!(friction("set = { \"joint.bed.friction\" = 0.45 }\n")[0], 0.45);
     assert_eq!(friction("materials = { \"joint[2].friction\" = 2 }\n")[0], 0.25);
     // On effects: the push counts against the resistance times its factor, at a joint as at the base.
-    let effects = with("code = \"EN1997-DA2\"\nfactors = { push = 1.5 }\n");
-    let push = on(&effects, 1).situation.effects();
-    assert!(push.is_none() || push.unwrap().x != 0.0);
+    let effects = with("effects = true\nfactors = { push = 1.5 }\n");
+    let upper = on(&effects, 1);
+    let [push, at_left, at_right] = [20e3, 1000.0 * G * 0.5, 1000.0 * G * 2.0];
+    six(
+        number(upper, ResultName::SfSliding),
+        0.5 * (weight - ends[0] - ends[1]) / (1.5 * push + at_right - at_left),
+    );
 }
 
 /// A vertical load without elevation stands on the highest part there; a couple acts where it is said to.
@@ -704,6 +709,18 @@ fn a_base_with_more_than_friction_is_that_of_the_whole() {
     assert_eq!(joints.modes(), None);
     assert_eq!(joints.leaves.joints(), [1]);
     assert_eq!(adhering.governing().mode(), Some(Mode::Rest));
+}
+
+/// No chance is found of bodies on joints, and no criterion of it either: refused, not found as if they were one.
+#[test]
+fn chances_are_refused() {
+    let random = "[random]\n\"body.friction\" = { normal = { cov = 0.1 } }\n";
+    let text = format!("{TWO}{}{PUSH}{random}", joint(""));
+    let error = Probability::of(&file(&text), ChanceRequest::default()).unwrap_err().to_string();
+    assert!(error.contains("[[joint]] is not for a probability"), "{error}");
+    let asked = format!("{text}[criteria]\np_not_rest = 0.1\n");
+    let error = Assessment::of_file(&file(&asked)).unwrap_err().to_string();
+    assert!(error.contains("[[joint]] is not for a probability"), "{error}");
 }
 
 /// Drums of a column: each joint is a circle, shaken.

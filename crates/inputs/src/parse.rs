@@ -923,7 +923,7 @@ mod tests {
             ("title = \"Wall #3", "a quote is missing"),
             ("[motion base]", "a point between its parts: [body], [[load]], [motion.base]"),
             ("[body]\nwidth = 1\n[body]\nheight = 2", "under one header"),
-            ("[[load]]\nfriction = 0.6", "`friction` belongs in [body] or [storm]"),
+            ("[[load]]\nfriction = 0.6", "`friction` belongs in [body], [[joint]] or [storm]"),
             ("[body]\nlevel = 3", "`level` belongs in [water]"),
             ("waves = 3", "did you mean `wave`?"),
             ("[body]\nfricton = 0.6", "did you mean `friction`?"),

@@ -8,6 +8,7 @@ mod contact;
 mod criteria;
 mod ground;
 mod holding;
+mod joints;
 mod loads;
 mod mode;
 mod motion;
@@ -128,6 +129,11 @@ fn situation(
     loads::steps(steps, case, assessed, &components);
     let held = classical::steps(steps, case, assessed, &components);
     ground::steps(steps, case, inputs, assessed, &components);
+    if let Some(all) = &assessed.joints {
+        joints::steps(steps, case, assessed, all, &components, view);
+        criteria::steps(steps, &assessment.case, assessed);
+        return Ok(());
+    }
     let full = &assessed.outcome.full;
     let in_air = assessed.situation.in_air().is_some();
     match &full.effective {

@@ -2,7 +2,8 @@
 
 use maud::{Markup, html};
 use standfast::{Departure, Verdict};
-use standfast_cases::assess::{AnyCheck, pair_words, verdict};
+use standfast_cases::assess::{AnyCheck, joints, pair_words, verdict};
+use standfast_cases::design::{overturning, sliding};
 use standfast_cases::layout::percent;
 use standfast_cases::random::Probability;
 use standfast_cases::{Assessed, Assessment, Document, Summary};
@@ -132,6 +133,14 @@ fn other_trial(assessment: &Assessment, check: &AnyCheck<'_>) -> String {
     }
 }
 
+/// The joint at which a criterion is met worst, behind its name; empty without joints.
+fn on_joint(check: &AnyCheck<'_>) -> String {
+    match check {
+        AnyCheck::Instant(found) => found.check.on_joint(found.assessed),
+        AnyCheck::Motion(..) => String::new(),
+    }
+}
+
 fn criteria(assessment: &Assessment) -> Markup {
     let several = is_named(assessment);
     let checks = assessment.all_checks();
@@ -148,7 +157,7 @@ fn criteria(assessment: &Assessment) -> Markup {
                 @for check in &checks {
                     @let [required, value, utilisation, met] = check.cells();
                     tr {
-                        td.name { (check.words()) " " code { (check.name()) } }
+                        td.name { (check.words()) " " code { (check.name()) } (on_joint(check)) }
                         td data-label=(ASKED[1]) { (required) }
                         td.n data-label=(ASKED[2]) { (value) }
                         td.n data-label=(ASKED[3]) { (utilisation) }
@@ -191,19 +200,31 @@ pub fn table(assessment: &Assessment, most: usize) -> Markup {
             }
             tbody {
                 @for assessed in assessment.worst_first().into_iter().take(most) {
-                    @let (full, stability) = (&assessed.outcome.full, &assessed.outcome.stability);
-                    @let factors = [stability.sliding, stability.overturning()];
+                    @let full = &assessed.outcome.full;
+                    @let factors = [sliding(assessed), overturning(assessed)];
                     tr {
                         @if several { td.name data-label="Situation" { (name(assessment, assessed)) } }
-                        td data-label=(COLUMNS[0]) { (assessed.verdict().map_or("none", Verdict::symbol)) }
+                        td data-label=(COLUMNS[0]) {
+                            @match &assessed.joints {
+                                Some(joints) => (joints::symbols(assessed, joints)),
+                                None => (assessed.verdict().map_or("none", Verdict::symbol)),
+                            }
+                        }
                         @for (factor, column) in factors.into_iter().zip(&COLUMNS[1..]) {
                             td.n data-label=(column) {
                                 @if full.is_lifted() { "none" } @else { (Measured::of(factor, FACTOR).html("")) }
                             }
                         }
                         td.n data-label=(COLUMNS[3]) { (departure(&assessed.departure())) }
-                        td data-label=(COLUMNS[4]) { (assessed.departure().verdict().map_or("–", Verdict::symbol)) }
-                        td data-label=(COLUMNS[5]) { @if assessed.outcome.full.is_unique() { "yes" } @else { "no" } }
+                        td data-label=(COLUMNS[4]) {
+                            @match joints::first_words(assessed) {
+                                Some(joint) => (joint),
+                                None => (assessed.departure().verdict().map_or("–", Verdict::symbol)),
+                            }
+                        }
+                        td data-label=(COLUMNS[5]) {
+                            @match assessed.is_unique() { Some(true) => "yes", Some(false) => "no", None => "–" }
+                        }
                     }
                 }
             }

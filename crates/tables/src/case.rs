@@ -1,6 +1,5 @@
 //! Rows that are cases: a case file, of which the columns of the table vary some numbers.
 
-use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
 
@@ -10,7 +9,7 @@ use standfast_cases::results::{ResultKind, ResultValue};
 use standfast_cases::suggest::{closest, key_meant};
 use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult, heading};
 use standfast_cases::units::ShownUnit;
-use standfast_cases::{CaseError, CaseFile, Id, Warning};
+use standfast_cases::{CaseError, CaseFile, Id};
 
 use crate::results::{ColumnWords, FieldKind, NO_NAME, NO_WORD, ResultField, Values};
 use crate::task::{Fault, Faults, RowFault};
@@ -304,7 +303,7 @@ impl CaseRows {
             }
             for ((values, result), unit) in values.iter_mut().zip(&self.results).zip(&self.units) {
                 if let Values::Text(texts) = values {
-                    texts.push(names(&warnings));
+                    texts.push(answer.as_ref().and_then(|answer| answer.names(*result)));
                     continue;
                 }
                 let value = answer.as_ref().map_or(ResultValue::Nothing, |answer| answer.get(*result));
@@ -317,14 +316,6 @@ impl CaseRows {
 
 /// Stands before what was a number in a column of texts and numbers, where texts have their units.
 pub const NUMBER: char = '\u{1}';
-
-/// The names of warnings, each once; `None` without any.
-fn names(warnings: &[Warning]) -> Option<String> {
-    let mut names: Vec<&str> = warnings.iter().map(Warning::name).collect();
-    let mut known = BTreeSet::new();
-    names.retain(|name| known.insert(*name));
-    (!names.is_empty()).then(|| names.join(" "))
-}
 
 /// A number in a unit.
 fn in_unit(value: ResultValue, unit: Option<ShownUnit>) -> ResultValue {

@@ -229,6 +229,14 @@ fn at_least_full(factor: f64) -> f64 {
 }
 
 impl Assessed {
+    /// True if the answer under the full load is unique; `None` where all joints together are not answered.
+    pub fn is_unique(&self) -> Option<bool> {
+        match &self.joints {
+            Some(joints) => joints.is_unique(),
+            None => Some(self.outcome.full.is_unique()),
+        }
+    }
+
     /// What is on each joint from the base, which is the first: the whole, and where there are joints above, all that is above each.
     pub fn on_joints(&self) -> impl Iterator<Item = &Assessed> {
         std::iter::once(self).chain(self.joints.iter().flat_map(|joints| &joints.above))

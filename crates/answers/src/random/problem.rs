@@ -19,7 +19,7 @@ use crate::couple::{Variable, vary};
 use crate::digits::digits;
 use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::Inputs;
-use crate::key::{Id, Key};
+use crate::key::{Id, Key, Table};
 use standfast::ground::Base;
 use standfast_inputs::random::{Random, Rate, ReadResult};
 use standfast_model::CaseFile;
@@ -74,8 +74,11 @@ fn reaches(laws: &RandomVector) -> Vec<f64> {
 /// An |α| below which a number hardly matters.
 const NEGLIGIBLE: f64 = 0.02;
 
-/// Refuses adhesion on ground that fails, which no closed form has together.
+/// Refuses joints, and adhesion on ground that fails, which no closed form has together.
 fn one_base(case: &Case) -> Result<(), Fault> {
+    if !case.joints.is_empty() {
+        return Err(Fault::new(Problem::JointsNotFor { what: "a probability" }, Table::Joint));
+    }
     match case.adhesion.filter(|_| case.gives_way()) {
         Some(_) => {
             let what = "the probability of a body on ground that fails";

@@ -59,10 +59,6 @@ fn results(assessed: &Assessed) -> Vec<String> {
         least.map_or_else(|| "none".to_owned(), |factor| assessed.output.factor(factor))
     };
     let first = joints::first_words(assessed);
-    let is_unique = match &assessed.joints {
-        Some(joints) => joints.is_unique(),
-        None => Some(assessed.outcome.full.is_unique()),
-    };
     row![
         match &assessed.joints {
             Some(joints) => joints::symbols(assessed, joints),
@@ -74,7 +70,7 @@ fn results(assessed: &Assessed) -> Vec<String> {
         first.unwrap_or_else(|| {
             assessed.departure().verdict().map_or(String::new(), |verdict| verdict.symbol().to_owned())
         }),
-        match is_unique {
+        match assessed.is_unique() {
             Some(true) => "yes",
             Some(false) => "no",
             None => "–",

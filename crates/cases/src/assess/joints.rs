@@ -162,8 +162,16 @@ pub(super) fn render(assessed: &Assessed) -> String {
     text
 }
 
+/// The share of a joint that is pressed; `None` where the resultant misses it.
+pub fn pressed(on: &Assessed) -> Option<f64> {
+    match ResultName::ContactShare.of(on) {
+        ResultValue::Number(share) => Some(share),
+        _ => None,
+    }
+}
+
 /// Where a joint leaves rest by itself.
-fn leaves_at(joints: &Joints, joint: usize, on: &Assessed) -> String {
+pub fn leaves_at(joints: &Joints, joint: usize, on: &Assessed) -> String {
     // What is found for all together is nearer to what is written.
     let governs = joints.leaves.joints().contains(&joint);
     let own = if governs { joints.departure() } else { on.outcome.departure };
@@ -171,7 +179,7 @@ fn leaves_at(joints: &Joints, joint: usize, on: &Assessed) -> String {
 }
 
 /// Safety factors against overturning about O and about O'.
-fn about_ends(on: &Assessed) -> [f64; 2] {
+pub fn about_ends(on: &Assessed) -> [f64; 2] {
     let Stability { overturning_about_heel: heel, overturning_about_toe: toe, .. } = on.outcome.stability;
     if on.outcome.actions.heel == Corner::O { [heel, toe] } else { [toe, heel] }
 }
@@ -234,7 +242,7 @@ pub(super) fn glued_words(assessed: &Assessed) -> String {
 }
 
 /// What stands in a row of a summary of situations: the joint that moves first.
-pub(super) fn first_words(assessed: &Assessed) -> Option<String> {
+pub fn first_words(assessed: &Assessed) -> Option<String> {
     let joints = assessed.joints.as_ref()?;
     let first = joints.leaves.joints();
     match first.as_slice() {
@@ -245,7 +253,7 @@ pub(super) fn first_words(assessed: &Assessed) -> Option<String> {
 }
 
 /// The modes under the full load from the base up, where they are known; else whether all rest.
-pub(super) fn symbols(assessed: &Assessed, joints: &Joints) -> String {
+pub fn symbols(assessed: &Assessed, joints: &Joints) -> String {
     match joints.modes() {
         Some(modes) if !modes.is_empty() => joint_words::slashed(modes),
         _ if assessed.verdict() == Some(Verdict::REST) => Verdict::REST.symbol().to_owned(),

@@ -503,8 +503,12 @@ fn known(table: Table, name: &str) -> String {
         .into_iter()
         .filter(|other| ![table, Table::Soil].contains(other) && names_keys(*other, name));
     let others: Vec<&str> = others.map(|other| other.header()).collect();
-    let belongs =
-        (1..=FEW).contains(&others.len()).then(|| format!("`{name}` belongs in {}", others.join(" or ")));
+    let belongs = match others.as_slice() {
+        [] => None,
+        [one] => Some(format!("`{name}` belongs in {one}")),
+        [first @ .., last] => Some(format!("`{name}` belongs in {} or {last}", first.join(", "))),
+    };
+    let belongs = belongs.filter(|_| others.len() <= FEW);
     let meant = meant_key(table, name).map(|suggestion| format!("did you mean `{suggestion}`?"));
     match if table == Table::Top { (meant, belongs) } else { (belongs, meant) } {
         (Some(words), _) | (None, Some(words)) if words.ends_with('?') => format!("{words} {known}"),

@@ -40,6 +40,10 @@ fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
     }
     let (value, unit) = quantity(criterion.key);
     let utilisation = check.utilisation.unwrap_or(f64::INFINITY);
+    if check.joint.is_some_and(|joint| joint > 0) {
+        let words = format!("{}{}", check.value_words(assessed), check.on_joint(assessed));
+        return steps.told(&about, &name, utilisation, FACTOR, &words, "");
+    }
     if !assessed.is_reported {
         let words = format!("{}, in another of the ways that were tried", check.value_words(assessed));
         return steps.told(&about, &name, utilisation, FACTOR, &words, "");

@@ -78,7 +78,7 @@ struct Condition {
 }
 
 /// Shows the departure from rest: the condition of rest that the rising load crosses there.
-fn departure(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component], factor: f64) {
+pub(super) fn departure(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component], factor: f64) {
     const ABOUT: &str = "Load factor at which the body leaves rest";
     const NAME: &str = "λ_d";
     const KEY: &str = "load_factor";

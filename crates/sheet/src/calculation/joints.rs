@@ -1,0 +1,228 @@
+//! The joints above the base: of each all that is above it as one body, its loads, their sums and its four conditions of rest; the governing
+//! one in full; all of them together.
+
+use maud::{Markup, html};
+use standfast::{Departure, Wrench};
+use standfast_cases::assess::joint_words::slashed;
+use standfast_cases::assess::{Component, JointPlace, Joints, joints, share, verdict};
+use standfast_cases::layout::percent;
+use standfast_cases::units::Dimension;
+use standfast_cases::{Assessed, AssessmentView, Case};
+
+use super::loads::{parts, sum};
+use super::{classical, path};
+use crate::measured::{FACTOR, KILONEWTON, METRE, MOMENT, NONE, number};
+use crate::steps::SheetSteps;
+use crate::together::Brief;
+
+pub(super) fn steps(
+    steps: &mut SheetSteps,
+    case: &Case,
+    assessed: &Assessed,
+    all: &Joints,
+    components: &[Component],
+    view: &AssessmentView,
+) {
+    let whole = steps.known();
+    let first = all.leaves.joints();
+    for (place, above) in all.above.iter().enumerate() {
+        let joint = place + 1;
+        let at = &all.places[joint];
+        let title = format!(
+            "{}, {} above the base: all that is above it as one body",
+            standfast_cases::capital(&all.called(joint)),
+            assessed.output.length(at.elevation)
+        );
+        steps.heading(&title);
+        let components = above.components();
+        carried(steps, above, &components);
+        conditions(steps, above);
+        if first.first() == Some(&joint) {
+            classical::steps(steps, case, above, &components);
+            governing(steps, all, above, &components, joint);
+        }
+        steps.forget_since(&whole);
+    }
+    if first.first() == Some(&0) {
+        governing(steps, all, assessed, components, 0);
+    }
+    if let Departure::At { factor, .. } = assessed.departure() {
+        steps.know("λ_d", factor, FACTOR);
+    }
+    steps.heading("All joints");
+    steps.push(table(assessed, all), Brief::Nothing);
+    for sentence in verdict::full_load(assessed).into_iter().chain(verdict::path(assessed)) {
+        steps.push(html! { p.note { (sentence) } }, Brief::Nothing);
+    }
+    let path = all.path(case, assessed, view.up_to);
+    if !path.is_empty() {
+        let full = html! {
+            table.numbers data-table="modes_path" {
+                thead { tr { th.n { "from" } th.n { "to" } th { "Modes from the base up" } th { "Also consistent" } } }
+                tbody {
+                    @for stage in &path {
+                        tr {
+                            td.n { data value=(stage.from) { (number(stage.from)) } }
+                            td.n { data value=(stage.to) { (number(stage.to)) } }
+                            td { (slashed(&stage.modes)) }
+                            td { (stage.others.iter().map(|modes| slashed(modes)).collect::<Vec<_>>().join(", ")) }
+                        }
+                    }
+                }
+            }
+        };
+        steps.push(full, Brief::Nothing);
+    }
+}
+
+/// The body above a joint, the loads on it in a table, and their sums.
+fn carried(steps: &mut SheetSteps, above: &Assessed, components: &[Component]) {
+    let body = above.situation.body();
+    steps.told(
+        "Friction in the joint",
+        "μ",
+        above.situation.static_friction(),
+        NONE,
+        "as given in the case file",
+        "",
+    );
+    let (left, right, up) = (body.heel_distance(), body.toe_distance(), body.centroid_height());
+    steps.told(
+        "Centre of mass of what is above, right of O",
+        "b_1",
+        left,
+        METRE,
+        "by cutting the section at the joint",
+        "",
+    );
+    steps.told("Left of O′", "b_2", right, METRE, "by cutting the section at the joint", "");
+    steps.told("Above the joint", "y_C", up, METRE, "by cutting the section at the joint", "");
+    steps.add(
+        "Length of the contact of what is above and below",
+        "",
+        ["B_c", "b_1 + b_2"],
+        body.base_width(),
+        METRE,
+        "",
+    );
+    for (i, Component { wrench, .. }) in components.iter().enumerate() {
+        let [x, v, m] = parts(i);
+        steps.know_all([
+            (x.as_str(), wrench.x, KILONEWTON),
+            (v.as_str(), wrench.p, KILONEWTON),
+            (m.as_str(), wrench.m, MOMENT),
+        ]);
+    }
+    let total = above.outcome.full.wrench;
+    let [force, moment] = [KILONEWTON, MOMENT].map(|unit| steps.measured(0.0, unit).unit.text);
+    let cells = |steps: &SheetSteps, [x, p, m]: [f64; 3]| {
+        html! {
+            @for (value, unit) in [(x, KILONEWTON), (p, KILONEWTON), (m, MOMENT)] {
+                td.n { (steps.measured(value, unit).number_html("")) }
+            }
+        }
+    };
+    let full = html! {
+        table.numbers data-table="components" {
+            thead { tr { th { "Load above the joint" } th { "Share" } th.n { "X" br; (force) } th.n { "V" br; (force) } th.n { "M" br; (moment) } } }
+            tbody {
+                @for (i, Component { name, load, wrench }) in components.iter().enumerate() {
+                    tr { td { (i + 1) " " (name) } td { (share(load)) } (cells(steps, [wrench.x, wrench.p, wrench.m])) }
+                }
+                tr.sum { td { "Sum" } td {} (cells(steps, [total.x, total.p, total.m])) }
+            }
+        }
+    };
+    steps.push(full, Brief::Nothing);
+    let sums = [
+        ("X", "to the right", total.x, KILONEWTON, 0),
+        ("V", "downwards, less water in the joint", total.p, KILONEWTON, 1),
+        ("M", "moment at the centre of mass of what is above", total.m, MOMENT, 2),
+    ];
+    for (name, words, value, unit, which) in sums {
+        let about = format!("Sum above the joint, {words}");
+        let part =
+            |component: &Component| [component.wrench.x, component.wrench.p, component.wrench.m][which];
+        let terms = components.iter().enumerate();
+        match sum(terms.map(|(i, component)| (parts(i)[which].clone(), part(component)))) {
+            Some(formula) => steps.add(&about, "", [name, &formula], value, unit, ""),
+            None => steps.told(&about, name, value, unit, "no load has such a part", ""),
+        }
+    }
+}
+
+/// The four conditions of rest, with their numbers; none is negative at rest.
+fn conditions(steps: &mut SheetSteps, above: &Assessed) {
+    let (situation, Wrench { x, p: v, m }) = (&above.situation, above.outcome.full.wrench);
+    let (body, μ) = (situation.body(), situation.static_friction());
+    let (b1, b2, y) = (body.heel_distance(), body.toe_distance(), body.centroid_height());
+    let all = [
+        (
+            "Rest needs 0 or more of each of four: against a slide to the left",
+            "Z_left",
+            "μ V + X",
+            μ * v + x,
+            KILONEWTON,
+        ),
+        ("Against a slide to the right", "Z_right", "μ V − X", μ * v - x, KILONEWTON),
+        ("About O, the left end of the joint", "Z_O", "b_1 V + y_C X − M", b1 * v + y * x - m, MOMENT),
+        ("About O′, the right end", "Z_O′", "b_2 V − y_C X + M", b2 * v - y * x + m, MOMENT),
+    ];
+    for (about, name, formula, value, unit) in all {
+        steps.add(about, "", [name, formula], value, unit, "");
+    }
+}
+
+/// Where the governing joint leaves rest.
+fn governing(steps: &mut SheetSteps, all: &Joints, on: &Assessed, components: &[Component], joint: usize) {
+    steps.heading(&format!("{} governs: where it leaves rest", standfast_cases::capital(&all.called(joint))));
+    if let Departure::At { factor, .. } = on.outcome.departure {
+        path::departure(steps, on, components, factor);
+    }
+}
+
+/// The joints from the top, with all that is above each under the full load.
+fn table(assessed: &Assessed, all: &Joints) -> Markup {
+    let output = assessed.output;
+    let first = all.leaves.joints();
+    let rows: Vec<(usize, &JointPlace, &Assessed)> = all
+        .places
+        .iter()
+        .zip(assessed.on_joints())
+        .enumerate()
+        .map(|(joint, (place, on))| (joint, place, on))
+        .collect();
+    let force = output.symbol(Dimension::Force);
+    html! {
+        table.numbers data-table="joints" {
+            thead {
+                tr {
+                    th { "Joint" } th.n { "at" br; (output.symbol(Dimension::Length)) }
+                    th.n { "X to the left" br; (force) } th.n { "V" br; (force) }
+                    th.n { "SF slide" } th.n { "SF about O" } th.n { "SF about O′" }
+                    th.n { "Pressed, %" } th.n { "Leaves rest at, %" }
+                }
+            }
+            tbody {
+                @for (joint, place, on) in rows.iter().rev() {
+                    @let full = &on.outcome.full;
+                    @let [about_o, about_o_prime] = joints::about_ends(on);
+                    @let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { output.factor(factor) };
+                    tr {
+                        td.name {
+                            @if first.contains(joint) { strong { (all.called(*joint)) ", governs" } } @else { (all.called(*joint)) }
+                        }
+                        td.n { (output.value(Dimension::Length, place.elevation)) }
+                        td.n { (output.value(Dimension::Force, 0.0 - full.wrench.x)) }
+                        td.n { (output.value(Dimension::Force, full.wrench.p)) }
+                        td.n { (factor(on.outcome.stability.sliding)) }
+                        td.n { (factor(about_o)) }
+                        td.n { (factor(about_o_prime)) }
+                        td.n { (joints::pressed(on).map_or("–".to_owned(), |share| percent(share).trim_end_matches(" %").to_owned())) }
+                        td.n { (joints::leaves_at(all, *joint, on).trim_end_matches(" %")) }
+                    }
+                }
+            }
+        }
+    }
+}
