@@ -30,7 +30,7 @@ use crate::interface::Interface;
 use crate::summary::Summary;
 pub use acting::situation_title;
 pub use combination::{changes as combination_changes, pair_words, pairs};
-pub use loads::{floor_words, left_out, share};
+pub use loads::{floor_words, glued, left_out, share};
 pub use standfast_answers::assess::{
     AnyCheck, Assessed, Assessment, Balance, BalancePart, BaseResponse, CaseCheck, Component, Elastic,
     JointPlace, Joints, MotionAssessment, Together, joint_words, predicate,

@@ -8,7 +8,7 @@ use std::fmt;
 use standfast::loads::Face;
 use standfast::{Slip, wave};
 
-use crate::digits::{apart, digits};
+use crate::digits::{apart, digits, percent};
 use crate::key::{Id, Key, Table};
 use crate::units::Extent;
 pub(crate) use search::SHAKING;
@@ -64,6 +64,8 @@ pub enum Warning {
     },
     /// More friction than bases have.
     HighFriction {
+        /// The key that gives it: that of the base, or of a joint.
+        id: Id,
         /// μ to stick.
         friction: f64,
     },
@@ -382,6 +384,15 @@ pub enum Warning {
         /// Extent of both: a metre run or the whole body.
         extent: Extent,
     },
+    /// A joint that is not pressed throughout, with different pressures of water at its ends.
+    JointWouldOpen {
+        /// The situation, where there are several.
+        situation: Option<String>,
+        /// The joint, by its number from the base and its name.
+        joint: String,
+        /// Share of it that is pressed; 0 where the resultant misses it.
+        share: f64,
+    },
     /// A passive soil beside a low factor.
     PassiveWithLowFactor {
         /// The situation, where there are several.
@@ -460,6 +471,7 @@ impl Warning {
             Warning::DrainLost { .. } => "drain-lost",
             Warning::GivenUpliftDoesNotFollow { .. } => "given-uplift-does-not-follow",
             Warning::AdhesionCarries { .. } => "adhesion-carries",
+            Warning::JointWouldOpen { .. } => "joint-would-open",
             Warning::PassiveWithLowFactor { .. } => "passive-with-low-factor",
             Warning::FormulaRecalled { .. } => "formula-recalled",
             Warning::CrownWallHeight { .. } => "crown-wall-height",
@@ -493,6 +505,7 @@ impl Warning {
                 | Warning::GivenUpliftDoesNotFollow { .. }
                 | Warning::AdhesionCarries { .. }
                 | Warning::PassiveWithLowFactor { .. }
+                | Warning::JointWouldOpen { .. }
                 | Warning::FavourableLoad { .. }
                 | Warning::UpliftAwayFromPush { .. }
         )
@@ -562,11 +575,14 @@ impl fmt::Display for Warning {
                     beyond(*density, WATER.limit(*density))
                 )
             }
-            Warning::HighFriction { friction } => write!(
-                f,
-                "friction = {}; between a body and its base it is {FRICTION} at most, as a rule",
-                beyond(*friction, FRICTION)
-            ),
+            Warning::HighFriction { id, friction } => {
+                let key = if id.table == Table::Body { "friction".to_owned() } else { id.to_string() };
+                write!(
+                    f,
+                    "{key} = {}; between a body and its base it is {FRICTION} at most, as a rule",
+                    beyond(*friction, FRICTION)
+                )
+            }
             Warning::UnusualGravity { gravity } => {
                 write!(
                     f,
@@ -853,6 +869,13 @@ impl fmt::Display for Warning {
                 under(situation),
                 extent.kilonewtons(*adhesion),
                 extent.kilonewtons(*resistance)
+            ),
+            Warning::JointWouldOpen { situation, joint, share } => write!(
+                f,
+                "{}{joint} is pressed over {} of its length, and water stands in it at different pressures: it would open and let in the higher \
+                 one, which is not followed; the diagram in it stays straight",
+                under(situation),
+                percent(*share)
             ),
             Warning::PassiveWithLowFactor { situation, name, factor } => write!(
                 f,

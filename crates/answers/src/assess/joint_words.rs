@@ -3,6 +3,7 @@
 use standfast::{Corner, Mode, Verdict};
 
 use super::{Assessed, Joints, predicate};
+use crate::case::called;
 
 /// Joints in a row: "joint 1", "joints 1, 2 and 4".
 pub fn together(joints: &[usize]) -> String {
@@ -45,7 +46,7 @@ impl Joints {
             0 => Some("base"),
             above => self.places[above].name.as_deref(),
         };
-        name.map_or_else(|| format!("joint {}", joint + 1), |name| format!("joint {} ({name})", joint + 1))
+        called(joint, name)
     }
 
     /// What all joints do, in a clause: "joint 3 (third) slides to the left (SL), joints 1, 2 and 4 rest".

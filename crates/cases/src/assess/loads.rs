@@ -5,7 +5,8 @@ use standfast::{Plan, Wrench};
 
 use super::{Assessed, Component};
 use crate::case::{Case, Waves, Weight};
-use crate::layout::{columns, digits, row};
+use crate::layout::{columns, digits, paragraph, row};
+use crate::summary::listed;
 use crate::units::{Dimension, Extent};
 use standfast_inputs::datum::Datum;
 
@@ -91,7 +92,16 @@ pub(super) fn body(case: &Case) -> String {
     if case.water.is_some() || case.weight != Weight::Total {
         rows.push(row!["weight counted as", case.weight_words()]);
     }
-    columns(&rows, 2, &[])
+    let glued = glued(case).map_or(String::new(), |words| paragraph(&words, 2));
+    columns(&rows, 2, &[]) + &glued
+}
+
+/// Sentence on parts between which a joint could be, of a case without any.
+pub fn glued(case: &Case) -> Option<String> {
+    let levels: Vec<String> = case.glued_at().into_iter().map(|level| case.output.length(level)).collect();
+    (!levels.is_empty() && case.joints.is_empty()).then(|| {
+        format!("Parts are taken as glued, at {}; [[joint]] asks whether they stay.", listed(&levels))
+    })
 }
 
 /// How the floor lies, and in which directions forces are told.

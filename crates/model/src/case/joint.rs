@@ -48,10 +48,21 @@ pub enum JointWater<T = f64> {
 }
 
 impl<T: Scalar> CaseJoint<T> {
+    /// By its number and name, from its place among those above the base: `joint 3 (cap)`.
+    pub fn called(&self, place: usize) -> String {
+        called(place + 1, self.name.as_deref())
+    }
+
     /// Its level above the base, m.
     pub fn level(&self) -> T {
         self.above.level()
     }
+}
+
+/// A joint by its number and name, from its place from the base, which is the first.
+pub fn called(place: usize, name: Option<&str>) -> String {
+    let number = place + 1;
+    name.map_or_else(|| format!("joint {number}"), |name| format!("joint {number} ({name})"))
 }
 
 /// The tables and keys that have no place beside joints, in words.

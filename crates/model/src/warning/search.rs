@@ -3,15 +3,15 @@
 use std::fmt;
 
 use standfast::contact::opening::OpeningState;
-use standfast::loads::Face;
 use standfast::loads::earth::EarthState;
+use standfast::loads::{Action, Face};
 use standfast::wave::Heights;
-use standfast::{BaseEdges, BaseOpening, Outcome, Situation, Slip};
+use standfast::{BaseEdges, BaseOpening, Bearing, Outcome, Situation, Slip};
 
 use super::Warning;
 use crate::case::{
-    Acting, Case, CrownWaves, Direction, FacePressure, GodaWaves, Made, Resistance, SoilFill, Trial,
-    WaveFormula, Weight, said_by, tables_of_layers,
+    Acting, Case, CaseJoint, CrownWaves, Direction, FacePressure, GodaWaves, Made, Resistance, SoilFill,
+    Trial, WaveFormula, Weight, said_by, tables_of_layers,
 };
 use crate::criteria::Bound;
 use crate::error::Place;
@@ -157,6 +157,7 @@ impl Case {
         warnings.extend(self.unanswered());
         warnings.extend(self.opened());
         warnings.extend(self.held());
+        warnings.extend(self.joints_open());
         warnings.extend(self.recalled());
         warnings.extend(self.uplifted());
         warnings.extend(self.uplift_stays());
@@ -465,6 +466,41 @@ impl Case {
         warnings
     }
 
+    /// About joints with water at different pressures that are not pressed throughout, in the situation of each set of loads.
+    fn joints_open(&self) -> Vec<Warning> {
+        let all = self.acting();
+        let mut warnings = Vec::new();
+        for acting in all.iter().copied() {
+            for (place, joint) in self.under(acting).joints.iter().enumerate() {
+                let pressed = |trial: Trial| {
+                    let situation = self.above_joint(place, acting, trial).ok()?;
+                    let ends = situation.loads().iter().filter_map(|load| match &load.action {
+                        Action::Pressure { face: Face::Base, diagram } => {
+                            let [first, .., last] = diagram.points() else { return None };
+                            Some([first, last].map(|at| at.pressure * load.factor))
+                        }
+                        _ => None,
+                    });
+                    let [left, right] = ends.fold([0.0; 2], |sum, ends| [sum[0] + ends[0], sum[1] + ends[1]]);
+                    if (left - right).abs() <= 1e-9 * left.abs().max(right.abs()) {
+                        return None;
+                    }
+                    match situation.outcome().ok()?.stability.bearing {
+                        Bearing::Pressed { share, .. } => Some(share).filter(|share| *share < 1.0),
+                        Bearing::OutsideBase => Some(0.0),
+                        _ => None,
+                    }
+                };
+                let least = self.trials(acting).into_iter().filter_map(pressed).reduce(f64::min);
+                if let Some(share) = least {
+                    let situation = self.acting_name(acting).filter(|_| all.len() > 1);
+                    warnings.push(Warning::JointWouldOpen { situation, joint: joint.called(place), share });
+                }
+            }
+        }
+        warnings
+    }
+
     /// About uplift that is greater on the side away from the push, under every set of loads.
     fn uplifted(&self) -> Option<Warning> {
         let uplift = self.uplift.as_ref()?;
@@ -652,8 +688,12 @@ impl Case {
         if !SLENDER.contains(slenderness) {
             warnings.push(Warning::Slenderness { slenderness });
         }
-        if self.friction > FRICTION {
-            warnings.push(Warning::HighFriction { friction: self.friction });
+        let frictions = [(Id::from(Key::Friction), self.friction)].into_iter();
+        let of_joints = |joint: &CaseJoint| (Id::new(Key::JointFriction, joint.index), joint.friction);
+        for (id, friction) in frictions.chain(self.joints.iter().map(of_joints)) {
+            if friction > FRICTION {
+                warnings.push(Warning::HighFriction { id, friction });
+            }
         }
         if !GRAVITY.contains(self.gravity) {
             warnings.push(Warning::UnusualGravity { gravity: self.gravity });

@@ -2,7 +2,7 @@
 
 use standfast::section::PartMass;
 use standfast::{BaseEdges, Body, Plan, Section};
-use standfast_cases::assess::floor_words;
+use standfast_cases::assess::{floor_words, glued};
 use standfast_cases::units::Extent;
 use standfast_cases::{Case, Id, Inputs, Key};
 
@@ -36,7 +36,11 @@ pub(super) fn steps(steps: &mut SheetSteps, case: &Case, inputs: &Inputs) {
         steps.know("L_b", length, METRE);
     }
     if let Some(section) = &case.section {
-        return of_parts(steps, case, section);
+        of_parts(steps, case, section);
+        if let Some(words) = glued(case) {
+            steps.note(&words);
+        }
+        return;
     }
     if let Some(density) = inputs.number(Key::Density) {
         steps.know("ρ_b", density, DENSITY);
