@@ -7,7 +7,7 @@ macro_rules! examples {
 }
 
 /// The examples: where each lies in their folder, and what it holds.
-pub const EXAMPLES: [(&str, &[u8]); 43] = examples! {
+pub const EXAMPLES: [(&str, &[u8]); 48] = examples! {
     "block-two-loads.toml"
     "block.toml"
     "breaking-wave.toml"
@@ -25,6 +25,11 @@ pub const EXAMPLES: [(&str, &[u8]); 43] = examples! {
     "goda-lower-berm.toml"
     "goda-on-sand.toml"
     "head-difference.toml"
+    "joints/blockwork-quay.toml"
+    "joints/column-of-drums.toml"
+    "joints/crown-wall-on-caisson.toml"
+    "joints/dam-with-lift-joints.toml"
+    "joints/statue-on-pedestal.toml"
     "l-wall.toml"
     "marble-drum.toml"
     "monument-on-mortar.toml"

@@ -24,7 +24,7 @@ pub(super) fn full_load(assessed: &Assessed, joints: &Joints) -> Vec<String> {
         Together::Answered(answer) => sentences.push(uniqueness(&answer.full)),
         Together::Not(why) => sentences.push(format!("{}.", capital(why))),
     }
-    sentences.push(glued(assessed));
+    sentences.push(glued(assessed, joints));
     sentences
 }
 
@@ -43,14 +43,18 @@ fn uniqueness(answer: &StackAnswer) -> String {
 }
 
 /// What the whole would do as one body.
-fn glued(assessed: &Assessed) -> String {
+fn glued(assessed: &Assessed, joints: &Joints) -> String {
     let leaves = match assessed.outcome.departure {
         Departure::Never => "and no multiple of the variable loads would move it".to_owned(),
         Departure::AtOnce { .. } => "and would leave rest at once".to_owned(),
         Departure::At { factor, .. } => format!("and would leave rest at {}", percent(factor)),
     };
     let mode = assessed.outcome.full.verdict.map_or("no mode", Verdict::symbol);
-    format!("As one body on its base all would be {mode} {leaves}: the base alone is not the answer.")
+    let warns = match joints.leaves.joints().as_slice() {
+        [0] | [] => "",
+        _ => ": the base alone is not the answer",
+    };
+    format!("As one body on its base all would be {mode} {leaves}{warns}.")
 }
 
 /// Sentence on where the first joint leaves rest as the variable loads rise.

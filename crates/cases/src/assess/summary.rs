@@ -140,7 +140,8 @@ fn near(assessment: &Assessment) -> Option<String> {
     let factor = verdict::least_factor(least).map_or(String::new(), |(factor, against)| {
         format!(" The least safety factor is {}, against {against}{under}.", least.output.factor(factor))
     });
-    let points = match verdict::is_object(assessed) && assessment.in_time.is_none() {
+    let is_followed = assessment.in_time.is_none() && assessed.joints.is_none();
+    let points = match verdict::is_object(assessed) && is_followed {
         true => {
             " What it does after the onset, a shaking in time tells: [motion.base] with a record or a shape."
         }
