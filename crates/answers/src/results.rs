@@ -108,7 +108,7 @@ listed! {
     Unique = ResultInfo {
         name: "unique",
         kind: ResultKind::Truth,
-        words: "whether no other mode is consistent under the full load",
+        words: "whether no other mode, or combination of the modes of joints, is consistent under the full load",
         of: |a| a.is_unique().map_or(ResultValue::Nothing, ResultValue::Truth),
     };
     Also = ResultInfo {
