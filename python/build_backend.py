@@ -39,7 +39,8 @@ def stub(module: str) -> str:
     """The stub of a module."""
     schema = schema_module()
     found = list(schema.classes(module))
-    header = HEADER if module == "answers" else f"{HEADER}\nfrom .answers import Summary"
+    of_answers = {"answers": (), "stacks": ("BodyMotion", "JointMotion")}.get(module, ("Summary",))
+    header = HEADER + "".join(f"\nfrom .answers import {name} as {name}" for name in of_answers)
     lines = [header, f"__all__ = {sorted(one.name for one in found)}"]
     for one in found:
         lines += ["", f"class {one.name}({one.base}):", _docstring(one.words, 4), *_properties(one.keys)]

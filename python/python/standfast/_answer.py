@@ -177,7 +177,7 @@ def modes(symbols: list[str]) -> Modes:
 def value_of(key: Key, given: Any, kind: Any) -> Any:
     """The attribute of a key that is `given` in the document; `kind` is the class of the parts in it."""
     if isinstance(given, list):
-        if "Modes" in key.type:
+        if "Modes" in key.type.split(" | "):
             return modes(given)
         if key.type.startswith(("list[Mode]", "list[list[Mode]]")):
             return [mode(one) if isinstance(one, str) else list(map(mode, one)) for one in given]

@@ -4,5 +4,7 @@ Units are those of the stack's numbers. ``None`` says that there is no such thin
 """
 
 from ._answer import make_classes
+from .answers import BodyMotion as BodyMotion
+from .answers import JointMotion as JointMotion
 
 __all__ = make_classes("stacks", globals())
