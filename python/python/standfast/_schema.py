@@ -100,7 +100,8 @@ def _file(name: str) -> _Schema:
 def _class(file: str, name: str, base: str, words: str, properties: dict[str, _Schema], absent: Set[str] = frozenset()) -> Class:
     """A class; the keys that may be absent are None then."""
     keys = [_key(file, key, schema) for key, schema in properties.items()]
-    keys = [key._replace(type=f"{key.type} | None") if key.key in absent else key for key in keys]
+    perhaps = [key.key in absent and not key.type.endswith("| None") for key in keys]
+    keys = [key._replace(type=f"{key.type} | None") if add else key for key, add in zip(keys, perhaps, strict=True)]
     return Class(name, base, _sentence(words), keys)
 
 
