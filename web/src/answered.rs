@@ -83,9 +83,9 @@ impl Answered {
         }
     }
 
-    /// The point of the report's plane that the worst situation has on a rigid base.
+    /// The point of the report's plane that the worst situation has on a rigid base; none of bodies on joints.
     pub fn point(&self) -> Option<Reduced> {
-        let worst = self.worst().filter(|worst| !worst.is_on_ground())?;
+        let worst = self.worst().filter(|worst| !worst.is_on_ground() && worst.joints.is_none())?;
         worst.outcome.full.effective
     }
 }

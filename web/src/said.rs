@@ -1,10 +1,13 @@
 //! Everything that the page says, as JSON: the sentences are those of the answer.
 
 use serde::Serialize;
+use standfast::contact::stack::StackStage;
 use standfast::relation::Relation;
 use standfast::{Stage, Verdict};
 use standfast_cases::assess::verdict::{full_load, least_factor};
+use standfast_cases::assess::{joint_words, joints};
 use standfast_cases::case::Limit;
+use standfast_cases::design::{overturning, sliding};
 use standfast_cases::layout::{digits, factor, percent};
 use standfast_cases::motion::{FollowedMotion, MotionCheck, uniqueness};
 use standfast_cases::results::ResultName;
@@ -38,7 +41,7 @@ struct Said<'a> {
     /// Whether criteria are met, in a sentence.
     criteria: Option<String>,
     /// The verdict's symbol in plain characters.
-    mode: &'static str,
+    mode: String,
     symbol: String,
     tint: String,
     unique: bool,
@@ -132,7 +135,9 @@ impl<'a> Said<'a> {
             sentences: worst
                 .map_or_else(|| answered.motions.iter().take(1).map(uniqueness).collect(), full_load),
             because: worst.map_or_else(Vec::new, |worst| worst.because().iter().map(row).collect()),
-            stages: worst.map_or_else(Vec::new, stages),
+            stages: worst
+                .zip(answered.rest.as_ref())
+                .map_or_else(Vec::new, |(worst, rest)| stages(rest, worst)),
             point: answered.point().map(|reduced| {
                 let point = &reduced.point;
                 [point.gamma(), point.k_prime(), point.k(), point.mu()]
@@ -151,7 +156,7 @@ impl<'a> Said<'a> {
 /// The verdict in a word or a symbol, with its colour.
 struct Chip {
     /// In plain characters.
-    mode: &'static str,
+    mode: String,
     symbol: String,
     tint: String,
     unique: bool,
@@ -167,11 +172,28 @@ impl Chip {
                 _ => "var(--rest)",
             };
             let symbol = mode.replace('-', " ");
-            return Chip { mode, symbol, tint: tint.to_owned(), unique: outcome.unique };
+            return Chip { mode: mode.to_owned(), symbol, tint: tint.to_owned(), unique: outcome.unique };
+        }
+        if let Some((worst, joints)) =
+            answered.worst().and_then(|worst| Some((worst, worst.joints.as_ref()?)))
+        {
+            let lead = joints::leading(worst, joints);
+            let symbol = match joints.modes() {
+                Some(modes) if !modes.is_empty() => {
+                    modes.iter().map(|mode| symbol(*mode)).collect::<Vec<_>>().join(" / ")
+                }
+                _ => joints::symbols(worst, joints),
+            };
+            return Chip {
+                mode: joints::symbols(worst, joints),
+                symbol,
+                tint: lead.map_or("none".to_owned(), standfast_figures::tint_on_screen),
+                unique: worst.is_unique() != Some(false),
+            };
         }
         let verdict = answered.verdict();
         Chip {
-            mode: verdict.map_or("", Verdict::symbol),
+            mode: verdict.map_or(String::new(), |verdict| verdict.symbol().to_owned()),
             symbol: verdict.map_or("—".to_owned(), verdict_symbol),
             tint: verdict.map_or("none".to_owned(), tint),
             unique: answered.worst().is_none_or(|worst| worst.outcome.full.is_unique()),
@@ -211,7 +233,15 @@ fn row(relation: &Relation) -> [String; 3] {
 }
 
 /// The stages of the rising load: up to which share, and what the body does.
-fn stages(assessed: &Assessed) -> Vec<[String; 2]> {
+fn stages(rest: &Assessment, assessed: &Assessed) -> Vec<[String; 2]> {
+    if let Some(joints) = &assessed.joints {
+        let path = joints.path(&rest.case, assessed, standfast_cases::assess::UP_TO).into_iter();
+        let said = |stage: StackStage| {
+            let share = format!("{} – {}", percent(stage.from), percent(stage.to));
+            [share, joint_words::slashed(&stage.modes)]
+        };
+        return path.map(said).collect();
+    }
     let said = |stage: &Stage| {
         let words = stage.verdict.map_or("no consistent mode", Verdict::words);
         [format!("{} – {}", percent(stage.from), percent(stage.to)), words.to_owned()]
@@ -239,6 +269,15 @@ fn checks(rest: &Assessment) -> Vec<CheckRow> {
     let row = |check: &standfast_cases::assess::AnyCheck<'_>| {
         let [required, value, _, met_words] = check.cells();
         let place = rest.name(check.assessed(rest)).filter(|_| rest.all.len() > 1);
+        let joint = match check {
+            standfast_cases::assess::AnyCheck::Instant(found) => found.check.on_joint(found.assessed),
+            standfast_cases::assess::AnyCheck::Motion(..) => String::new(),
+        };
+        let joint = Some(joint.trim().to_owned()).filter(|joint| !joint.is_empty());
+        let place = match (joint, place) {
+            (Some(joint), Some(place)) => Some(format!("{joint}, {place}")),
+            (joint, place) => joint.or(place),
+        };
         CheckRow {
             name: check.name(),
             words: check.words(),
@@ -313,12 +352,11 @@ fn can_fail(assessed: &Assessed) -> bool {
 
 /// The safety factors of a situation, the least first.
 fn factors(assessed: &Assessed) -> Vec<Ruler> {
-    let stability = &assessed.outcome.stability;
     let ground = assessed.ground.as_ref().and_then(|ground| ground.factor);
     let all = [
         (ground, ResultName::GroundFactor),
-        (Some(stability.sliding), ResultName::SfSliding),
-        (Some(stability.overturning()), ResultName::SfOverturningNet),
+        (Some(sliding(assessed)), ResultName::SfSliding),
+        (Some(overturning(assessed)), ResultName::SfOverturningNet),
     ];
     let tell = can_fail(assessed) || least_factor(assessed).is_some();
     if assessed.outcome.full.is_lifted() || !tell {

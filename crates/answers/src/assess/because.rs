@@ -6,8 +6,11 @@ use super::Assessed;
 
 impl Assessed {
     /// The inequalities that decide the mode under the full load: the report's where the load has a point in its diagram,
-    /// otherwise the conditions of the contact problem. None where no mode is consistent.
+    /// otherwise the conditions of the contact problem. None where no mode is consistent, and of bodies on joints.
     pub fn because(&self) -> Vec<Relation> {
+        if self.joints.is_some() {
+            return Vec::new();
+        }
         let full = &self.outcome.full;
         if self.is_on_ground() {
             return self.because_of_ground();

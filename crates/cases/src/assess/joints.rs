@@ -256,6 +256,15 @@ pub fn first_words(assessed: &Assessed) -> Option<String> {
     }
 }
 
+/// The mode of the lowest joint that moves; rest if none does, `None` where that is not known.
+pub fn leading(assessed: &Assessed, joints: &Joints) -> Option<Mode> {
+    match joints.modes() {
+        Some([]) => None,
+        Some(modes) => Some(modes.iter().copied().find(|mode| *mode != Mode::Rest).unwrap_or(Mode::Rest)),
+        None => (assessed.verdict() == Some(Verdict::REST)).then_some(Mode::Rest),
+    }
+}
+
 /// The modes under the full load from the base up, where they are known; else whether all rest.
 pub fn symbols(assessed: &Assessed, joints: &Joints) -> String {
     match joints.modes() {

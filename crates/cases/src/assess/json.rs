@@ -490,10 +490,7 @@ impl<'a> Situation<'a> {
             results: Results { of: assessed, criteria: case.criteria_of(assessed.acting) },
             ground: assessed.ground.as_ref().map(|_| Ground(assessed)),
             mode_words: assessed.verdict().filter(|_| one_body).map(Verdict::words),
-            because: match one_body {
-                true => assessed.because().iter().map(RelationDocument::of).collect(),
-                false => Vec::new(),
-            },
+            because: assessed.because().iter().map(RelationDocument::of).collect(),
             motion: assessed.motion().copied().filter(|_| one_body),
             wrench: full.wrench,
             components: assessed

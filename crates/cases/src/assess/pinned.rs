@@ -8,6 +8,7 @@ use standfast_figures::{
 };
 
 use super::figures::{title, with_load_plane};
+use super::screen::has_load_plane;
 use super::section::{Pressures, with_section};
 use super::{Assessed, Assessment};
 
@@ -29,7 +30,7 @@ pub fn pinned_plane(
     up_to: f64,
 ) -> Result<Option<PinnedPlane>, InputError> {
     let title = title(assessment, assessed);
-    assessed.rises().then(|| with_load_plane(assessed, &title, up_to, PinnedPlane::of)).transpose()
+    has_load_plane(assessed).then(|| with_load_plane(assessed, &title, up_to, PinnedPlane::of)).transpose()
 }
 
 /// The report's plane of a situation with its design point; `None` where all loads together have no point in it, or the base gives way.
@@ -90,7 +91,7 @@ pub fn load_plane_on_paper(
         let up_to = with_room(up_to, Some(pinned));
         with_load_plane(assessed, &title, up_to, |plane| load_plane_beside(plane, Some(pinned)))
     };
-    assessed.rises().then(draw).transpose()
+    has_load_plane(assessed).then(draw).transpose()
 }
 
 /// The report's plane of a situation on paper, with that of A in dashes; `None` where the situation has none.

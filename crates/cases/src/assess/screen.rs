@@ -127,8 +127,13 @@ fn placed(
     })
 }
 
+/// True if the plane of the rising loads is that of a situation: loads rise on one body.
+pub(super) fn has_load_plane(assessed: &Assessed) -> bool {
+    assessed.rises() && assessed.joints.is_none()
+}
+
 /// The plane of the rising loads of a situation and of its friction, up to a load factor, with a plot of some width and height; `None`
-/// where no load rises.
+/// where no load rises, and of bodies on joints.
 ///
 /// # Errors
 /// If a number is out of range.
@@ -152,8 +157,7 @@ pub fn load_plane_on_screen_beside(
     up_to: f64,
     plot: (f64, f64),
 ) -> Result<Option<Picture>, InputError> {
-    assessed
-        .rises()
+    has_load_plane(assessed)
         .then(|| {
             with_load_plane(assessed, title, with_room(up_to, pinned), |plane| {
                 standfast_figures::load_plane_on_screen_beside(plane, pinned, plot)
