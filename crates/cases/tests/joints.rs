@@ -711,6 +711,48 @@ fn a_base_with_more_than_friction_is_that_of_the_whole() {
     assert_eq!(adhering.governing().mode(), Some(Mode::Rest));
 }
 
+/// The plane of load factor and friction: at each place the joint that leaves rest first is that of the case with this friction.
+#[test]
+fn the_plane_names_the_joint_that_leaves_rest_first() {
+    let mut random = Random(23);
+    let (mut seen, mut upper) = (0, 0);
+    for _ in 0..12 {
+        let blocks = blocks(&mut random, 3);
+        let frictions = [random.number(0.4, 0.7), random.number(0.3, 0.7), random.number(0.3, 0.7)];
+        let case = |share: f64| {
+            let mut text = format!("[body]\nfriction = {}\n", frictions[0] * share);
+            for (place, block) in blocks.iter().enumerate() {
+                text += &block.text(place + 1);
+                if place > 0 {
+                    let friction = frictions[place] * share;
+                    text += &format!("[[joint]]\nelevation = {}\nfriction = {friction}\n", block.bottom);
+                }
+            }
+            text + "[[load]]\nforce = 30e3\nelevation = 1.9\ntogether = true\n[[load]]\nforce = 9e3\nelevation = 2.3\npermanent = true\n"
+        };
+        let Ok(read) = file(&case(1.0)).case() else { continue };
+        let whole = Assessment::of(&read).unwrap();
+        let window = [3.0, 1.5 * frictions[0]];
+        let plane = whole.governing().joints.as_ref().unwrap().departures(window).unwrap();
+        for share in [0.21, 0.47, 0.83, 1.0, 1.37] {
+            let scaled = assess(&case(share));
+            let leaves = scaled.governing().joints.as_ref().unwrap().leaves.clone();
+            for factor in [0.13, 0.71, 1.3, 2.2, 2.9] {
+                if (factor / leaves.load_factor - 1.0).abs() < 0.01 || leaves.limits.len() != 1 {
+                    continue;
+                }
+                let found = plane.at(factor, frictions[0] * share).unwrap();
+                let moving = found.iter().position(|mode| *mode != Mode::Rest);
+                let expected = (leaves.at_once || leaves.load_factor < factor).then(|| leaves.joints()[0]);
+                assert_eq!(moving, expected, "{factor} {share} {leaves:?}\n{}", case(share));
+                seen += 1;
+                upper += usize::from(expected.is_some_and(|joint| joint > 0));
+            }
+        }
+    }
+    assert!(seen > 150 && upper > 20, "{seen} {upper}");
+}
+
 /// No chance is found of bodies on joints, and no criterion of it either: refused, not found as if they were one.
 #[test]
 fn chances_are_refused() {

@@ -375,7 +375,7 @@ pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
 }
 
 /// The plane of two numbers of a stack of bodies.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct StackMap<'a> {
     /// Its regions.
     pub plane: &'a StackPlane,
@@ -387,6 +387,10 @@ pub struct StackMap<'a> {
     pub up: &'a str,
     /// Boundaries known in closed form, as μ of k: points of each.
     pub curves: &'a [Vec<(f64, f64)>],
+    /// A point with its name, as that of the full load; `None` of a map of stacks in general.
+    pub point: Option<DesignPoint>,
+    /// What its regions tell, in a sentence; that they are the modes of all joints, if nothing is said.
+    pub regions: Option<&'a str>,
     /// Title, in a line; not markup.
     pub title: &'a str,
 }

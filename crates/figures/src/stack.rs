@@ -112,6 +112,7 @@ pub(crate) fn figure(given: &StackMap<'_>) -> Figure {
         canvas.scene.stroke(&Path::through(&shown), KNOWN);
     }
     axes.border(&mut canvas.scene, FRAME);
+    canvas.design_points(given.point.as_slice());
     for area in &areas {
         canvas.name(&area.pieces, &area.name(), 15.5, None);
     }
@@ -135,8 +136,10 @@ pub(crate) fn figure(given: &StackMap<'_>) -> Figure {
         }
     }
     let known = if given.curves.is_empty() { "" } else { " Dotted: boundaries known in closed form." };
-    let words =
-        format!("Modes of the joints from the ground up, in the colour of the lowest that moves.{known}");
+    let regions = given
+        .regions
+        .unwrap_or("Modes of the joints from the ground up, in the colour of the lowest that moves.");
+    let words = format!("{regions}{known}");
     let shaded =
         areas.iter().map(|area| area.modes.iter().map(|mode| mode.symbol()).collect::<Vec<_>>().join("/"));
     let description = caption::chart("k", &window, shaded);

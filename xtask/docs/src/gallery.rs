@@ -80,7 +80,14 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
         page.push_str(&format!("\n![{}](../{path})\n", figure.title()));
         files.push(File::drawn(path, figure));
     }
-    for (name, figures) in cases(root)? {
+    for (name, figures) in cases(root, "examples/joints")? {
+        page.push_str(&format!("\n### {name}\n\n[The case file](../../examples/joints/{name}.toml)\n"));
+        for file in figures {
+            page.push_str(&format!("\n![{}](../{})\n", file.title(), file.path));
+            files.push(file);
+        }
+    }
+    for (name, figures) in cases(root, "examples")? {
         page.push_str(&format!("\n## Case {name}\n\n[The case file](../../examples/{name}.toml)\n"));
         for file in figures {
             page.push_str(&format!("\n![{}](../{})\n", file.title(), file.path));
@@ -167,10 +174,10 @@ fn bases() -> [(&'static str, Figure); 3] {
     ]
 }
 
-/// The diagrams of every example, by its name.
-fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
+/// The diagrams of every example in a folder, by its name.
+fn cases(root: &Path, folder: &str) -> io::Result<Vec<(String, Vec<File>)>> {
     let mut cases = Vec::new();
-    for path in sorted(&root.join("examples"), "toml")? {
+    for path in sorted(&root.join(folder), "toml")? {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let text = fs::read_to_string(&path)?;
         let case = CaseFile::parse(&name, &text).and_then(|file| file.case()).map_err(io::Error::other)?;

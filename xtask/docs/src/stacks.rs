@@ -53,7 +53,19 @@ pub fn figures() -> io::Result<Vec<(&'static str, Figure)>> {
     let drawn =
         planes().into_iter().map(|Plane { file, words: [title, across, up], window, curves, stack }| {
             let plane = plane(stack, window).map_err(io::Error::other)?;
-            Ok((file, stack_map(&StackMap { plane: &plane, window, across, up, curves: &curves, title })))
+            Ok((
+                file,
+                stack_map(&StackMap {
+                    plane: &plane,
+                    window,
+                    across,
+                    up,
+                    curves: &curves,
+                    point: None,
+                    regions: None,
+                    title,
+                }),
+            ))
         });
     drawn.collect()
 }

@@ -1,6 +1,7 @@
 //! The joints of a situation: each with all that is above it as one body, and all together.
 
 use standfast::contact::holding::Holding;
+use standfast::contact::stack::plane::StackPlane;
 use standfast::contact::stack::{JointMotion, StackMotion, StackStage};
 use standfast::{
     Departure, InputError, JointAnswer, JointDeparture, Jointed, Mode, Modes, Situation, Verdict,
@@ -178,6 +179,13 @@ impl Joints {
         let opens = whole.situation.base_opening().and_then(|opening| opening.opens_at);
         let written = || case.on_joints_as_written(whole.acting, whole.trial);
         self.jointed.path(opens.map_or(up_to, |opens| opens.min(up_to)), &written)
+    }
+
+    /// Where which joint leaves rest first, over the load factor and the friction of the base; `None` where more than friction holds that.
+    pub fn departures(&self, window: [f64; 2]) -> Option<StackPlane> {
+        let of_base = self.leaves.limits.iter().any(|(_, limit)| limit.is_none());
+        let is_plain = self.together.why_not().is_none_or(|why| why == TOO_MANY) && !of_base;
+        is_plain.then(|| self.jointed.departures(window)).flatten()
     }
 
     /// True if only one combination is consistent under the full load; `None` where that is not known.

@@ -5,7 +5,8 @@ use standfast::ground::load_plane::GroundLoadPlane;
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
 use standfast_figures::{
-    DesignPoint, DiagramContent, KMuPlane, LoadPlane, RotationCurve, diagram_with, load_plane, rotation_curve,
+    DesignPoint, DiagramContent, KMuPlane, LoadPlane, RotationCurve, StackMap, diagram_with, load_plane,
+    rotation_curve, stack_map,
 };
 
 use super::{Assessed, Assessment, AssessmentView, section};
@@ -81,6 +82,7 @@ pub(super) fn of(
             figures.push(path(assessment, assessed, &suffix, up_to)?);
         }
         figures.extend(rotation(assessment, assessed, &suffix)?);
+        figures.extend(departures(assessment, assessed, &suffix, up_to));
     }
     figures.push(AnswerFigure {
         suffix: "-section".to_owned(),
@@ -180,6 +182,36 @@ fn rotation(
         words: named("Moment and rotation", assessment, assessed, suffix),
         figure,
     }))
+}
+
+/// Where which joint leaves rest first, over load factor and friction; none on a base with more to it than friction.
+fn departures(
+    assessment: &Assessment,
+    assessed: &Assessed,
+    suffix: &str,
+    up_to: f64,
+) -> Option<AnswerFigure> {
+    let joints = assessed.joints.as_ref().filter(|_| assessed.rises())?;
+    let friction = assessed.situation.static_friction();
+    let window = [up_to, 1.5 * friction];
+    let plane = joints.departures(window)?;
+    let title = title(assessment, assessed);
+    let point = DesignPoint { k: 1.0, mu: friction, label: "full load".to_owned(), mirrored: false };
+    let map = StackMap {
+        plane: &plane,
+        window,
+        across: "load factor $λ$",
+        up: "friction $μ$ of the base, that of the other joints in proportion",
+        curves: &[],
+        point: Some(point),
+        regions: Some("The joint that leaves rest first as the load rises, and how: modes from the base up."),
+        title: &title,
+    };
+    Some(AnswerFigure {
+        suffix: format!("{suffix}-joints"),
+        words: named("Joint that leaves rest first", assessment, assessed, suffix),
+        figure: stack_map(&map),
+    })
 }
 
 fn path(

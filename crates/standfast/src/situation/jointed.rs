@@ -5,15 +5,18 @@
 //! products, so that nothing that is equal is told apart by rounding.
 
 use std::cmp::Ordering;
+use std::convert::Infallible;
 
 use crate::approx::Approx;
 use crate::ball::{Ball, Scalar};
+use crate::contact::stack::plane::{StackPlane, plane_of};
 use crate::contact::stack::{
     Decider, Joint, Leaving, MOST, RestLimit, StackAnswer, StackBody, StackNumbers, StackStage,
 };
 use crate::departure::Departure;
 use crate::exact::Real;
 use crate::loads::AboveJoint;
+use crate::mode::Mode;
 use crate::wrench::Wrench;
 
 use super::Situation;
@@ -131,6 +134,48 @@ impl Jointed {
         let stages = if varies { self.decider(written).path(up_to) } else { Vec::new() };
         let within = stages.into_iter().filter(|stage| stage.from < up_to);
         within.map(|stage| StackStage { to: stage.to.min(up_to), ..stage }).collect()
+    }
+
+    /// Where which joint is the first to leave rest, and how: over the load factor up to `up_to`, and over the friction of the base up to
+    /// `friction`, that of the other joints in proportion. `None` of a base without friction.
+    ///
+    /// Forces and moments of each joint are linear in λ, and its two limits of friction in μ.
+    pub fn departures(&self, [up_to, friction]: [f64; 2]) -> Option<StackPlane> {
+        let of_base = self.0.first()?.situation.static_friction();
+        let sums: Vec<Sum<f64>> = self.0.iter().map(OnJoint::sum).collect();
+        // Of each joint what it carries at λ = 0, and what each λ adds: X, P, and the moments that press it down about O and O'.
+        let carried = |sum: &Sum<f64>, wrench: &Wrench| {
+            let [x, y] = sum.centre;
+            let about = |end: f64| wrench.p * (x - end) + wrench.x * (y - sum.joint.h) - wrench.m;
+            [wrench.x, wrench.p, about(sum.joint.l), -about(sum.joint.r)]
+        };
+        let all: Vec<[[f64; 4]; 2]> =
+            sums.iter().map(|sum| [carried(sum, &sum.permanent), carried(sum, &sum.variable)]).collect();
+        let decide = |factor: f64, mu: f64| {
+            let mut first: Option<(f64, usize, Mode)> = None;
+            for (joint, (sum, [steady, growing])) in sums.iter().zip(&all).enumerate() {
+                let μ = sum.joint.mu_s * mu / of_base;
+                let forms = [steady, growing].map(|[x, p, o, o_prime]| [μ * p + x, μ * p - x, *o, *o_prime]);
+                let modes = [Mode::SlideLeft, Mode::SlideRight, Mode::RockO, Mode::RockOPrime];
+                for ((start, slope), mode) in forms[0].iter().zip(forms[1]).zip(modes) {
+                    let at = if *start < 0.0 { 0.0 } else { -start / slope };
+                    let leaves = *start < 0.0 || slope < 0.0;
+                    // Of joints that reach their limits together the lowest is told.
+                    if leaves && first.is_none_or(|(least, ..)| at < least * (1.0 - 1e-12)) {
+                        first = Some((at, joint, mode));
+                    }
+                }
+            }
+            let mut found = vec![Mode::Rest; sums.len()];
+            if let Some((_, joint, mode)) = first.filter(|(at, ..)| *at < factor) {
+                found[joint] = mode;
+            }
+            Ok::<_, Infallible>(found)
+        };
+        if of_base <= 0.0 {
+            return None;
+        }
+        plane_of(decide, [up_to, friction]).ok()
     }
 
     fn decider<'a>(&'a self, written: &'a dyn Fn() -> Option<Jointed<Ball>>) -> Decider<'a> {

@@ -55,8 +55,19 @@ impl Column {
 ///
 /// # Errors
 /// If one of them is no stack.
-pub fn plane(stack: impl Fn(f64, f64) -> Stack, [k, mu]: [f64; 2]) -> Result<StackPlane, StackError> {
-    let plane = Plane { stack: &stack, size: [k, mu] };
+pub fn plane(stack: impl Fn(f64, f64) -> Stack, size: [f64; 2]) -> Result<StackPlane, StackError> {
+    plane_of(|k, mu| Ok(stack(k, mu).answer(1.0)?.modes().to_vec()), size)
+}
+
+/// The plane 0 ≤ k ≤ `k`, 0 ≤ μ ≤ `mu` of the modes that `decide` gives.
+///
+/// # Errors
+/// If it cannot decide.
+pub(crate) fn plane_of<E>(
+    decide: impl Fn(f64, f64) -> Result<Vec<Mode>, E>,
+    [k, mu]: [f64; 2],
+) -> Result<StackPlane, E> {
+    let plane = Plane { decide: &decide, size: [k, mu] };
     let mut found = Found { regions: Vec::new(), uprights: Vec::new() };
     let columns = (0..COLUMNS).map(|place| plane.column(k * place as f64 / (COLUMNS - 1) as f64));
     let columns: Vec<Column> = columns.collect::<Result<_, _>>()?;
@@ -67,7 +78,7 @@ pub fn plane(stack: impl Fn(f64, f64) -> Stack, [k, mu]: [f64; 2]) -> Result<Sta
 }
 
 struct Plane<'a, F> {
-    stack: &'a F,
+    decide: &'a F,
     size: [f64; 2],
 }
 
@@ -76,19 +87,19 @@ struct Found {
     uprights: Vec<[f64; 3]>,
 }
 
-impl<F: Fn(f64, f64) -> Stack> Plane<'_, F> {
-    fn modes(&self, k: f64, mu: f64) -> Result<Vec<Mode>, StackError> {
-        Ok((self.stack)(k, mu).answer(1.0)?.modes().to_vec())
+impl<E, F: Fn(f64, f64) -> Result<Vec<Mode>, E>> Plane<'_, F> {
+    fn modes(&self, k: f64, mu: f64) -> Result<Vec<Mode>, E> {
+        (self.decide)(k, mu)
     }
 
-    fn column(&self, k: f64) -> Result<Column, StackError> {
+    fn column(&self, k: f64) -> Result<Column, E> {
         let mu = self.size[1];
         let samples = (0..SAMPLES).map(|place| {
             // Off the axis and off round numbers, on which boundaries lie.
             let at = mu * (place as f64 + 0.001) / (SAMPLES - 1) as f64;
             Ok((at, self.modes(k, at)?))
         });
-        let samples: Vec<(f64, Vec<Mode>)> = samples.collect::<Result<_, StackError>>()?;
+        let samples: Vec<(f64, Vec<Mode>)> = samples.collect::<Result<_, E>>()?;
         let mut parts: Vec<(f64, Vec<Mode>)> = Vec::new();
         for pair in samples.windows(2) {
             self.changes(k, &pair[0], &pair[1], &mut parts)?;
@@ -105,7 +116,7 @@ impl<F: Fn(f64, f64) -> Stack> Plane<'_, F> {
         low: &(f64, Vec<Mode>),
         high: &(f64, Vec<Mode>),
         parts: &mut Vec<(f64, Vec<Mode>)>,
-    ) -> Result<(), StackError> {
+    ) -> Result<(), E> {
         if low.1 == high.1 {
             return Ok(());
         }
@@ -120,7 +131,7 @@ impl<F: Fn(f64, f64) -> Stack> Plane<'_, F> {
     }
 
     /// Adds what lies between two columns.
-    fn between(&self, left: &Column, right: &Column, found: &mut Found) -> Result<(), StackError> {
+    fn between(&self, left: &Column, right: &Column, found: &mut Found) -> Result<(), E> {
         let [k, mu] = self.size;
         let middle = self.column((left.k + right.k) / 2.0)?;
         if left.is_like(right) && left.is_like(&middle) {
