@@ -1,7 +1,7 @@
 // The page: one explorer in wasm, whose state is the text of a case; the modules beside this one hand it what a person does and show
 // what it answers.
 
-import { bytesOf } from "letters";
+import { bytesOf, unzipped } from "letters";
 import { startUnpacker, unpack } from "unpacker";
 import { start, Explorer } from "library";
 import { byId, say } from "dom";
@@ -30,8 +30,7 @@ import { connectEmbed } from "embed";
 import { connectAsking } from "asking";
 
 async function library() {
-  const zipped = new Blob([bytesOf(byId("unpacker").textContent)]).stream().pipeThrough(new DecompressionStream("gzip"));
-  await startUnpacker({ module_or_path: await new Response(zipped).arrayBuffer() });
+  await startUnpacker({ module_or_path: await unzipped("unpacker").arrayBuffer() });
   const compiled = await WebAssembly.compile(unpack(bytesOf(byId("wasm").textContent)));
   await start({ module_or_path: compiled });
   return compiled;

@@ -2,8 +2,9 @@
 //!
 //! The page is `index.html` with its style sheet, its scripts and the compiled library put inside, so that it opens from
 //! a disk or a mail and fetches nothing. The scripts are modules that know each other by name; here they become one script, each in a
-//! function of its own, so that the policy of the page can name it by its hash, beside the library's and the style's, and allow no other. The library is packed by
-//! LZMA, in two thirds of what gzip takes; what unpacks it is a small library of its own, packed by gzip, which every browser undoes.
+//! function of its own, so that the policy of the page can name it by its hash, beside the library's and the style's, and allow no
+//! other. The library is packed by LZMA, in two thirds of what gzip takes; what unpacks it is a small library of its own, packed by
+//! gzip, which every browser undoes. So are the scripts packed, and a short one that is not lets them run.
 
 #![forbid(unsafe_code)]
 
@@ -23,6 +24,9 @@ use wasm_bindgen_cli_support::Bindgen;
 
 /// Module that starts the page.
 const MAIN: &str = "main";
+
+/// Module that the page begins with, which lets the others run.
+const OPENING: &str = "open";
 
 /// Source of its second thread.
 const WORKER: &str = "worker";
@@ -57,37 +61,39 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
     let worker = modules.remove(WORKER).ok_or_else(|| format!("there is no {WORKER}.js"))?;
     let glue = library.glue;
     let worker = without_comments(&worker)?;
-    let script = script(&unpacker.glue, &modules)?;
+    let opening = script(OPENING, String::new(), &[], &modules)?;
+    let script = page_script(&unpacker.glue, &modules)?;
     let style = format!("\n{}", read("style.css")?);
-    for text in [&glue, &worker, &script] {
+    for text in [&glue, &worker, &script, &opening] {
         if text.contains("</script") {
             return Err("a script ends the element that it stands in".into());
         }
     }
-    let [of_glue, of_script, of_style] = [&glue, &script, &style].map(|text| hash(text));
+    let [of_glue, of_script, of_opening, of_style] =
+        [&glue, &script, &opening, &style].map(|text| hash(text));
     let policy = format!(
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src {of_glue} {of_script} \
-         'wasm-unsafe-eval'; worker-src blob:; style-src {of_style}; img-src data: blob:; font-src data: blob:; base-uri 'none'; \
-         form-action 'none'\">"
+         {of_opening} 'wasm-unsafe-eval'; worker-src blob:; style-src {of_style}; img-src data: blob:; font-src data: blob:; \
+         base-uri 'none'; form-action 'none'\">"
     );
+    let packed = |id: &str, kind: &str, letters: String| {
+        format!("<script type=\"{kind}\" id=\"{id}\">{letters}</script>\n")
+    };
     let parts = [
         ("<!-- policy -->", policy),
         ("<!-- style -->", format!("<style>{style}</style>")),
         (
             "<!-- library -->",
-            format!(
-                "<script type=\"application/wasm+gzip\" id=\"unpacker\">{}</script>\n\
-                 <script type=\"application/wasm+lzma\" id=\"wasm\">{}</script>",
-                letters(&gzip(&unpacker.wasm)?),
-                letters(&lzma(&library.wasm)?)
-            ),
+            packed("unpacker", "application/wasm+gzip", letters(&gzip(&unpacker.wasm)?))
+                + &packed("wasm", "application/wasm+lzma", letters(&lzma(&library.wasm)?)),
         ),
         (
             "<!-- script -->",
-            format!(
-                "<script id=\"glue\">{glue}</script>\n<script type=\"text/plain\" id=\"worker\">{worker}</script>\n\
-                 <script type=\"module\">{script}</script>"
-            ),
+            packed("glue-packed", "text/javascript+gzip", letters(&gzip(glue.as_bytes())?))
+                + &packed("page-packed", "text/javascript+gzip", letters(&gzip(script.as_bytes())?))
+                + &format!(
+                    "<script type=\"text/plain\" id=\"worker\">{worker}</script>\n<script type=\"module\">{opening}</script>"
+                ),
         ),
     ];
     let mut html = read("index.html")?;
@@ -155,31 +161,39 @@ fn hash(source: &str) -> String {
     format!("'sha256-{}'", STANDARD.encode(Sha256::digest(source.as_bytes())))
 }
 
-/// The modules as one script, each behind those that it takes something from.
-fn script(unpacker: &str, modules: &BTreeMap<String, String>) -> Result<String, String> {
-    let mut script = format!(
+/// The script of the page, to which the library and its unpacker are modules too.
+fn page_script(unpacker: &str, modules: &BTreeMap<String, String>) -> Result<String, String> {
+    let brought = format!(
         "const module_library = {{ start: wasm_bindgen, Explorer: wasm_bindgen.Explorer }};\n\
          const module_unpacker = (() => {{\n{unpacker}\nreturn {{ startUnpacker: wasm_bindgen, unpack: wasm_bindgen.unpack }};\n}})();\n"
     );
-    let mut done = ["library", "unpacker"].map(str::to_owned).to_vec();
-    add(MAIN, modules, &mut done, &mut script)?;
-    Ok(script)
+    script(MAIN, brought, &["library", "unpacker"], modules)
 }
 
-fn add(
+/// A module behind those that it takes something from, in one script. It begins with modules that are brought, by their names.
+fn script(
+    first: &str,
+    brought: String,
+    names: &[&str],
+    modules: &BTreeMap<String, String>,
+) -> Result<String, String> {
+    let mut script = brought;
+    let mut done: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+    // The first may wait at its top, which no function that is called at once could.
+    let (body, _) = behind_its_needs(first, modules, &mut done, &mut script)?;
+    Ok(script + &body)
+}
+
+/// The lines of a module and the names that it exports, when those that it takes something from stand in the script.
+fn behind_its_needs(
     name: &str,
     modules: &BTreeMap<String, String>,
     done: &mut Vec<String>,
     script: &mut String,
-) -> Result<(), String> {
-    if done.iter().any(|other| other == name) {
-        return Ok(());
-    }
-    done.push(name.to_owned());
+) -> Result<(String, Vec<String>), String> {
     let source = modules.get(name).ok_or_else(|| format!("there is no {name}.js"))?;
     let (mut body, mut exports) = (String::new(), Vec::new());
-    let source = without_comments(source)?;
-    for line in source.lines() {
+    for line in without_comments(source)?.lines() {
         if let Some((names, from)) = imported(line) {
             add(from, modules, done, script)?;
             body += &format!("const {{ {names} }} = module_{};\n", identifier(from));
@@ -195,17 +209,25 @@ fn add(
             body += &format!("{line}\n");
         }
     }
-    // The page waits for the library at the top of its first module.
-    *script += &match name == MAIN {
-        true => body,
-        false => {
-            format!(
-                "const module_{} = (() => {{\n{body}return {{ {} }};\n}})();\n",
-                identifier(name),
-                exports.join(", ")
-            )
-        }
-    };
+    Ok((body, exports))
+}
+
+fn add(
+    name: &str,
+    modules: &BTreeMap<String, String>,
+    done: &mut Vec<String>,
+    script: &mut String,
+) -> Result<(), String> {
+    if done.iter().any(|other| other == name) {
+        return Ok(());
+    }
+    done.push(name.to_owned());
+    let (body, exports) = behind_its_needs(name, modules, done, script)?;
+    *script += &format!(
+        "const module_{} = (() => {{\n{body}return {{ {} }};\n}})();\n",
+        identifier(name),
+        exports.join(", ")
+    );
     Ok(())
 }
 
@@ -219,22 +241,31 @@ fn identifier(name: &str) -> String {
     name.replace('-', "_")
 }
 
-/// Letters that stand for a digit of base 85: from # on, but for those that mean something in HTML or in scripts.
+/// The 91 letters that stand for digits: from ! on, but for those that mean something in HTML.
 fn alphabet() -> Vec<u8> {
-    (b'#'..=b'~').filter(|letter| !b"&'<>\\`~".contains(letter)).collect()
+    (b'!'..=b'~').filter(|letter| !b"\"&<".contains(letter)).collect()
 }
 
-/// Bytes in letters: each four are five digits of base 85, a quarter more than the bytes, where base64 is a third more. `letters.js`
-/// undoes it.
+/// Bytes in letters: each thirteen bits are two digits of base 91, and what is left of six bits or fewer is one. It is a thirteenth
+/// less than base64. `letters.js` undoes it.
 fn letters(bytes: &[u8]) -> String {
     let alphabet = alphabet();
-    let mut letters = String::with_capacity(bytes.len() * 5 / 4 + 5);
-    for chunk in bytes.chunks(4) {
-        let mut group = [0; 4];
-        group[..chunk.len()].copy_from_slice(chunk);
-        let number = u32::from_be_bytes(group);
-        let digits = [4u32, 3, 2, 1, 0].map(|power| number / 85u32.pow(power) % 85);
-        letters.extend(digits[..=chunk.len()].iter().map(|digit| char::from(alphabet[*digit as usize])));
+    let letter = |digit: u32| char::from(alphabet[digit as usize]);
+    let mut letters = String::with_capacity(bytes.len() * 16 / 13 + 2);
+    let (mut held, mut count) = (0, 0);
+    for byte in bytes {
+        held = held << 8 | u32::from(*byte);
+        count += 8;
+        if count >= 13 {
+            count -= 13;
+            letters.extend([letter((held >> count) / 91), letter((held >> count) % 91)]);
+            held &= (1 << count) - 1;
+        }
+    }
+    match count {
+        0 => {}
+        1..=6 => letters.push(letter(held << (6 - count))),
+        _ => letters.extend([letter((held << (13 - count)) / 91), letter((held << (13 - count)) % 91)]),
     }
     letters
 }
@@ -266,26 +297,29 @@ mod tests {
         assert!(without_comments("/* a */ b").is_err() && without_comments("a(`b").is_err());
     }
 
-    /// By another way: a group of letters is a number of base 85, one that is short is filled up by the highest digit.
+    /// By another way: the bits are written out, and read again.
     #[test]
     fn letters_are_the_bytes() {
         let alphabet = alphabet();
-        assert_eq!(alphabet.len(), 85);
-        for count in 0..40u32 {
+        assert_eq!(alphabet.len(), 91);
+        for count in 0..60u32 {
             let bytes: Vec<u8> = (0..count).map(|i| (i * 97 + count * 31) as u8 ^ 0xff).collect();
             let letters = letters(&bytes);
-            assert_eq!(letters.len(), bytes.len() + bytes.len().div_ceil(4));
-            let digit = |letter: u8| alphabet.iter().position(|known| *known == letter).unwrap() as u64;
-            let back: Vec<u8> = letters
+            let digit = |letter: u8| alphabet.iter().position(|known| *known == letter).unwrap();
+            let bits: String = letters
                 .as_bytes()
-                .chunks(5)
-                .flat_map(|group| {
-                    let number =
-                        (0..5).fold(0, |n, i| n * 85 + group.get(i).map_or(84, |letter| digit(*letter)));
-                    u32::try_from(number).unwrap().to_be_bytes().into_iter().take(group.len() - 1)
+                .chunks(2)
+                .map(|group| match group {
+                    [one] => format!("{:06b}", digit(*one)),
+                    [one, two] => format!("{:013b}", 91 * digit(*one) + digit(*two)),
+                    _ => unreachable!("chunks of two"),
                 })
                 .collect();
+            let (whole, rest) = bits.split_at(8 * bytes.len());
+            let back: Vec<u8> =
+                (0..bytes.len()).map(|i| u8::from_str_radix(&whole[8 * i..8 * i + 8], 2).unwrap()).collect();
             assert_eq!(back, bytes);
+            assert!(rest.len() < 8, "no byte too many");
         }
     }
 
@@ -297,7 +331,7 @@ mod tests {
             ("two", "export function c(x) {\n}"),
         ];
         let modules = sources.map(|(name, source)| (name.to_owned(), source.to_owned())).into();
-        let script = script("let wasm_bindgen;", &modules).unwrap();
+        let script = page_script("let wasm_bindgen;", &modules).unwrap();
         let at = |part: &str| script.find(part).unwrap_or_else(|| panic!("{part} in {script}"));
         assert!(at("const module_two") < at("const module_one") && at("const module_one") < at("a(b);"));
         assert!(
@@ -306,8 +340,7 @@ mod tests {
             )
         );
         assert!(
-            super::script("", &[("main".to_owned(), "import { x } from \"none\";".to_owned())].into())
-                .is_err()
+            page_script("", &[("main".to_owned(), "import { x } from \"none\";".to_owned())].into()).is_err()
         );
     }
 }
