@@ -314,7 +314,7 @@ impl CaseText {
             let problem = Problem::TooManyTables { table, count: list.len() };
             return Err(PlacedProblem { problem, span: value.span() });
         }
-        let from_base = if table == Table::Joint { self.from_base(text, list) } else { Vec::new() };
+        let from_base = if table == Table::Joint { self.places_from_base(text, list) } else { Vec::new() };
         for (place, value) in list.iter().enumerate() {
             let inner = as_table(value, table, EXPECTED)?;
             let index = from_base.get(place).copied().unwrap_or_else(|| table.index_in(of, place));
@@ -325,7 +325,7 @@ impl CaseText {
     }
 
     /// The number of each joint from the base up, in whatever order they stand; one whose elevation cannot be read stands last.
-    fn from_base(&self, text: &str, joints: &[Spanned<DeValue<'_>>]) -> Vec<usize> {
+    fn places_from_base(&self, text: &str, joints: &[Spanned<DeValue<'_>>]) -> Vec<usize> {
         let elevation = |joint: &Spanned<DeValue<'_>>| {
             let key = Key::JointElevation;
             let value = joint.get_ref().as_table()?.get(key.name())?;

@@ -25,6 +25,7 @@ struct Row {
 const EXACTNESS: &str = "crates/standfast/tests/exactness.rs";
 const ENUMERATION: &str = "crates/standfast/tests/enumeration.rs";
 const STACK: &str = "crates/standfast/tests/stack.rs";
+const JOINTS: &str = "crates/cases/tests/joints.rs";
 const COMMON: &str = "crates/standfast/tests/common/mod.rs";
 const WAVES: &str = "crates/standfast/tests/waves.rs";
 const BEARING: &str = "crates/standfast/tests/ground_bearing.rs";
@@ -102,6 +103,20 @@ const ROWS: &[Row] = &[
             ("10,000", STACK, "for round in 0..tries(10_000) {"),
             ("40,000", STACK, "for _ in 0..tries(40_000) {"),
             ("0", STACK, "assert_eq!(signed, 1, "),
+        ],
+    },
+    Row {
+        claim: "joints of a case: what each carries, which leaves rest first and how, the motion of each body",
+        against: "sums block by block; the same bodies and wrenches in pure numbers, as a stack",
+        independent: "in part: the sums are added up in the test; the stack is the program's, held by the row above",
+        count: "150 and 120 random walls",
+        result: "0 differ",
+        repeat: "`cargo test -p standfast-cases --test joints`",
+        measured: false,
+        places: &[
+            ("150", JOINTS, "for _ in 0..150 {"),
+            ("120", JOINTS, "for _ in 0..120 {"),
+            ("0", JOINTS, "assert_eq!(joints.modes().unwrap(), answer.modes(), "),
         ],
     },
     Row {
