@@ -494,6 +494,8 @@ fn on_paper<'a>(given: &Section<'_>, pinned: Option<&'a PinnedBody>) -> SectionL
         (PAGE, 0.55, LONGEST),
         (PAGE, 0.3, 0.75 * LONGEST),
         (PAGE, 0.2, 0.5 * LONGEST),
+        (WIDER, 0.3, LONGEST),
+        (WIDER, 0.2, 0.5 * LONGEST),
     ];
     for (wide, least, longest) in tries {
         if width(look(least, longest)) > wide {
@@ -510,6 +512,9 @@ fn on_paper<'a>(given: &Section<'_>, pinned: Option<&'a PinnedBody>) -> SectionL
     }
     look(1.0, LONGEST)
 }
+
+/// A little wider than a page, for loads of many kinds on a side.
+const WIDER: f64 = 840.0;
 
 /// White around the drawing.
 const MARGIN: f64 = 10.0;
