@@ -478,6 +478,11 @@ fn what_is_no_joint_is_said() {
         (format!("{TWO}{PUSH}[[joint]]\nelevation = 0\nfriction = 0.5\n"), "`elevation` is 0"),
         (format!("{TWO}{PUSH}[[joint]]\nelevation = 2\n"), "`friction`"),
         (format!("{TWO}{PUSH}{}{}", joint(""), joint("")), "two joints are at one level, 2 m"),
+        (
+            format!("{TWO}{PUSH}{}[[joint]]\nname = \"bed\"\nelevation = 1\nfriction = 0.5\n", joint("")),
+            "two joints are called \"bed\"",
+        ),
+        (format!("{TWO}{PUSH}{}", joint("").replace("bed", "base")), "two joints are called \"base\""),
         (format!("{TWO}{PUSH}{}", joint("kinetic_friction = 0.6\n")), "`kinetic_friction` is 0.6"),
         (
             format!("{TWO}{PUSH}{}", joint("left = 2.5\n")),
@@ -778,4 +783,22 @@ fn drums_stand_on_circles() {
     six(joints.leaves.load_factor, 0.2 / 0.15);
     six(on(&assessment, 1).outcome.departure.load_factor(), 0.6 / 2.0 / 0.15);
     assert!(number(on(&assessment, 2), ResultName::BearingMax) > 0.0);
+}
+
+/// Of more than six bodies it is not known which move under the full load, but for what a sliding base protects: no joint is named that may
+/// rest.
+#[test]
+fn beyond_six_bodies_no_joint_is_said_to_move_that_may_rest() {
+    let mut text = String::from("[body]\nwidth = 1\nheight = 7\nmass = 1e4\nfriction = 0.1\n");
+    for level in 1..7 {
+        text += &format!("[[joint]]\nelevation = {level}\nfriction = 0.9\n");
+    }
+    text += "[earthquake]\nhorizontal = \"0.3 g\"\nhorizontal_fixed = true\n";
+    let case = file(&text).case().unwrap();
+    let assessment = Assessment::of(&case).unwrap();
+    let whole = assessment.governing();
+    let moving = whole.on_joints().filter(|on| on.verdict() != Some(standfast::Verdict::REST)).count();
+    assert!(moving > 1, "{moving} joints do not rest while all others do");
+    assert!(whole.joints.as_ref().unwrap().modes().is_none());
+    assert_eq!(whole.at_once(), "not every joint rests: first joint 1 (base) slides to the left (SL)");
 }

@@ -769,6 +769,12 @@ pub enum Problem {
         /// The level, m.
         level: f64,
     },
+    /// Two joints of one name; joint 1 is called base.
+    #[error("two joints are called \"{name}\"")]
+    SameJoint {
+        /// The name.
+        name: String,
+    },
     /// A level at which a section cannot be parted.
     #[error(transparent)]
     Cut(CutError),

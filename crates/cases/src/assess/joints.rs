@@ -50,9 +50,11 @@ fn glued(assessed: &Assessed, joints: &Joints) -> String {
         Departure::At { factor, .. } => format!("and would leave rest at {}", percent(factor)),
     };
     let mode = assessed.outcome.full.verdict.map_or("no mode", Verdict::symbol);
-    let warns = match joints.leaves.joints().as_slice() {
-        [0] | [] => "",
-        _ => ": the base alone is not the answer",
+    // Where they leave rest together, the base is one of those that the answer names.
+    let first = joints.leaves.joints();
+    let warns = match first.is_empty() || first.contains(&0) {
+        true => "",
+        false => ": the base alone is not the answer",
     };
     format!("As one body on its base all would be {mode} {leaves}{warns}.")
 }
@@ -242,7 +244,7 @@ pub(super) fn stages(case: &Case, assessed: &Assessed, joints: &Joints, view: &A
 
 /// The line of the glued whole in a summary.
 pub(super) fn glued_words(assessed: &Assessed) -> String {
-    format!("As one body on its base it {}.", predicate(assessed.outcome.full.verdict))
+    format!("Under the full load the whole, as one body, {}.", predicate(assessed.outcome.full.verdict))
 }
 
 /// What stands in a row of a summary of situations: the joint that moves first.

@@ -96,10 +96,10 @@ pub(super) fn body(case: &Case) -> String {
     columns(&rows, 2, &[]) + &glued
 }
 
-/// Sentence on parts between which a joint could be, of a case without any.
+/// Sentence on parts between which a joint could be and is not.
 pub fn glued(case: &Case) -> Option<String> {
     let levels: Vec<String> = case.glued_at().into_iter().map(|level| case.output.length(level)).collect();
-    (!levels.is_empty() && case.joints.is_empty()).then(|| {
+    (!levels.is_empty()).then(|| {
         format!("Parts are taken as glued, at {}; [[joint]] asks whether they stay.", listed(&levels))
     })
 }

@@ -48,11 +48,17 @@ pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
 /// that no load pushes, or that is lifted; and on a base that gives way, whose one margin is the share of the load at which the body leaves
 /// rest: factors there are those of a rigid base, or of the ground under one load alone.
 pub fn least_factor(assessed: &Assessed) -> Option<(f64, String)> {
+    // A joint that has none is nearer to moving than one that has.
+    if assessed.on_joints().any(has_no_factor) {
+        return None;
+    }
     let least = assessed.on_joints().enumerate().filter_map(|(joint, on)| {
         let (factor, against) = least_on_one(on)?;
         Some((factor, against, joint))
     });
-    let least = least.reduce(|least, next| if next.0 < least.0 { next } else { least });
+    // Of joints that leave rest together, whose factors rounding alone tells apart, the lowest is named.
+    const ROUNDING: f64 = 1e-9;
+    let least = least.reduce(|least, next| if next.0 < least.0 * (1.0 - ROUNDING) { next } else { least });
     least.map(|(factor, against, joint)| match &assessed.joints {
         Some(joints) => (factor, format!("{against} on {}", joints.called(joint))),
         None => (factor, against.to_owned()),
@@ -61,7 +67,7 @@ pub fn least_factor(assessed: &Assessed) -> Option<(f64, String)> {
 
 /// The same of one body.
 fn least_on_one(assessed: &Assessed) -> Option<(f64, &'static str)> {
-    let Outcome { stability, gross, full, .. } = &assessed.outcome;
+    let Outcome { stability, gross, .. } = &assessed.outcome;
     let turning = if is_object(assessed) { "the onset of rocking" } else { "overturning" };
     let factors = [
         (stability.sliding, "sliding"),
@@ -69,8 +75,13 @@ fn least_on_one(assessed: &Assessed) -> Option<(f64, &'static str)> {
         (gross.overturning(), "overturning by gross moments"),
     ];
     let least = factors.into_iter().reduce(|least, next| if next.0 < least.0 { next } else { least });
+    least.filter(|(factor, _)| factor.is_finite())
+}
+
+/// True of what is lifted, or stands on a base that gives way.
+fn has_no_factor(assessed: &Assessed) -> bool {
     let gives_way = assessed.ground.as_ref().is_some_and(|ground| ground.limit.is_some());
-    least.filter(|(factor, _)| factor.is_finite() && !full.is_lifted() && !gives_way)
+    assessed.outcome.full.is_lifted() || gives_way
 }
 
 /// True of an object on a floor that is shaken: it begins to rock where its factor against overturning is 1, and need not overturn.

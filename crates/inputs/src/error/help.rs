@@ -123,7 +123,13 @@ impl Problem {
             Problem::Record { help, .. } => (*help)?.into(),
             Problem::ByOtherWaves { .. } => "say how long the thrust lasts, for example duration = \"0.4 s\"".into(),
             Problem::HoldsNot { .. } => "leave one of both out".into(),
-            Problem::JointsNotFor { .. } => "leave one of both out".into(),
+            Problem::SameJoint { name } if name == "base" => {
+                "joint 1 is called base; give this one another name".into()
+            }
+            Problem::SameJoint { .. } => "give each a name of its own".into(),
+            Problem::JointsNotFor { .. } => {
+                "leave one of both out: without [[joint]] the parts are one body".into()
+            }
             Problem::JointsOfBlock { .. } => "draw the section with [[part]]; mass, centre and inertia follow".into(),
             Problem::JointAboveCrest { .. } | Problem::SameLevel { .. } => {
                 "`elevation` is measured from the base, which is joint 1, in m if it has no unit".into()

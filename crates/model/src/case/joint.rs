@@ -100,6 +100,18 @@ impl Reader<'_> {
                 return Err(Fault::new(Problem::Cut(error), id));
             }
         }
+        for (place, joint) in joints.iter().enumerate() {
+            let Some(name) = &joint.name else { continue };
+            let other = joints[..place].iter().find(|other| other.name.as_ref() == Some(name));
+            if other.is_some() || name == "base" {
+                let problem = Problem::SameJoint { name: name.clone() };
+                let fault = Fault::new(problem, Id::new(Key::JointName, joint.index));
+                return Err(match other {
+                    Some(other) => fault.and(Id::new(Key::JointName, other.index)),
+                    None => fault,
+                });
+            }
+        }
         Ok(joints)
     }
 
