@@ -4,6 +4,7 @@
 import { bytesOf, unzipped } from "letters";
 import { startUnpacker, unpack } from "unpacker";
 import { start, Explorer } from "library";
+import { notStarted } from "fault";
 import { byId, say } from "dom";
 import { connectVerdict } from "verdict";
 import { connectSection } from "section";
@@ -95,7 +96,5 @@ try {
   // For scripts in the browser's console, and for tests.
   window.standfast = app;
 } catch (error) {
-  byId("fault").hidden = false;
-  byId("fault").textContent = `The explorer did not start in this browser: ${error}`;
-  throw error;
+  notStarted(error);
 }

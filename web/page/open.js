@@ -2,6 +2,7 @@
 // here, unpacked.
 
 import { unzipped } from "letters";
+import { notStarted } from "fault";
 
 try {
   for (const [id, type, from] of [["glue", "text/javascript", "glue-packed"], ["page", "module", "page-packed"]]) {
@@ -10,8 +11,5 @@ try {
     document.body.append(script);
   }
 } catch (error) {
-  const fault = document.getElementById("fault");
-  fault.hidden = false;
-  fault.textContent = `The explorer did not start in this browser: ${error}`;
-  throw error;
+  notStarted(error);
 }

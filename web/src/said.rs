@@ -269,11 +269,7 @@ fn checks(rest: &Assessment) -> Vec<CheckRow> {
     let row = |check: &standfast_cases::assess::AnyCheck<'_>| {
         let [required, value, _, met_words] = check.cells();
         let place = rest.name(check.assessed(rest)).filter(|_| rest.all.len() > 1);
-        let joint = match check {
-            standfast_cases::assess::AnyCheck::Instant(found) => found.check.on_joint(found.assessed),
-            standfast_cases::assess::AnyCheck::Motion(..) => String::new(),
-        };
-        let joint = Some(joint.trim().to_owned()).filter(|joint| !joint.is_empty());
+        let joint = Some(check.on_joint().trim().to_owned()).filter(|joint| !joint.is_empty());
         let place = match (joint, place) {
             (Some(joint), Some(place)) => Some(format!("{joint}, {place}")),
             (joint, place) => joint.or(place),

@@ -290,15 +290,16 @@ impl Answer {
         &self.assessment.all[self.governing]
     }
 
-    /// A result that is several names, with blanks between them; `None` without any, and of any other.
-    pub fn names(&self, result: SweepResult) -> Option<String> {
+    /// A result that is several names, with blanks between them; `None` without any, and of any other. `warnings` are [its
+    /// own](Answer::warnings), which take a search.
+    pub fn names(&self, result: SweepResult, warnings: &[Warning]) -> Option<String> {
         let joints = || self.governing().joints.as_ref();
         let joined = |names: Vec<String>| (!names.is_empty()).then(|| names.join(" "));
         let modes = |modes: &[Mode]| joined(modes.iter().map(|mode| mode.symbol().to_owned()).collect());
         match result {
             SweepResult::Warnings => {
                 let mut names: Vec<String> = Vec::new();
-                for warning in self.warnings() {
+                for warning in warnings {
                     if !names.iter().any(|name| name == warning.name()) {
                         names.push(warning.name().to_owned());
                     }

@@ -6,6 +6,8 @@ use standfast::contact::stack::{
     BodyMotion, JointMotion, Stack, StackAnswer, StackDeparture, StackError, StackMotion,
 };
 
+use standfast_answers::assess::joint_words::together;
+
 use crate::json::{SCHEMA, number_or_word, written};
 use crate::layout::{columns, digits, paragraph, row};
 
@@ -79,13 +81,13 @@ impl AnsweredStack {
     /// Where it leaves rest, in a sentence or two.
     fn leaves(&self) -> String {
         let StackDeparture { load_factor, at_once, answer, .. } = &self.departure;
-        let which: Vec<String> =
-            self.departure.joints().iter().map(|place| (place + 1).to_string()).collect();
-        let (which, reach) = match which.as_slice() {
-            [one] => (format!("joint {one}"), "reaches its limit"),
-            [first @ .., last] => (format!("joints {} and {last}", first.join(", ")), "reach their limits"),
+        let joints = self.departure.joints();
+        let reach = match joints.as_slice() {
             [] => return "The stack never leaves rest under the variable loads.".to_owned(),
+            [_] => "reaches its limit",
+            _ => "reach their limits",
         };
+        let which = together(&joints);
         let ends = match *load_factor {
             _ if *at_once => format!("Under the permanent loads alone {which} cannot rest"),
             0.0 => format!("Under any variable load {which} cannot rest"),

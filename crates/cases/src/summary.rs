@@ -148,10 +148,7 @@ pub(crate) fn criterion_words(check: &AnyCheck<'_>, yearly: bool) -> String {
                     format!("{}, and {required} is allowed", found.assessed.at_once())
                 }
                 (_, ResultValue::Nothing) => {
-                    format!(
-                        "{name}{} has no value, {required} is asked",
-                        found.check.on_joint(found.assessed)
-                    )
+                    format!("{name}{} has no value, {required} is asked", check.on_joint())
                 }
                 _ if criterion.key == Key::LeastLoadFactor
                     && found.check.utilisation == Some(f64::INFINITY) =>
@@ -163,8 +160,7 @@ pub(crate) fn criterion_words(check: &AnyCheck<'_>, yearly: bool) -> String {
                     format!("{name} is {value} {}, {required} is asked{used}", period(yearly))
                 }
                 _ => {
-                    let on_joint = found.check.on_joint(found.assessed);
-                    format!("{name}{on_joint} is {value}, {required} is asked{used}")
+                    format!("{name}{} is {value}, {required} is asked{used}", check.on_joint())
                 }
             }
         }

@@ -133,14 +133,6 @@ fn other_trial(assessment: &Assessment, check: &AnyCheck<'_>) -> String {
     }
 }
 
-/// The joint at which a criterion is met worst, behind its name; empty without joints.
-fn on_joint(check: &AnyCheck<'_>) -> String {
-    match check {
-        AnyCheck::Instant(found) => found.check.on_joint(found.assessed),
-        AnyCheck::Motion(..) => String::new(),
-    }
-}
-
 fn criteria(assessment: &Assessment) -> Markup {
     let several = is_named(assessment);
     let checks = assessment.all_checks();
@@ -157,7 +149,7 @@ fn criteria(assessment: &Assessment) -> Markup {
                 @for check in &checks {
                     @let [required, value, utilisation, met] = check.cells();
                     tr {
-                        td.name { (check.words()) " " code { (check.name()) } (on_joint(check)) }
+                        td.name { (check.words()) " " code { (check.name()) } (check.on_joint()) }
                         td data-label=(ASKED[1]) { (required) }
                         td.n data-label=(ASKED[2]) { (value) }
                         td.n data-label=(ASKED[3]) { (utilisation) }

@@ -303,7 +303,7 @@ impl CaseRows {
             }
             for ((values, result), unit) in values.iter_mut().zip(&self.results).zip(&self.units) {
                 if let Values::Text(texts) = values {
-                    texts.push(answer.as_ref().and_then(|answer| answer.names(*result)));
+                    texts.push(answer.as_ref().and_then(|answer| answer.names(*result, &warnings)));
                     continue;
                 }
                 let value = answer.as_ref().map_or(ResultValue::Nothing, |answer| answer.get(*result));

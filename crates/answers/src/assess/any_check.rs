@@ -37,6 +37,14 @@ impl AnyCheck<'_> {
         }
     }
 
+    /// The joint at which it is met worst, as [`Check::on_joint`](crate::criteria::Check::on_joint); empty without joints, and of the motion.
+    pub fn on_joint(&self) -> String {
+        match self {
+            AnyCheck::Instant(CaseCheck { check, assessed }) => check.on_joint(assessed),
+            AnyCheck::Motion(..) => String::new(),
+        }
+    }
+
     /// Bound, value and utilisation as they are read, and whether it is met.
     pub fn cells(&self) -> [String; 4] {
         match self {

@@ -73,9 +73,7 @@ impl Joints {
             Some([]) => "no joint has a consistent mode".to_owned(),
             Some(modes) => self.all_go(modes),
             // What does not rest under the full load is known to be one of them at least, and not which.
-            None if whole.on_joints().all(|on| on.outcome.full.verdict == Some(Verdict::REST)) => {
-                EVERY.to_owned()
-            }
+            None if self.rests(whole) => EVERY.to_owned(),
             None => format!("not every joint rests: first {}", self.departs(whole)),
         }
     }

@@ -82,11 +82,7 @@ fn criteria(assessment: &Assessment, checks: &[AnyCheck<'_>]) -> String {
         });
         let pairs = combination::pair_words(&assessment.case, assessed);
         let pairs = pairs.filter(|_| check.is_of_another_trial()).map(|words| format!("with {words}"));
-        let joint = match check {
-            AnyCheck::Instant(found) => found.check.on_joint(found.assessed).trim().to_owned(),
-            AnyCheck::Motion(..) => String::new(),
-        };
-        let joint = Some(joint).filter(|joint| !joint.is_empty());
+        let joint = Some(check.on_joint().trim().to_owned()).filter(|joint| !joint.is_empty());
         let place: Vec<_> = joint.into_iter().chain(situation).chain(pairs).chain(shaken).collect();
         let [required, value, utilisation, met] = check.cells();
         row![check.name(), required, value, utilisation, met, place.join(", ")]

@@ -250,10 +250,8 @@ impl Reader<'_> {
     ) -> Result<JointWater<T>, Fault> {
         let id = |key| Id::new(key, index);
         let given = [Key::JointUpliftLeft, Key::JointUpliftRight].map(|key| self.inputs.scalar::<T>(id(key)));
-        let is_there = self.inputs.number(id(Key::JointUpliftLeft)).is_some()
-            || self.inputs.number(id(Key::JointUpliftRight)).is_some();
         match (self.inputs.choice(id(Key::JointUplift)), given) {
-            (Some(_), _) if is_there => {
+            (Some(_), [Some(_), _] | [_, Some(_)]) => {
                 let (one, two) = (Key::JointUplift, Key::JointUpliftLeft);
                 Err(Fault::new(Problem::Both { one, two }, id(one)))
             }

@@ -11,7 +11,7 @@ use standfast_cases::{Assessed, AssessmentView, Case};
 
 use super::loads::{parts, sum};
 use super::{classical, path};
-use crate::measured::{FACTOR, KILONEWTON, METRE, MOMENT, NONE, number};
+use crate::measured::{FACTOR, KILONEWTON, METRE, MOMENT, NONE};
 use crate::steps::SheetSteps;
 use crate::together::Brief;
 
@@ -54,23 +54,13 @@ pub(super) fn steps(
     for sentence in verdict::full_load(assessed).into_iter().chain(verdict::path(assessed)) {
         steps.push(html! { p.note { (sentence) } }, Brief::Nothing);
     }
-    let path = all.path(case, assessed, view.up_to);
-    if !path.is_empty() {
-        let full = html! {
-            table.numbers data-table="modes_path" {
-                thead { tr { th.n { "from" } th.n { "to" } th { "Modes from the base up" } th { "Also consistent" } } }
-                tbody {
-                    @for stage in &path {
-                        tr {
-                            td.n { data value=(stage.from) { (number(stage.from)) } }
-                            td.n { data value=(stage.to) { (number(stage.to)) } }
-                            td { (slashed(&stage.modes)) }
-                            td { (stage.others.iter().map(|modes| slashed(modes)).collect::<Vec<_>>().join(", ")) }
-                        }
-                    }
-                }
-            }
-        };
+    let stages = all.path(case, assessed, view.up_to);
+    if !stages.is_empty() {
+        let rows = stages.iter().map(|stage| {
+            let others: Vec<String> = stage.others.iter().map(|modes| slashed(modes)).collect();
+            (stage.from, stage.to, slashed(&stage.modes), others.join(", "))
+        });
+        let full = path::table("modes_path", "Modes from the base up", rows);
         steps.push(full, Brief::Nothing);
     }
 }

@@ -1,6 +1,6 @@
 //! The way to the full load.
 
-use maud::html;
+use maud::{Markup, html};
 use standfast::{Departure, Verdict, Wrench};
 use standfast_cases::assess::{Component, verdict};
 use standfast_cases::{Assessed, AssessmentView};
@@ -11,6 +11,29 @@ use crate::measured::{FACTOR, KILONEWTON, MOMENT, number};
 use crate::steps::SheetSteps;
 use crate::together::{Brief, Row};
 
+/// The table of stages of the rising load: from which factor to which, in what, and what is consistent as well.
+pub(super) fn table(
+    key: &str,
+    what: &str,
+    stages: impl Iterator<Item = (f64, f64, String, String)>,
+) -> Markup {
+    html! {
+        table.numbers data-table=(key) {
+            thead { tr { th.n { "from" } th.n { "to" } th { (what) } th { "Also consistent" } } }
+            tbody {
+                @for (from, to, what, also) in stages {
+                    tr {
+                        td.n { data value=(from) { (number(from)) } }
+                        td.n { data value=(to) { (number(to)) } }
+                        td { (what) }
+                        td { (also) }
+                    }
+                }
+            }
+        }
+    }
+}
+
 pub(super) fn steps(
     steps: &mut SheetSteps,
     assessed: &Assessed,
@@ -20,21 +43,11 @@ pub(super) fn steps(
     let stages = assessed.path_up_to(view.up_to);
     steps.heading("Load path: the variable loads rise by a factor, the permanent ones stay");
     if !stages.is_empty() {
-        let full = html! {
-            table.numbers data-table="path" {
-                thead { tr { th.n { "from" } th.n { "to" } th { "Mode" } th { "Also consistent" } } }
-                tbody {
-                    @for stage in &stages {
-                        tr {
-                            td.n { data value=(stage.from) { (number(stage.from)) } }
-                            td.n { data value=(stage.to) { (number(stage.to)) } }
-                            td { (stage.verdict.map_or("none", Verdict::symbol)) }
-                            td { (stage.others()) }
-                        }
-                    }
-                }
-            }
-        };
+        let rows = stages.iter().map(|stage| {
+            let mode = stage.verdict.map_or("none", Verdict::symbol).to_owned();
+            (stage.from, stage.to, mode, stage.others().to_string())
+        });
+        let full = table("path", "Mode", rows);
         let row = Row {
             name: String::new(),
             key: "path".to_owned(),

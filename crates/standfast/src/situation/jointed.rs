@@ -181,7 +181,7 @@ impl Jointed {
     fn decider<'a>(&'a self, written: &'a dyn Fn() -> Option<Jointed<Ball>>) -> Decider<'a> {
         let rounded = || self.0.iter().map(OnJoint::tracked).collect::<Vec<_>>();
         let make = move || {
-            let exact = written().map(|jointed| jointed.0.iter().map(OnJoint::exact).collect::<Vec<_>>());
+            let exact = written().map(|jointed| jointed.0.iter().map(OnJoint::sum).collect::<Vec<_>>());
             // Without others these are the numbers.
             let exact = exact.unwrap_or_else(|| {
                 rounded().iter().map(|sum| sum.map(|number: &Approx| Ball::of(number.value()))).collect()
@@ -244,12 +244,6 @@ impl<T: Scalar> OnJoint<T> {
             permanent: sums.permanent,
             variable: sums.variable,
         }
-    }
-}
-
-impl OnJoint<Ball> {
-    fn exact(&self) -> Sum<Ball> {
-        self.sum()
     }
 }
 

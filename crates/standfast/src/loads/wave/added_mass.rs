@@ -64,28 +64,34 @@ mod tests {
         assert!((added_mass(2, 1000.0, 10.0) - 1.08551 * 1e5).abs() < 1.0);
     }
 
-    /// What is above a level, against the potential's pressure added up from there; pieces add up to the whole.
-    #[test]
-    fn what_is_above_a_level_is_the_pressure_there() {
-        let depth = 6.0;
+    /// Of 1 m/s² on one side of 1 kg/m³: the force above a level and its moment about that, of the potential's pressure added up in strips.
+    fn above(depth: f64, level: f64) -> [f64; 2] {
         let pressure = |z: f64| -> f64 {
-            let terms = (0..3000).map(|n| {
+            let terms = (0..4000).map(|n| {
                 let λ = (2.0 * f64::from(n) + 1.0) * PI / (2.0 * depth);
                 (if n % 2 == 0 { 2.0 } else { -2.0 }) / (λ * λ * depth) * (λ * z).cos()
             });
             terms.sum()
         };
+        let (strips, height) = (4000, depth - level);
+        let (mut force, mut moment) = (0.0, 0.0);
+        for i in 0..strips {
+            let z = height * (f64::from(i) + 0.5) / f64::from(strips);
+            let strip = pressure(level + z) * height / f64::from(strips);
+            force += strip;
+            moment += strip * z;
+        }
+        [force, moment]
+    }
+
+    /// What is above a level, against the potential's pressure added up from there.
+    #[test]
+    fn what_is_above_a_level_is_the_pressure_there() {
+        let depth = 6.0;
         for level in [0.0, 0.5, 2.0, 4.4, 5.7] {
-            let (strips, height) = (4000, depth - level);
-            let (mut force, mut moment) = (0.0, 0.0);
-            for i in 0..strips {
-                let z = height * (f64::from(i) + 0.5) / f64::from(strips);
-                let strip = 1000.0 * pressure(level + z) * height / f64::from(strips);
-                force += strip;
-                moment += strip * z;
-            }
+            let [force, moment] = above(depth, level);
             let [mass, at] = added_mass_above(1000.0, depth, level);
-            assert!((force / mass - 1.0).abs() < 1e-5, "{level}: {force} {mass}");
+            assert!((1000.0 * force / mass - 1.0).abs() < 1e-5, "{level}: {force} {mass}");
             assert!((moment / force / at - 1.0).abs() < 1e-5, "{level}: {} {at}", moment / force);
         }
         assert_eq!(added_mass_above(1000.0, depth, 6.0), [0.0; 2]);
@@ -96,21 +102,7 @@ mod tests {
     #[test]
     fn force_and_height_are_those_of_the_pressure() {
         let depth = 7.0;
-        let pressure = |z: f64| -> f64 {
-            let terms = (0..4000).map(|n| {
-                let λ = (2.0 * f64::from(n) + 1.0) * PI / (2.0 * depth);
-                (if n % 2 == 0 { 2.0 } else { -2.0 }) / (λ * λ * depth) * (λ * z).cos()
-            });
-            terms.sum()
-        };
-        let strips = 2000;
-        let (mut force, mut moment) = (0.0, 0.0);
-        for i in 0..strips {
-            let z = depth * (f64::from(i) + 0.5) / f64::from(strips);
-            let strip = pressure(z) * depth / f64::from(strips);
-            force += strip;
-            moment += strip * z;
-        }
+        let [force, moment] = above(depth, 0.0);
         assert!((force / added_mass(1, 1.0, depth) - 1.0).abs() < 1e-6);
         assert!((moment / force / added_mass_height(depth) - 1.0).abs() < 1e-6);
     }
