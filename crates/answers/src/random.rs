@@ -28,13 +28,14 @@ mod problem;
 mod quantity;
 mod resolve;
 mod spread;
+mod stack;
 mod storm;
 mod subject;
 mod template;
 
 pub use answer::{
-    ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Method, MethodAsked, Probability,
-    RandomNumber,
+    ChanceRequest, Chances, FirstDeparture, FirstJoint, Happening, LifeChances, Method, MethodAsked,
+    Probability, RandomNumber,
 };
 pub use criterion::ChanceCriterion;
 pub(crate) use criterion::not_rest;

@@ -6,7 +6,6 @@ use common::{assess, file, number, refused, six};
 use standfast::contact::stack::{Joint, Shaking, Stack, StackBody};
 use standfast::{Departure, Mode, Wrench};
 use standfast_cases::assess::{Assessed, Assessment};
-use standfast_cases::random::{ChanceRequest, Probability};
 use standfast_cases::results::ResultName;
 
 const G: f64 = 9.81;
@@ -756,18 +755,6 @@ fn the_plane_names_the_joint_that_leaves_rest_first() {
         }
     }
     assert!(seen > 150 && upper > 20, "{seen} {upper}");
-}
-
-/// No chance is found of bodies on joints, and no criterion of it either: refused, not found as if they were one.
-#[test]
-fn chances_are_refused() {
-    let random = "[random]\n\"body.friction\" = { normal = { cov = 0.1 } }\n";
-    let text = format!("{TWO}{}{PUSH}{random}", joint(""));
-    let error = Probability::of(&file(&text), ChanceRequest::default()).unwrap_err().to_string();
-    assert!(error.contains("[[joint]] is not for a probability"), "{error}");
-    let asked = format!("{text}[criteria]\np_not_rest = 0.1\n");
-    let error = Assessment::of_file(&file(&asked)).unwrap_err().to_string();
-    assert!(error.contains("[[joint]] is not for a probability"), "{error}");
 }
 
 /// Drums of a column: each joint is a circle, shaken.

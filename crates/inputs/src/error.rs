@@ -749,6 +749,14 @@ pub enum Problem {
         /// What it is, in words.
         what: &'static str,
     },
+    /// More joints than a probability is found of.
+    #[error("{joints} tables [[joint]]; a probability is found of {most} of them at most")]
+    JointsOfChance {
+        /// Number of joints above the base.
+        joints: usize,
+        /// At most so many.
+        most: usize,
+    },
     /// A key of the whole body, beside joints.
     #[error("[[joint]] cuts a uniform block, or parts; `{}` says more of the whole", key.name())]
     JointsOfBlock {

@@ -91,6 +91,10 @@ fn method(answer: &Probability) -> Markup {
     let (line, exact) = &answer.line;
     let how = match (chances.method, exact) {
         (Method::MonteCarlo, _) => "Every input is drawn.".to_owned(),
+        (_, true) if answer.has_joints() => format!(
+            "For given other inputs each joint that leaves rest first does so on intervals of {line} in closed form, so that {line} is integrated \
+             exactly. What all joints begin with is not asked."
+        ),
         (_, true) => format!(
             "For given other inputs each mode is an interval of {line} between curves in closed form, so that {line} is integrated exactly."
         ),
@@ -118,30 +122,38 @@ fn interval(e: Estimate) -> Markup {
     html! { (digits(e.low)) " … " (digits(e.high)) }
 }
 
-fn words(happening: Happening) -> String {
+fn words(answer: &Probability, happening: Happening) -> String {
+    if let Happening::First(first) = happening {
+        return format!("{} {} first", answer.joint_called(first.joint), first.does());
+    }
     let name = happening.name();
     happening.words().map_or(name.clone(), |words| format!("{words} ({name})"))
 }
 
 /// The modes with their probabilities within a period.
 fn modes(
+    answer: &Probability,
     modes: &[(Happening, Estimate)],
     not_rest: Estimate,
-    floor: f64,
     (name, period): (&str, &str),
 ) -> Markup {
+    let floor = answer.request.effort.floor;
+    let (head, moves) = match answer.has_joints() {
+        true => ("As the loads rise", "not every joint stays at rest"),
+        false => ("The body", "does not stay at rest"),
+    };
     let shown = modes.iter().filter(|(_, e)| e.value >= floor);
     let below: Vec<_> = modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
     let bound = below.iter().map(|(_, e)| e.high).fold(0.0, f64::max);
     let symbols: Vec<String> = below.iter().map(|(happening, _)| happening.name()).collect();
     html! {
         table.numbers data-table=(name) {
-            thead { tr { th { "The body" } th.n { "Probability " (period) } th.n { "Interval" } } }
+            thead { tr { th { (head) } th.n { "Probability " (period) } th.n { "Interval" } } }
             tbody {
                 @for (happening, e) in shown {
-                    tr { td { (words(*happening)) } td.n { (chance(*e)) } td.n { (interval(*e)) } }
+                    tr { td { (words(answer, *happening)) } td.n { (chance(*e)) } td.n { (interval(*e)) } }
                 }
-                tr { td { "does not stay at rest" } td.n { (chance(not_rest)) } td.n { (interval(not_rest)) } }
+                tr { td { (moves) } td.n { (chance(not_rest)) } td.n { (interval(not_rest)) } }
             }
         }
         @if !below.is_empty() { p { (symbols.join(", ")) ": " @if symbols.len() > 1 { "each " } "below " (digits(bound)) "." } }
@@ -155,7 +167,7 @@ fn situation(answer: &Probability, chances: &Chances, place: usize) -> Markup {
         @if let Some(name) = &chances.situation {
             h3 { "Under " (name) @if several && place == 0 { ", the least safe" } }
         }
-        (modes(&chances.modes, chances.not_rest, floor, ("modes", period(answer))))
+        (modes(answer, &chances.modes, chances.not_rest, ("modes", period(answer))))
         @if !chances.precise {
             p.warning { "Not every probability above " (digits(floor)) " is as precise as " (digits(100.0 * answer.request.effort.precision)) " %." }
         }
@@ -163,7 +175,7 @@ fn situation(answer: &Probability, chances: &Chances, place: usize) -> Markup {
         @if let Some(life) = &chances.life {
             h3 { "At least once in " (digits(life.years)) " years" }
             @let moving: Vec<_> = life.modes.iter().copied().filter(|(h, _)| *h != Happening::REST).collect();
-            (modes(&moving, life.not_rest, floor, ("life", &format!("in {} years", digits(life.years)))))
+            (modes(answer, &moving, life.not_rest, ("life", &format!("in {} years", digits(life.years)))))
         }
     }
 }

@@ -13,12 +13,13 @@ use super::criterion::{ChanceCriterion, bound};
 use super::error::ProbabilityError;
 use super::fragility::Fragility;
 use super::joint::{JointChance, joined};
-use super::outcome::NOT_A_BODY;
+use super::outcome::{NOT_A_BODY, joint};
 use super::overturn::Overturning;
 use super::problem::ChanceProblem;
 use super::quantity::RandomInput;
 use super::storm::{self, Sliding};
 use super::subject::{ChanceSubject, problems_of};
+use crate::case::called;
 use crate::couple::Variable;
 use crate::digits::digits;
 use crate::units::Dimension;
@@ -124,8 +125,8 @@ pub struct Chances {
     pub modes: Vec<(Happening, Estimate)>,
     /// That the body does not stay at rest.
     pub not_rest: Estimate,
-    /// That more than one mode is consistent.
-    pub not_unique: Estimate,
+    /// That more than one mode is consistent; `None` of bodies on joints, of which it is not asked.
+    pub not_unique: Option<Estimate>,
     /// That nothing presses the body on its base: part of the modes.
     pub lifted: Estimate,
     /// Departure from rest that comes first as the variable loads rise.
@@ -175,10 +176,34 @@ pub struct LifeChances {
 pub enum Happening {
     /// A mode begins, or the ground fails.
     Decided(Verdict),
+    /// Of bodies on joints, this one leaves rest first.
+    First(FirstJoint),
     /// No mode is consistent.
     NoMode,
     /// The numbers drawn do not go together.
     NotABody,
+}
+
+/// Joint that leaves rest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FirstJoint {
+    /// Its place from the base, which is zero.
+    pub joint: usize,
+    /// True if what is above it slides; else it turns about an end of the joint.
+    pub slides: bool,
+}
+
+impl fmt::Display for FirstJoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "joint {} {}", self.joint + 1, self.does())
+    }
+}
+
+impl FirstJoint {
+    /// What is above the joint does, as a predicate of the joint.
+    pub fn does(self) -> &'static str {
+        if self.slides { "slides" } else { "rocks" }
+    }
 }
 
 impl Happening {
@@ -189,7 +214,7 @@ impl Happening {
     pub fn words(self) -> Option<&'static str> {
         match self {
             Happening::Decided(verdict) => Some(verdict.words()),
-            Happening::NoMode | Happening::NotABody => None,
+            Happening::First(_) | Happening::NoMode | Happening::NotABody => None,
         }
     }
 
@@ -197,12 +222,16 @@ impl Happening {
     pub fn name(self) -> String {
         match self {
             Happening::Decided(verdict) => verdict.to_string(),
+            Happening::First(first) => first.to_string(),
             Happening::NoMode => "no mode".to_owned(),
             Happening::NotABody => "not a body".to_owned(),
         }
     }
 
     pub(super) fn of(outcome: usize) -> Happening {
+        if let Some((joint, slides)) = joint(outcome) {
+            return Happening::First(FirstJoint { joint, slides });
+        }
         match Verdict::from_code(outcome as u8) {
             Some(verdict) => Happening::Decided(verdict),
             None if outcome == NOT_A_BODY => Happening::NotABody,
@@ -283,6 +312,22 @@ impl Probability {
             .as_ref()
             .and_then(|problem| problem.case())
             .map_or(Vec::new(), |(case, _)| case.warnings())
+    }
+
+    /// True if the body stands on joints of its own, of which it is answered which leaves rest first.
+    pub fn has_joints(&self) -> bool {
+        self.problem.as_ref().is_some_and(|problem| problem.has_joints())
+    }
+
+    /// Joint by its number and name, from its place from the base, which is zero: `joint 3 (cap)`.
+    pub fn joint_called(&self, joint: usize) -> String {
+        let case = self.problem.as_ref().and_then(|problem| problem.case());
+        let name = match (joint, case) {
+            (0, _) => Some("base"),
+            (above, Some((case, _))) => case.joints.get(above - 1).and_then(|joint| joint.name.as_deref()),
+            (_, None) => None,
+        };
+        called(joint, name)
     }
 
     /// The answer to a file with a `[random]` table: a case, one in time at its first instant, a `[point]` of the report's plane, or

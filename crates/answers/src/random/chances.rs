@@ -205,7 +205,7 @@ pub(super) fn chances(
         precise: sampled.precise,
         modes: problem.exclusive().map(Happening::of).zip(modes.iter().copied()).collect(),
         not_rest: *not_rest,
-        not_unique: *not_unique,
+        not_unique: (!problem.has_joints()).then_some(*not_unique),
         lifted: *lifted,
         known,
         first_departure: first_departure(problem, method, effort, sampled.points, of_departure)?,

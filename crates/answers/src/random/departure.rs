@@ -8,8 +8,9 @@ use standfast::{Departure, DepartureSpan};
 use standfast_probability::problem::{Outcomes, Pieces};
 
 use super::mechanics::Mechanics;
-use super::outcome::{COUNT, NOT_A_BODY, of_verdict};
+use super::outcome::{NOT_A_BODY, of_verdict};
 use super::problem::{ChanceProblem, Line};
+use super::stack::Asked;
 
 /// The body rests under any multiple of the variable loads.
 pub(super) const NEVER: usize = 16;
@@ -42,6 +43,10 @@ impl Departures<'_> {
         moved.chain([NEVER, AT_ONCE])
     }
 
+    fn scan(&self, place: usize, values: &[f64], pieces: &mut Pieces) {
+        self.0.scan(place, values, pieces, |values| self.at(values));
+    }
+
     /// The spans along friction, for block and loads as they were last or anew.
     fn along_friction(&self, place: usize, mechanics: &Mechanics, values: Vec<f64>, pieces: &mut Pieces) {
         let Mechanics { block, base, permanent, variable, .. } = mechanics;
@@ -65,7 +70,7 @@ impl Departures<'_> {
             true
         });
         if !known {
-            self.scan(place, values, pieces);
+            self.scan(place, &values, pieces);
         }
     }
 }
@@ -80,7 +85,7 @@ fn nothing(pieces: &mut Pieces) {
 
 impl Outcomes for Departures<'_> {
     fn count(&self) -> usize {
-        COUNT
+        self.0.outcomes()
     }
 
     fn line(&self) -> usize {
@@ -92,6 +97,9 @@ impl Outcomes for Departures<'_> {
     }
 
     fn along(&self, values: &[f64], pieces: &mut Pieces) {
+        if self.0.has_joints() {
+            return self.0.joints_along(values, Asked::Departure, pieces);
+        }
         let mut values = values.to_vec();
         match self.0.line {
             Line::Friction(place) => {
@@ -109,7 +117,7 @@ impl Outcomes for Departures<'_> {
                 };
                 pieces.branch(u64::from(with.formulas));
                 if with.permanent != without.permanent {
-                    return self.scan(place, values, pieces);
+                    return self.scan(place, &values, pieces);
                 }
                 let slope = with.variable + without.variable * -1.0;
                 match by_share(&with.block, &with.permanent, &without.variable, &slope) {
@@ -117,23 +125,15 @@ impl Outcomes for Departures<'_> {
                     Err(_) => nothing(pieces),
                 }
             }
-            Line::Scan(place) => self.scan(place, values, pieces),
+            Line::Scan(place) => self.scan(place, &values, pieces),
         }
     }
 
     fn at(&self, values: &[f64]) -> u64 {
+        if self.0.has_joints() {
+            return self.0.of_joints(values, Asked::Departure);
+        }
         let departing = self.0.departing(values).and_then(|mechanics| mechanics.departure());
         1 << departing.map_or(NOT_A_BODY, outcome)
-    }
-}
-
-impl Departures<'_> {
-    fn scan(&self, place: usize, values: Vec<f64>, pieces: &mut Pieces) {
-        let values = RefCell::new(values);
-        pieces.scan(&self.0.laws().laws()[place], |x| {
-            let mut values = values.borrow_mut();
-            values[place] = x;
-            self.at(&values)
-        });
     }
 }

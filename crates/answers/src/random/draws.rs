@@ -163,7 +163,7 @@ impl Mechanics {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b;
         let uniform =
             near(block.b1, 1.0) && near(block.b2, 1.0) && near(block.rho2, (1.0 + block.d * block.d) / 3.0);
-        let ordinary = uniform && block.m_x == 1.0 && block.mu_s == block.mu_k;
+        let ordinary = self.above.is_empty() && uniform && block.m_x == 1.0 && block.mu_s == block.mu_k;
         let point = [wrench.x.abs() / wrench.p, -wrench.m / (wrench.x * block.d)];
         (ordinary && wrench.p > 0.0 && wrench.x != 0.0 && point.iter().all(|x| x.is_finite()))
             .then_some(point)
@@ -174,6 +174,7 @@ impl Happening {
     /// The one of the outcomes that hold which excludes the others.
     fn reported(outcomes: u64) -> Happening {
         super::outcome::exclusive(true)
+            .chain(super::outcome::of_joints(super::outcome::MOST_JOINTS, false))
             .find(|outcome| outcomes >> outcome & 1 == 1)
             .map_or(Happening::NotABody, Happening::of)
     }
@@ -182,7 +183,7 @@ impl Happening {
     pub fn mode(self) -> Option<Mode> {
         match self {
             Happening::Decided(verdict) => verdict.mode(),
-            Happening::NoMode | Happening::NotABody => None,
+            Happening::First(_) | Happening::NoMode | Happening::NotABody => None,
         }
     }
 }

@@ -6,12 +6,13 @@ use standfast::contact::path;
 use standfast_probability::problem::{Outcomes, Pieces};
 
 use super::base;
-use super::outcome::{COUNT, LIFTED, NOT_A_BODY, of_modes, push_all, told_apart};
+use super::outcome::{LIFTED, NOT_A_BODY, of_modes, push_all, told_apart};
 use super::problem::{ChanceProblem, Line};
+use super::stack::Asked;
 
 impl Outcomes for ChanceProblem {
     fn count(&self) -> usize {
-        COUNT
+        self.outcomes()
     }
 
     fn line(&self) -> usize {
@@ -26,6 +27,9 @@ impl Outcomes for ChanceProblem {
     }
 
     fn along(&self, values: &[f64], pieces: &mut Pieces) {
+        if self.has_joints() {
+            return self.joints_along(values, Asked::Full, pieces);
+        }
         let mut values = values.to_vec();
         let everywhere =
             |pieces: &mut Pieces, outcome| pieces.push(f64::NEG_INFINITY, f64::INFINITY, outcome);
@@ -71,21 +75,29 @@ impl Outcomes for ChanceProblem {
                     push_all(pieces, from, to, outcomes);
                 }
             }
-            Line::Scan(place) => {
-                let values = RefCell::new(values);
-                pieces.scan(&self.laws().laws()[place], |x| {
-                    let mut values = values.borrow_mut();
-                    values[place] = x;
-                    self.at(&values)
-                });
-            }
+            Line::Scan(place) => self.scan(place, &values, pieces, |values| self.at(values)),
         }
     }
 
     fn at(&self, values: &[f64]) -> u64 {
+        if self.has_joints() {
+            return self.of_joints(values, Asked::Full);
+        }
         match self.mechanics(values) {
             Some(mechanics) => mechanics.outcomes(),
             None => 1 << NOT_A_BODY,
         }
+    }
+}
+
+impl ChanceProblem {
+    /// The outcomes along a number of which no boundary is known in closed form; `at` has them for all values, a bit for each.
+    pub(super) fn scan(&self, place: usize, values: &[f64], pieces: &mut Pieces, at: impl Fn(&[f64]) -> u64) {
+        let values = RefCell::new(values.to_vec());
+        pieces.scan(&self.laws().laws()[place], |x| {
+            let mut values = values.borrow_mut();
+            values[place] = x;
+            at(&values)
+        });
     }
 }

@@ -9,10 +9,11 @@ use standfast::{Departure, InputError, Situation, Wrench};
 use super::base;
 use super::outcome::LIFTED;
 use super::quantity::Bias;
+use super::stack::{self, Asked};
 use crate::case::{Acting, Case, Foundation, GodaWaves, Trial, biased};
 
 /// The contact problem that values make.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Mechanics {
     pub(super) block: Block,
     /// Base that it stands on.
@@ -23,6 +24,8 @@ pub(super) struct Mechanics {
     pub(super) variable: Wrench,
     /// Set of the waves' formulas that applied.
     pub(super) formulas: u32,
+    /// All that is above each joint, as one body, from the lowest joint up; none of one body.
+    pub(super) above: Vec<Mechanics>,
 }
 
 impl Mechanics {
@@ -33,6 +36,9 @@ impl Mechanics {
 
     /// Outcomes under all loads, a bit for each.
     pub(super) fn outcomes(&self) -> u64 {
+        if !self.above.is_empty() {
+            return stack::outcomes(self, Asked::Full);
+        }
         let wrench = self.wrench();
         u64::from(wrench.p <= 0.0) << LIFTED | base::outcomes(&self.base, &self.block, &wrench)
     }
@@ -44,7 +50,7 @@ impl Mechanics {
 }
 
 /// Loads on a block, in its units: those that each bias is on, and all else.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Components {
     pub(super) block: Block,
     /// Base that it stands on.
@@ -56,6 +62,8 @@ pub(super) struct Components {
     /// Permanent and variable.
     pub(super) forces: [Wrench; 2],
     pub(super) others: [Wrench; 2],
+    /// On all that is above each joint, as one body, from the lowest joint up; none of one body.
+    pub(super) above: Vec<Components>,
 }
 
 impl Components {
@@ -73,6 +81,7 @@ impl Components {
             uplift: nothing,
             forces: [nothing; 2],
             others: [nothing; 2],
+            above: Vec::new(),
         };
         for load in situation.loads() {
             let which = usize::from(!load.permanent);
@@ -95,6 +104,14 @@ impl Components {
         // To the left at its elevation above the base, and upwards at its distance from O.
         let thrust = Wrench { x: -force, p: 0.0, m: of_force - force * block.d };
         [thrust, Wrench { x: 0.0, p: -uplift, m: of_uplift - uplift * block.b1 }]
+    }
+
+    /// The contact problem of these loads, each times what it is biased by.
+    pub(super) fn mechanics(&self, bias: &dyn Fn(Bias) -> Option<f64>) -> Mechanics {
+        let Components { block, base, formulas, .. } = *self;
+        let [permanent, variable] = self.wrenches(bias);
+        let above = self.above.iter().map(|above| above.mechanics(bias)).collect();
+        Mechanics { block, base, permanent, variable, formulas, above }
     }
 
     /// The sums of the permanent and of the variable loads, each times what it is biased by.
@@ -143,7 +160,7 @@ impl Quick {
     pub(super) fn components(&self, heights: Heights) -> Option<Components> {
         let goda = self.goda(heights)?;
         let [thrust, uplift] = Components::of_wave(&goda, &self.components.block, self.scale);
-        Some(Components { thrust, uplift, formulas: goda.formulas, ..self.components })
+        Some(Components { thrust, uplift, formulas: goda.formulas, ..self.components.clone() })
     }
 
     /// The case, of which this is, with these heights.

@@ -15,7 +15,32 @@ pub(super) const LIFTED: usize = 17;
 pub(super) const NOT_A_BODY: usize = 18;
 /// No mode is consistent.
 pub(super) const NO_MODE: usize = 19;
-pub(super) const COUNT: usize = 20;
+/// The first of the outcomes of joints, two for each.
+const JOINTS: usize = 20;
+/// At most so many joints, the base among them: there is a bit for each outcome.
+pub(super) const MOST_JOINTS: usize = (u64::BITS as usize - JOINTS) / 2;
+
+/// Number of outcomes of bodies on so many joints, none of one body.
+pub(super) fn count(joints: usize) -> usize {
+    JOINTS + 2 * joints
+}
+
+/// Of bodies on joints, this joint leaves rest first, from the base, from zero: what is above it slides, or turns.
+pub(super) fn of_joint(joint: usize, slides: bool) -> usize {
+    JOINTS + 2 * joint + usize::from(!slides)
+}
+
+/// The joint of an outcome, and whether what is above it slides.
+pub(super) fn joint(outcome: usize) -> Option<(usize, bool)> {
+    let place = outcome.checked_sub(JOINTS)?;
+    Some((place / 2, place.is_multiple_of(2)))
+}
+
+/// The outcomes that exclude each other and add up to one, of bodies on so many joints.
+pub(super) fn of_joints(joints: usize, may_fail: bool) -> impl Iterator<Item = usize> {
+    let of_joints = JOINTS..JOINTS + 2 * joints;
+    [REST].into_iter().chain(of_joints).chain(may_fail.then_some(BEARING_FAILURE)).chain([NOT_A_BODY])
+}
 
 /// The outcomes that exclude each other and add up to one, on a base that may fail or on one that cannot.
 pub(super) fn exclusive(may_fail: bool) -> impl Iterator<Item = usize> {
@@ -27,9 +52,12 @@ pub(super) fn modes() -> impl Iterator<Item = usize> {
     (0..16).filter(|code| Mode::from_code(*code as u8).is_some())
 }
 
-/// Everything but rest: modes, ground that fails, and what is not a body.
+/// Everything but rest: modes, joints, ground that fails, and what is not a body.
 pub(super) fn not_rest() -> u64 {
-    exclusive(true).filter(|outcome| *outcome != REST).fold(0, |set, outcome| set | 1 << outcome)
+    exclusive(true)
+        .chain(of_joints(MOST_JOINTS, false))
+        .filter(|outcome| *outcome != REST)
+        .fold(0, |set, outcome| set | 1 << outcome)
 }
 
 /// A verdict's outcome.
@@ -61,7 +89,7 @@ pub(super) fn told_apart(all: impl Iterator<Item = Stretch>) -> Vec<Stretch> {
 
 /// Outcomes that hold from one value to another, a bit for each.
 pub(super) fn push_all(pieces: &mut Pieces, from: f64, to: f64, outcomes: u64) {
-    (0..COUNT)
+    (0..count(MOST_JOINTS))
         .filter(|outcome| outcomes >> outcome & 1 == 1)
         .for_each(|outcome| pieces.push(from, to, outcome));
 }

@@ -27,7 +27,7 @@ use super::answer::ChanceRequest;
 use super::error::ProbabilityError;
 use super::fragility::{Fit, ValueRange};
 use super::problem::ChanceProblem;
-use super::quantity::{Bias, RandomInput};
+use super::quantity::{Bias, FrictionOf, RandomInput};
 use super::subject::problems_of;
 use crate::case::{Acting, Trial};
 use crate::key::Table;
@@ -267,7 +267,8 @@ impl Body {
         let situation = case.situation(Acting::All, Trial::AS_GIVEN).ok()?;
         let mut still = MotionProblem::standing(&situation).ok()?;
         (still.impact, still.initial, still.t_max) = (motion.impact, motion.initial, motion.t_max);
-        if let Some(place) = problem.random().iter().position(RandomInput::is_friction) {
+        let is_friction = |input: &RandomInput| input.friction_of() == Some(FrictionOf::Base);
+        if let Some(place) = problem.random().iter().position(is_friction) {
             let ratio = if still.block.mu_s > 0.0 { still.block.mu_k / still.block.mu_s } else { 1.0 };
             (still.block.mu_s, still.block.mu_k) = (values[place], values[place] * ratio);
         }

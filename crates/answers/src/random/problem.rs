@@ -12,7 +12,7 @@ use standfast_probability::problem::RandomVector;
 
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
-use super::quantity::{Bias, Coordinate, Quantity, RandomInput};
+use super::quantity::{Bias, Coordinate, FrictionOf, Quantity, RandomInput};
 use super::resolve::{Names, Resolve};
 use crate::case::{Acting, Case, ChangeBy, Trial, Waves};
 use crate::couple::{Variable, vary};
@@ -74,10 +74,12 @@ fn reaches(laws: &RandomVector) -> Vec<f64> {
 /// An |α| below which a number hardly matters.
 const NEGLIGIBLE: f64 = 0.02;
 
-/// Refuses joints, and adhesion on ground that fails, which no closed form has together.
-fn one_base(case: &Case) -> Result<(), Fault> {
-    if !case.joints.is_empty() {
-        return Err(Fault::new(Problem::JointsNotFor { what: "a probability" }, Table::Joint));
+/// Refuses more joints than there are outcomes for, and adhesion on ground that fails, which no closed form has together.
+fn is_answerable(case: &Case) -> Result<(), Fault> {
+    let joints = case.joints.len();
+    if joints >= outcome::MOST_JOINTS {
+        let most = outcome::MOST_JOINTS - 1;
+        return Err(Fault::new(Problem::JointsOfChance { joints, most }, Table::Joint));
     }
     match case.adhesion.filter(|_| case.gives_way()) {
         Some(_) => {
@@ -130,7 +132,7 @@ impl ChanceProblem {
     ) -> Result<Vec<ChanceProblem>, CaseError> {
         let wrong = |(problem, span)| file.random_error(problem, span);
         let (inputs, laws) = Resolve(Names::Case(file, &case, moving)).all(random).map_err(wrong)?;
-        one_base(&case).map_err(|fault| file.error(fault))?;
+        is_answerable(&case).map_err(|fault| file.error(fault))?;
         let lines = Lines::of(&inputs, Some(&case));
         let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
         let mut unnamed = file.inputs().clone();
@@ -146,7 +148,9 @@ impl ChanceProblem {
             for shaking in each {
                 let trial = Trial::shaken(shaking);
                 let (inputs_of_case, case) = (Box::new(unnamed.clone()), Box::new(case.clone()));
-                let quick = only_heights(&inputs).then(|| Quick::of(&case, acting, trial)).flatten();
+                let quick = (case.joints.is_empty() && only_heights(&inputs))
+                    .then(|| Quick::of(&case, acting, trial))
+                    .flatten();
                 let quick = quick.map(Box::new);
                 problems.push(ChanceProblem {
                     id: unique(),
@@ -271,7 +275,23 @@ impl ChanceProblem {
 
     /// True if a number is friction that is put in beside what everything else makes: not where friction to slip has a law of its own.
     pub(super) fn is_apart(&self, place: usize) -> bool {
-        self.random[place].is_friction() && self.lines.friction
+        self.lines.friction && self.friction_of(place).is_some()
+    }
+
+    /// The joint whose friction a number is, from the base, which is zero; `None` of any other number.
+    pub(super) fn friction_of(&self, place: usize) -> Option<usize> {
+        match self.random[place].friction_of()? {
+            FrictionOf::Base => Some(0),
+            FrictionOf::Joint(index) => {
+                let (case, _) = self.case()?;
+                Some(1 + case.joints.iter().position(|joint| joint.index == index)?)
+            }
+        }
+    }
+
+    /// True if the body stands on joints of its own, of which it is answered which leaves rest first.
+    pub fn has_joints(&self) -> bool {
+        self.joints() > 0
     }
 
     /// True if the base may crush, or the ground fail: modes on it are not those of the report's plane.
@@ -279,9 +299,25 @@ impl ChanceProblem {
         self.case().is_some_and(|(case, _)| case.gives_way())
     }
 
+    /// Number of joints, the base among them; none of one body.
+    fn joints(&self) -> usize {
+        match self.case().map_or(0, |(case, _)| case.joints.len()) {
+            0 => 0,
+            above => above + 1,
+        }
+    }
+
+    /// Number of outcomes.
+    pub(super) fn outcomes(&self) -> usize {
+        outcome::count(self.joints())
+    }
+
     /// The outcomes that exclude each other and add up to one.
     pub(super) fn exclusive(&self) -> impl Iterator<Item = usize> + use<> {
-        outcome::exclusive(self.gives_way())
+        let joints = self.joints();
+        let of_joints = (joints > 0).then(|| outcome::of_joints(joints, self.gives_way()));
+        let of_one = (joints == 0).then(|| outcome::exclusive(self.gives_way()));
+        of_joints.into_iter().flatten().chain(of_one.into_iter().flatten())
     }
 
     /// Those of them that are not rest.
@@ -313,14 +349,17 @@ impl ChanceProblem {
         if let Model::Point(point) = &self.model {
             return self.at_point(*point, values);
         }
-        let components = self.components(values)?;
-        let mut block = components.block;
-        if let Some(place) = (0..self.random.len()).find(|place| self.is_apart(*place)) {
+        let mut mechanics = self.components(values)?.mechanics(&|bias| self.bias(bias, values));
+        for place in (0..self.random.len()).filter(|place| self.is_apart(*place)) {
+            let block = match self.friction_of(place) {
+                None => continue,
+                Some(0) => &mut mechanics.block,
+                Some(joint) => &mut mechanics.above[joint - 1].block,
+            };
             let ratio = if block.mu_s > 0.0 { block.mu_k / block.mu_s } else { 1.0 };
             (block.mu_s, block.mu_k) = (values[place], values[place] * ratio);
         }
-        let [permanent, variable] = components.wrenches(|bias| self.bias(bias, values));
-        Some(Mechanics { block, base: components.base, permanent, variable, formulas: components.formulas })
+        Some(mechanics)
     }
 
     /// Mechanics on the way to the full load: of the report's force, at any size, only the elevation counts.
@@ -349,17 +388,22 @@ impl ChanceProblem {
         place.map(|place| values[place])
     }
 
-    /// Components of the loads, unbiased, with these values of all numbers but friction; those of the last call if they are the same.
+    /// Components of the loads, unbiased, with these values of all numbers but friction; those of the last two calls if they are the same.
     pub(super) fn components(&self, values: &[f64]) -> Option<Components> {
         let slow = |place: &usize| self.random[*place].variable().is_some() && !self.is_apart(*place);
         let keys: Vec<f64> = (0..self.random.len()).filter(slow).map(|place| values[place]).collect();
-        LAST.with_borrow_mut(|last| match last {
-            Some((id, of, components)) if *id == self.id && *of == keys => *components,
-            last => {
-                let components = self.assembled(values);
-                *last = Some((self.id, keys, components));
-                components
-            }
+        let is_of = |(id, of, _): &Assembled| *id == self.id && *of == keys;
+        let known = LAST.with_borrow(|last| {
+            let found = last.iter().flatten().find(|assembled| is_of(assembled));
+            found.map(|(.., components)| components.clone())
+        });
+        known.unwrap_or_else(|| {
+            let components = self.assembled(values);
+            LAST.with_borrow_mut(|last| {
+                last.swap(0, 1);
+                last[0] = Some((self.id, keys, components.clone()));
+            });
+            components
         })
     }
 
@@ -369,10 +413,16 @@ impl ChanceProblem {
             return quick.components(self.heights(values)?);
         }
         let case = self.case_with(values)?;
-        let situation = case.situation(*acting, Trial::shaken(*shaking)).ok()?;
-        let case = case.under(*acting);
-        let formulas = case.wave.as_ref().map_or(0, Waves::branches);
-        Components::of(&situation, case.ground.as_ref(), formulas).ok()
+        let trial = Trial::shaken(*shaking);
+        let situation = case.situation(*acting, trial).ok()?;
+        let of = case.under(*acting);
+        let formulas = of.wave.as_ref().map_or(0, Waves::branches);
+        let whole = Components::of(&situation, of.ground.as_ref(), formulas).ok()?;
+        let above = (0..of.joints.len()).map(|place| {
+            let situation = case.above_joint(place, *acting, trial).ok()?;
+            Components::of(&situation, None, formulas).ok()
+        });
+        Some(Components { above: above.collect::<Option<_>>()?, ..whole })
     }
 
     /// The case with these values of all numbers but friction; none if they do not go together.
@@ -425,7 +475,7 @@ impl ChanceProblem {
         let permanent = Wrench { x: 0.0, p: 1.0, m: 0.0 };
         let variable = Wrench { x: -k, p: 0.0, m: k * k_prime * gamma };
         let block = Block::uniform(gamma, mu);
-        Some(Mechanics { block, base: Base::Rigid, permanent, variable, formulas: 0 })
+        Some(Mechanics { block, base: Base::Rigid, permanent, variable, formulas: 0, above: Vec::new() })
     }
 }
 
@@ -433,8 +483,8 @@ impl ChanceProblem {
 type Assembled = (u64, Vec<f64>, Option<Components>);
 
 thread_local! {
-    /// Last assembly: its problem, its values and its components.
-    static LAST: RefCell<Option<Assembled>> = const { RefCell::new(None) };
+    /// Last assemblies, the latest first: two, as along a load the components are taken where it is zero and where it is one.
+    static LAST: RefCell<[Option<Assembled>; 2]> = const { RefCell::new([None, None]) };
 }
 
 /// A number that no other problem has.
@@ -446,7 +496,8 @@ fn unique() -> u64 {
 /// True if of a case's numbers, beside friction, only heights of waves are random.
 fn only_heights(inputs: &[RandomInput]) -> bool {
     let heights = [Key::DeepWaterHeight, Key::H13, Key::Hmax];
-    let of_case = inputs.iter().filter(|input| !input.is_friction()).filter_map(RandomInput::variable);
+    let of_case =
+        inputs.iter().filter(|input| input.friction_of().is_none()).filter_map(RandomInput::variable);
     of_case.into_iter().all(|variable| heights.contains(&variable.id().key))
 }
 
@@ -463,8 +514,13 @@ impl Lines {
     fn of(inputs: &[RandomInput], case: Option<&Case>) -> Lines {
         // Where water follows an opening, no wrench is linear in a load.
         let held = case.is_some_and(|case| !case.holding().is_empty());
-        let bends = held || case.is_some_and(|case| case.gives_way() || case.follows_opening());
-        Lines { friction: !held && !inputs.iter().any(RandomInput::is_kinetic_friction), loads: !bends }
+        let gives_way = case.is_some_and(Case::gives_way);
+        let bends = held || gives_way || case.is_some_and(Case::follows_opening);
+        let joints = case.is_some_and(|case| !case.joints.is_empty());
+        // Of joints that change places each friction would have to be found again; on a base that gives way all joints are asked each time.
+        let is_apart = !joints || !bends && !inputs.iter().any(RandomInput::is_joint_elevation);
+        let kinetic = inputs.iter().any(RandomInput::is_kinetic_friction);
+        Lines { friction: !held && !kinetic && is_apart, loads: !bends }
     }
 
     /// The first along which the modes are known, of those for which this holds.
@@ -472,7 +528,8 @@ impl Lines {
         let find = |of: &dyn Fn(&RandomInput) -> bool| {
             (0..inputs.len()).find(|place| among(*place) && of(&inputs[*place]))
         };
-        let friction = find(&RandomInput::is_friction).filter(|_| self.friction).map(Line::Friction);
+        let is_friction = |input: &RandomInput| input.friction_of().is_some();
+        let friction = find(&is_friction).filter(|_| self.friction).map(Line::Friction);
         // On a base that gives way, or opens, a load is scanned, which is quicker than another number.
         let load = || find(&RandomInput::is_linear).map(if self.loads { Line::Load } else { Line::Scan });
         let scan = || find(&|_| true).map(Line::Scan);

@@ -57,6 +57,15 @@ impl Coordinate {
     }
 }
 
+/// Place of a friction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum FrictionOf {
+    /// Under the body.
+    Base,
+    /// In the joint with this place among the tables of joints.
+    Joint(usize),
+}
+
 /// A number that is random.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RandomInput {
@@ -99,12 +108,22 @@ impl RandomInput {
         self.variable().is_some_and(|variable| variable.id() == Id::from(key))
     }
 
-    pub(super) fn is_friction(&self) -> bool {
+    /// Where it is the friction to stick; `None` of any other number.
+    pub(super) fn friction_of(&self) -> Option<FrictionOf> {
         match &self.quantity {
-            Quantity::Key(_) => self.is_key(Key::Friction),
-            Quantity::Bias(_) | Quantity::Storm(_) => false,
-            Quantity::Point(coordinate) => *coordinate == Coordinate::Mu,
+            Quantity::Key(variable) => match variable.id() {
+                id if id == Id::from(Key::Friction) => Some(FrictionOf::Base),
+                Id { key: Key::JointFriction, index, .. } => Some(FrictionOf::Joint(index)),
+                _ => None,
+            },
+            Quantity::Point(Coordinate::Mu) => Some(FrictionOf::Base),
+            Quantity::Bias(_) | Quantity::Storm(_) | Quantity::Point(_) => None,
         }
+    }
+
+    /// True if it says where a joint is.
+    pub(super) fn is_joint_elevation(&self) -> bool {
+        self.variable().is_some_and(|variable| variable.id().key == Key::JointElevation)
     }
 
     /// True if it is friction to slip, with a law of its own.

@@ -208,7 +208,8 @@ struct ChancesDocument<'a> {
     precise: bool,
     modes: Vec<ModeDocument>,
     not_rest: Interval,
-    not_unique: Interval,
+    /// `null` of bodies on joints, of which it is not asked.
+    not_unique: Option<Interval>,
     lifted: Interval,
     first_departure: DepartureDocument,
     /// The distance of the nearest point at which the body does not rest, in standard normals; `null` where none is within reach.
@@ -351,7 +352,7 @@ fn document<'a>(answer: &'a Probability, chances: &'a Chances) -> ChancesDocumen
         precise: chances.precise,
         modes: modes(&chances.modes),
         not_rest: interval(chances.not_rest),
-        not_unique: interval(chances.not_unique),
+        not_unique: chances.not_unique.map(interval),
         lifted: interval(chances.lifted),
         first_departure: DepartureDocument {
             modes: modes(&chances.first_departure.modes),

@@ -70,7 +70,7 @@ pub(super) fn groups(answer: &Probability, worst: &Chances) -> Vec<(String, Vec<
     let in_words = |modes: &[(Happening, Estimate)], not_rest: Estimate| -> Vec<ChanceBar> {
         let bar = |(happening, e): &(Happening, Estimate)| match happening.mode() {
             Some(mode) => (Some(mode), mode.words().to_owned(), chance(*e)),
-            None => (None, happening.name(), chance(*e)),
+            None => (None, bar_words(answer, *happening), chance(*e)),
         };
         // One mode alone is all that does not rest.
         let moved: Vec<_> = modes.iter().filter(|(mode, _)| mode.mode() != Some(Mode::Rest)).collect();
@@ -92,6 +92,14 @@ pub(super) fn groups(answer: &Probability, worst: &Chances) -> Vec<(String, Vec<
         groups.push((heading, in_words(&chosen(&moved), life.not_rest)));
     }
     groups
+}
+
+/// What a bar is of that is of no mode.
+fn bar_words(answer: &Probability, happening: Happening) -> String {
+    match happening {
+        Happening::First(_) => super::text::words(answer, happening),
+        other => other.name(),
+    }
 }
 
 /// A mode, where it is one, with its words and its probability.
@@ -128,7 +136,8 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
             digits(point.first_order())
         );
     }
-    let title = format!("How likely each mode is: {title}");
+    let of = if answer.has_joints() { "Which joint leaves rest first" } else { "How likely each mode is" };
+    let title = format!("{of}: {title}");
     chance_rows(&ChanceRows { title: &title, caption: &caption, groups: &groups })
 }
 

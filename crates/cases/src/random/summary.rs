@@ -71,7 +71,9 @@ fn asked(answer: &Probability) -> String {
 }
 
 fn not_resting(answer: &Probability) -> String {
-    format!("The probability that the body does not stay at rest {}", period(answer))
+    let what =
+        if answer.has_joints() { "not every joint stays at rest" } else { "the body does not stay at rest" };
+    format!("The probability that {what} {}", period(answer))
 }
 
 /// Share of a probability from which on what is not meant by it is told.
@@ -88,7 +90,10 @@ fn moves(answer: &Probability, worst: &Chances) -> String {
     let mut parts: Vec<_> = worst.modes.iter().filter(|(mode, _)| *mode != Happening::REST).collect();
     parts.sort_by(|one, two| two.1.value.total_cmp(&one.1.value));
     let most = parts.first().filter(|(_, e)| e.value >= NEARLY_ALL * worst.not_rest.value && e.value > 0.0);
-    let goes = most.map_or(String::new(), |(mode, _)| format!(" It then {}.", super::text::words(*mode)));
+    let goes = most.map_or(String::new(), |(mode, _)| match mode {
+        Happening::First(_) => format!(" Then {}.", super::text::words(answer, *mode)),
+        _ => format!(" It then {}.", super::text::words(answer, *mode)),
+    });
     let life = worst.life.as_ref().map_or(String::new(), |life| {
         format!(" At least once in {}: {}.", years(life.years), known(life.not_rest))
     });

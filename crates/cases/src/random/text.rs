@@ -49,7 +49,7 @@ fn static_modes(answer: &Probability) -> String {
     };
     for chances in answer.situations.iter().skip(1) {
         let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
-        text += &event_table(chances, floor(answer));
+        text += &event_table(answer, chances);
     }
     if let Some(JointChance { count, not_rest, method }) = &answer.joined {
         let within = interval(*not_rest, *method).map_or(String::new(), |interval| format!(", {interval}"));
@@ -210,7 +210,8 @@ pub(super) fn how(answer: &Probability, chances: &Chances) -> String {
 
 fn chances(answer: &Probability, chances: &Chances) -> String {
     let how = how(answer, chances);
-    let mut text = paragraph(&format!("Probability of each mode {} ({how})", period(answer)), 0);
+    let of = if answer.has_joints() { "that each joint leaves rest first" } else { "of each mode" };
+    let mut text = paragraph(&format!("Probability {of} {} ({how})", period(answer)), 0);
     if let Some(situation) = &chances.situation {
         let least = match answer.situations.len() {
             1 => String::new(),
@@ -219,7 +220,7 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
         };
         let _ = writeln!(text, "  under {situation}{least}");
     }
-    text += &event_table(chances, floor(answer));
+    text += &event_table(answer, chances);
     text += &paragraphs(&notes(answer, chances));
     text += &matters(answer, chances);
     text += &nearest(answer, chances);
@@ -227,7 +228,7 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
         let _ = writeln!(text, "\nAt least once in {} years", digits(life.years));
         // Rest is what a life begins with.
         let moved: Vec<_> = life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::REST).collect();
-        text += &modes_table(life.method, &moved, life.not_rest, floor(answer));
+        text += &modes_table(answer, life.method, &moved, life.not_rest);
         if answer.sliding.is_some() {
             text += &paragraph(
                 "Here each year has a wave of the whole H_max. The slides above are those of waves drawn up to H_max, which slide the body \
@@ -246,10 +247,16 @@ fn paragraphs(sentences: &[String]) -> String {
     sentences.iter().map(|sentence| paragraph(sentence, 2)).collect()
 }
 
+/// Note on what is not asked of bodies on joints.
+const FIRST_ALONE: &str = "Of joints it is found which leaves rest first as the loads rise, and how; not what all of them begin with.";
+
 /// Sentences on an event: where it would first leave rest, its reliability index, precision, what was cut.
 pub(super) fn notes(answer: &Probability, chances: &Chances) -> Vec<String> {
     let mut notes: Vec<String> =
         [departures(answer, chances), index(chances)].into_iter().flatten().collect();
+    if answer.has_joints() {
+        notes.push(FIRST_ALONE.to_owned());
+    }
     if !chances.precise {
         notes.push(imprecise(answer));
     }
@@ -281,18 +288,25 @@ fn departures(answer: &Probability, chances: &Chances) -> Option<String> {
         modes.iter().map(|(happening, share)| (happening.name(), share.value)).collect();
     shares.retain(|(_, share)| *share >= floor(answer).max(1e-4));
     shares.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let joints = answer.has_joints();
     let mut parts = Vec::new();
     if !shares.is_empty() {
+        let first = if joints { " first" } else { "" };
         let shares: Vec<String> =
-            shares.iter().map(|(name, share)| format!("{name} in {}", of_all(*share))).collect();
-        parts.push(format!("would first leave rest into {}", listed(&shares)));
+            shares.iter().map(|(name, share)| format!("{name}{first} in {}", of_all(*share))).collect();
+        let leaves = if joints { "" } else { "it would first leave rest into " };
+        parts.push(format!("{leaves}{}", listed(&shares)));
     }
-    for (share, what) in [(at_once, "moves at once in"), (never, "would never move in")] {
+    let others = match joints {
+        true => ["one joint at least moves at once in", "no joint would ever move in"],
+        false => ["it moves at once in", "it would never move in"],
+    };
+    for (share, what) in [at_once, never].into_iter().zip(others) {
         if share.value >= floor(answer).max(1e-4) {
             parts.push(format!("{what} {}", of_all(share.value)));
         }
     }
-    let words = || format!("Were the loads to rise without end, it {} of all outcomes.", parts.join("; it "));
+    let words = || format!("Were the loads to rise without end, {} of all outcomes.", parts.join("; "));
     (!parts.is_empty()).then(words)
 }
 
@@ -365,24 +379,32 @@ fn nearest(answer: &Probability, chances: &Chances) -> String {
 }
 
 /// The modes under the loads of one event.
-fn event_table(chances: &Chances, floor: f64) -> String {
-    let mut text = modes_table(chances.method, &chances.modes, chances.not_rest, floor);
+fn event_table(answer: &Probability, chances: &Chances) -> String {
+    let mut text = modes_table(answer, chances.method, &chances.modes, chances.not_rest);
+    let pressed = if answer.has_joints() { "a joint" } else { "the body down" };
     let parts = [
-        ("more than one consistent mode", chances.not_unique),
-        ("nothing that presses the body down", chances.lifted),
+        ("more than one consistent mode".to_owned(), chances.not_unique),
+        (format!("nothing that presses {pressed}"), Some(chances.lifted)),
     ];
-    for (words, e) in parts.into_iter().filter(|(_, e)| e.value >= floor) {
+    let parts = parts.into_iter().filter_map(|(words, e)| Some((words, e?)));
+    for (words, e) in parts.filter(|(_, e)| e.value >= floor(answer)) {
         text += &paragraph(&format!("Of these with {words}: {}.", probability(e.value)), 2);
     }
     text
 }
 
 /// Modes with their probabilities; those below the floor together.
-fn modes_table(method: Method, modes: &[(Happening, Estimate)], not_rest: Estimate, floor: f64) -> String {
+fn modes_table(
+    answer: &Probability,
+    method: Method,
+    modes: &[(Happening, Estimate)],
+    not_rest: Estimate,
+) -> String {
+    let floor = floor(answer);
     let mut shown: Vec<_> = modes.iter().filter(|(_, e)| e.value >= floor).collect();
     shown.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
     let mut rows: Vec<Vec<String>> =
-        shown.iter().map(|(happening, e)| line(&words(*happening), *e, method)).collect();
+        shown.iter().map(|(happening, e)| line(&words(answer, *happening), *e, method)).collect();
     rows.push(line("does not rest", not_rest, method));
     let mut text = columns(&rows, 2, &[1]);
     let below: Vec<_> = modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
@@ -420,7 +442,11 @@ fn interval(e: Estimate, method: Method) -> Option<String> {
     if method == Method::Integrate { None } else { within(e, &probability) }
 }
 
-pub(super) fn words(happening: Happening) -> String {
+/// An outcome in words, a mode with its symbol, a joint with its name.
+pub(super) fn words(answer: &Probability, happening: Happening) -> String {
+    if let Happening::First(first) = happening {
+        return format!("{} {} first", answer.joint_called(first.joint), first.does());
+    }
     let name = happening.name();
     happening.words().map_or(name.clone(), |words| format!("{words}, {name}"))
 }

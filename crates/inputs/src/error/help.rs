@@ -130,6 +130,7 @@ impl Problem {
             Problem::JointsNotFor { .. } => {
                 "leave one of both out: without [[joint]] the parts are one body".into()
             }
+            Problem::JointsOfChance { .. } => "leave out joints that `assess` finds far from their limits".into(),
             Problem::JointsOfBlock { .. } => "draw the section with [[part]]; mass, centre and inertia follow".into(),
             Problem::JointAboveCrest { .. } | Problem::SameLevel { .. } => {
                 "`elevation` is measured from the base, which is joint 1, in m if it has no unit".into()

@@ -78,6 +78,7 @@
 
 mod check;
 mod choice;
+pub mod first;
 mod laws;
 pub mod plane;
 mod recursion;

@@ -9,6 +9,7 @@ use std::convert::Infallible;
 
 use crate::approx::Approx;
 use crate::ball::{Ball, Scalar};
+use crate::contact::stack::first::{Carried, OnFriction, first_to_leave};
 use crate::contact::stack::plane::{StackPlane, plane_of};
 use crate::contact::stack::{
     Decider, Joint, Leaving, MOST, RestLimit, StackAnswer, StackBody, StackNumbers, StackStage,
@@ -142,33 +143,14 @@ impl Jointed {
     /// Forces and moments of each joint are linear in λ, and its two limits of friction in μ.
     pub fn departures(&self, [up_to, friction]: [f64; 2]) -> Option<StackPlane> {
         let of_base = self.0.first()?.situation.static_friction();
-        let sums: Vec<Sum<f64>> = self.0.iter().map(OnJoint::sum).collect();
-        // Of each joint what it carries at λ = 0, and what each λ adds: X, P, and the moments that press it down about O and O'.
-        let carried = |sum: &Sum<f64>, wrench: &Wrench| {
-            let [x, y] = sum.centre;
-            let about = |end: f64| wrench.p * (x - end) + wrench.x * (y - sum.joint.h) - wrench.m;
-            [wrench.x, wrench.p, about(sum.joint.l), -about(sum.joint.r)]
-        };
-        let all: Vec<[[f64; 4]; 2]> =
-            sums.iter().map(|sum| [carried(sum, &sum.permanent), carried(sum, &sum.variable)]).collect();
+        let all: Vec<OnFriction> = self.0.iter().map(|on| on.sum().on_friction()).collect();
         let decide = |factor: f64, mu: f64| {
-            let mut first: Option<(f64, usize, Mode)> = None;
-            for (joint, (sum, [steady, growing])) in sums.iter().zip(&all).enumerate() {
-                let μ = sum.joint.mu_s * mu / of_base;
-                let forms = [steady, growing].map(|[x, p, o, o_prime]| [μ * p + x, μ * p - x, *o, *o_prime]);
-                let modes = [Mode::SlideLeft, Mode::SlideRight, Mode::RockO, Mode::RockOPrime];
-                for ((start, slope), mode) in forms[0].iter().zip(forms[1]).zip(modes) {
-                    let at = if *start < 0.0 { 0.0 } else { -start / slope };
-                    let leaves = *start < 0.0 || slope < 0.0;
-                    // Of joints that reach their limits together the lowest is told.
-                    if leaves && first.is_none_or(|(least, ..)| at < least * (1.0 - 1e-12)) {
-                        first = Some((at, joint, mode));
-                    }
-                }
-            }
-            let mut found = vec![Mode::Rest; sums.len()];
-            if let Some((_, joint, mode)) = first.filter(|(at, ..)| *at < factor) {
-                found[joint] = mode;
+            let joints: Vec<OnFriction> =
+                all.iter().map(|joint| OnFriction { mu: joint.mu * mu / of_base, ..*joint }).collect();
+            let first = first_to_leave(&joints);
+            let mut found = vec![Mode::Rest; joints.len()];
+            if let Some((_, joint, limit)) = first.filter(|(at, ..)| *at < factor) {
+                found[joint] = limit.mode();
             }
             Ok::<_, Infallible>(found)
         };
@@ -220,6 +202,14 @@ impl<T> Sum<T> {
             permanent: wrench(&self.permanent),
             variable: wrench(&self.variable),
         }
+    }
+}
+
+impl Sum<f64> {
+    fn on_friction(&self) -> OnFriction {
+        let ([x, y], Joint { h, l, r, mu_s, .. }) = (self.centre, &self.joint);
+        let carried = |wrench: &Wrench| Carried::of(wrench, [x - l, r - x], y - h);
+        OnFriction { permanent: carried(&self.permanent), variable: carried(&self.variable), mu: *mu_s }
     }
 }
 

@@ -198,7 +198,7 @@ impl PureStorm {
             precise: sliding.precise,
             modes: all(sliding.wave),
             not_rest: sliding.wave,
-            not_unique: nothing,
+            not_unique: Some(nothing),
             lifted: nothing,
             first_departure: FirstDeparture {
                 modes: first.into_iter().filter(|(happening, _)| *happening != Happening::REST).collect(),

@@ -73,11 +73,11 @@ impl GodaWave {
     /// All that acts under a wave, and without any.
     fn wrench(&self, goda: &Goda) -> Wrench {
         let [thrust, uplift] = Components::of_wave(goda, &self.block, self.scale);
-        self.sum(Components { thrust, uplift, ..self.components })
+        self.sum(Components { thrust, uplift, ..self.components.clone() })
     }
 
     fn still(&self) -> Wrench {
-        self.sum(Components { thrust: Wrench::ZERO, uplift: Wrench::ZERO, ..self.components })
+        self.sum(Components { thrust: Wrench::ZERO, uplift: Wrench::ZERO, ..self.components.clone() })
     }
 
     fn sum(&self, components: Components) -> Wrench {

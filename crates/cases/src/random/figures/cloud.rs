@@ -156,11 +156,13 @@ impl Cloud {
             "Behind them the modes where all other numbers have their medians."
         };
         let fails = if self.fails { " White: the ground fails." } else { "" };
-        let caption = format!(
-            "{} draws{which}, in the colours of their modes{}. {behind}{fails}",
-            self.values.len(),
-            outside(&panels)
-        );
+        let (count, outside) = (self.values.len(), outside(&panels));
+        let caption = match problem.has_joints() {
+            true => format!(
+                "{count} draws{which}{outside}: in the colour of rest where every joint rests, hollow where one does not."
+            ),
+            false => format!("{count} draws{which}, in the colours of their modes{outside}. {behind}{fails}"),
+        };
         Some(chance_cloud(&ChanceCloud { title, caption: &caption, panels: &panels, modes: &self.modes }))
     }
 }

@@ -6,7 +6,7 @@ use super::{Decider, LoadPoint, StackBody, StackNumbers};
 use crate::approx::Signed;
 use crate::ball::Scalar;
 use crate::exact::Real;
-use crate::mode::{Corner, Slip};
+use crate::mode::{Corner, Mode, Slip};
 use crate::wrench::Wrench;
 
 /// What ends the rest of a joint.
@@ -26,6 +26,16 @@ impl RestLimit {
         RestLimit::Turns(Corner::O),
         RestLimit::Turns(Corner::OPrime),
     ];
+
+    /// The mode of what is above, did nothing else begin.
+    pub fn mode(self) -> Mode {
+        match self {
+            RestLimit::Slides(Slip::Left) => Mode::SlideLeft,
+            RestLimit::Slides(Slip::Right) => Mode::SlideRight,
+            RestLimit::Turns(Corner::O) => Mode::RockO,
+            RestLimit::Turns(Corner::OPrime) => Mode::RockOPrime,
+        }
+    }
 }
 
 /// A form `start` + λ `slope`, which is not below zero while a joint rests.
