@@ -100,11 +100,12 @@ pub(crate) fn plain_effort() -> (u64, f64, f64, u64) {
 }
 
 /// Names with units and values of random numbers; k and k' of the report's plane, NaN where there is no such thing; codes of modes, and
-/// which draws are no body.
+/// which draws are no body; and of bodies on joints the words that the codes then are of.
 type DrawnValues<'py> = (
     Vec<(String, Option<&'static str>, Bound<'py, PyArray1<f64>>)>,
     [Bound<'py, PyArray1<f64>>; 2],
     Bound<'py, PyArray1<u8>>,
+    Option<Vec<String>>,
 );
 
 /// So many draws of the random numbers of a case.
@@ -123,13 +124,18 @@ pub(crate) fn draws(
     })??;
     let place = |place: usize| drawn.drawn.iter().map(move |d| d.effective.map_or(f64::NAN, |p| p[place]));
     let effective = [0, 1].map(|i| PyArray1::from_iter(py, place(i)));
-    let code = |happens: Happening| match happens {
-        Happening::Decided(verdict) => verdict.code(),
+    let of_joints = drawn.of_joints();
+    let code = |happens: Happening| match (&of_joints, happens) {
+        (Some(words), Happening::First(_) | Happening::Decided(_)) => {
+            let place = words.iter().position(|word| *word == happens.name());
+            place.and_then(|place| u8::try_from(place).ok()).unwrap_or(NO_MODE)
+        }
+        (None, Happening::Decided(verdict)) => verdict.code(),
         _ => NO_MODE,
     };
     let modes = drawn.drawn.iter().map(|d| code(d.happens));
     let modes = PyArray1::from_iter(py, modes);
     let inputs = drawn.inputs.into_iter().zip(drawn.values);
     let inputs = inputs.map(|((name, unit), values)| (name, unit, PyArray1::from_vec(py, values)));
-    Ok((inputs.collect(), effective, modes))
+    Ok((inputs.collect(), effective, modes, of_joints))
 }

@@ -233,7 +233,7 @@ def draws(
         A table with a column for each random number under its name in the case, in SI units, which ``metadata`` has; ``k_eff`` and
         ``k_prime_eff``, the point of the report's plane, null where the body is not the report's (eccentric, with added mass or two
         frictions) or nothing presses it on its base; and ``mode``, "BF" where the ground fails, null where no mode satisfies every law, or the numbers drawn do not go
-        together. :class:`ArrowTable` says how it becomes one of pandas, polars or pyarrow.
+        together; of bodies on joints "RE", or which leaves rest first, as "joint 2 slides". :class:`ArrowTable` says how it becomes one of pandas, polars or pyarrow.
 
     Raises:
         StandfastError: as :func:`probability`; and where the case has several sets of loads and none of them is named.
@@ -248,7 +248,7 @@ def draws(
     if situation is not None and not isinstance(situation, str):
         raise TypeError(f"situation is {situation!r}; expected the words of a situation")
     file = case_text(case)
-    inputs, effective, modes = _standfast.draws(file, situation, _whole(n, "n", 1), _whole(seed, "seed", 0))
+    inputs, effective, modes, of_joints = _standfast.draws(file, situation, _whole(n, "n", 1), _whole(seed, "seed", 0))
     columns = [
         _standfast.make_array(name, values, None, None, {} if unit is None else {"unit": unit}) for name, unit, values in inputs
     ]
@@ -257,7 +257,9 @@ def draws(
         missing = np.isnan(values)
         columns.append(_standfast.make_array(name, values, missing if missing.any() else None, None, {"description": words}))
     missing = modes == _NO_MODE
-    columns.append(_standfast.make_array("mode", modes, missing if missing.any() else None, SYMBOLS.tolist(), {"description": "the mode that begins"}))
+    words = SYMBOLS.tolist() if of_joints is None else of_joints
+    said = "the mode that begins" if of_joints is None else "RE where every joint rests, else which leaves rest first and how"
+    columns.append(_standfast.make_array("mode", modes, missing if missing.any() else None, words, {"description": said}))
     return ArrowTable(_standfast.make_table(columns))
 
 

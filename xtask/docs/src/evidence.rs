@@ -26,6 +26,7 @@ const EXACTNESS: &str = "crates/standfast/tests/exactness.rs";
 const ENUMERATION: &str = "crates/standfast/tests/enumeration.rs";
 const STACK: &str = "crates/standfast/tests/stack.rs";
 const JOINTS: &str = "crates/cases/tests/joints.rs";
+const JOINTS_DRAWN: &str = "crates/cases/tests/joints_random.rs";
 const COMMON: &str = "crates/standfast/tests/common/mod.rs";
 const WAVES: &str = "crates/standfast/tests/waves.rs";
 const BEARING: &str = "crates/standfast/tests/ground_bearing.rs";
@@ -117,6 +118,19 @@ const ROWS: &[Row] = &[
             ("150", JOINTS, "for _ in 0..150 {"),
             ("120", JOINTS, "for _ in 0..120 {"),
             ("0", JOINTS, "assert_eq!(joints.modes().unwrap(), answer.modes(), "),
+        ],
+    },
+    Row {
+        claim: "which joint leaves rest first, of drawn numbers",
+        against: "the same numbers as a case, decided exactly; two blocks by hand",
+        independent: "in part: floating point against exact signs of the same forms",
+        count: "150 draws of each of 5 cases",
+        result: "0 differ",
+        repeat: "`cargo test -p standfast-cases --test joints_random`",
+        measured: false,
+        places: &[
+            ("150", JOINTS_DRAWN, "Draws::of(&text, None, 150, 3)"),
+            ("0", JOINTS_DRAWN, "assert_eq!((first.joint, first.slides), (joint, slides)"),
         ],
     },
     Row {

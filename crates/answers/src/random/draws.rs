@@ -22,6 +22,8 @@ pub struct Draws {
     pub values: Vec<Vec<f64>>,
     /// Outcome of each draw for the body.
     pub drawn: Vec<Draw>,
+    /// Outcomes that there are of bodies on joints; none of one body.
+    outcomes: Vec<Happening>,
 }
 
 /// Outcome of a draw for the body.
@@ -53,7 +55,13 @@ impl Draws {
             drawn.push(problem.drawn(draw));
         });
         let inputs = problem.random().iter().map(|input| (input.name.clone(), input.unit())).collect();
-        Ok(Draws { inputs, values, drawn })
+        let outcomes = problem.exclusive().filter(|_| problem.has_joints()).map(Happening::of).collect();
+        Ok(Draws { inputs, values, drawn, outcomes })
+    }
+
+    /// The names of what may happen to bodies on joints; `None` of one body.
+    pub fn of_joints(&self) -> Option<Vec<String>> {
+        (!self.outcomes.is_empty()).then(|| self.outcomes.iter().map(|outcome| outcome.name()).collect())
     }
 }
 

@@ -65,8 +65,9 @@ pub fn template(file: &CaseFile) -> Result<String, CaseError> {
                  # records = [\"near.csv\", \"far.csv\"]\n";
     }
     for line in proposed(&case, file.inputs()) {
-        // A name in brackets stands in quotes.
-        let quote = if line.name.contains('[') { "\"" } else { "" };
+        // A name with blanks or brackets stands in quotes.
+        let is_bare = |letter: char| letter.is_ascii_alphanumeric() || "._-".contains(letter);
+        let quote = if line.name.chars().all(is_bare) { "" } else { "\"" };
         let _ = write!(text, "\n# {}\n{quote}{}{quote} = {}\n", line.says, line.name, line.written());
     }
     if case.goda().is_some() {
@@ -112,6 +113,15 @@ pub(super) fn proposed(case: &Case, inputs: &Inputs) -> Vec<ProposedLaw> {
             }
         };
         lines.push(line("friction", "lognormal", (None, cov), says));
+    }
+    for (place, joint) in case.joints.iter().enumerate() {
+        let of = joint.name.clone().map_or_else(|| format!("[{}]", place + 2), |name| format!(".{name}"));
+        let says = format!(
+            "Friction in {}: an assumption and no law of practice, about the case's {}",
+            joint.called(place),
+            digits(joint.friction)
+        );
+        lines.push(line(&format!("joint{of}.friction"), "lognormal", (None, 0.15), says));
     }
     // How heavy a body is changes nothing of what its own inertia does to it.
     let shaken = inputs.has(Table::BaseHorizontal) || case.earthquake.is_some() && case.forces.is_empty();

@@ -158,9 +158,10 @@ impl Cloud {
         let fails = if self.fails { " White: the ground fails." } else { "" };
         let (count, outside) = (self.values.len(), outside(&panels));
         let caption = match problem.has_joints() {
-            true => format!(
-                "{count} draws{which}{outside}: in the colour of rest where every joint rests, hollow where one does not."
-            ),
+            true => {
+                let medians = if others.is_empty() { "" } else { ", all other numbers at their medians" };
+                format!("{count} draws{which}{outside}. Shaded: every joint rests{medians}; white: one leaves rest.")
+            }
             false => format!("{count} draws{which}, in the colours of their modes{outside}. {behind}{fails}"),
         };
         Some(chance_cloud(&ChanceCloud { title, caption: &caption, panels: &panels, modes: &self.modes }))
