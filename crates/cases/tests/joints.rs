@@ -451,6 +451,50 @@ fn water_in_a_joint_lifts_what_is_above() {
     assert_eq!(base("uplift = \"tight\"\n"), base("uplift = \"open\"\n"));
 }
 
+/// Where a joint is narrower than the bodies meet, water beside it stands in the gap, tight joint or not: by hand, of forces and of moments.
+#[test]
+fn water_stands_in_the_gap_beside_a_joint() {
+    let wet = "[water]\nleft = 3\nright = 4\ndensity = 1000\nopening = \"closed\"\n";
+    let above = |more: &str| {
+        let assessment =
+            assess(&format!("{TWO}{wet}{}{PUSH}", joint(&format!("left = 3.5\nright = 4.75\n{more}"))));
+        on(&assessment, 1).outcome.full.wrench
+    };
+    // 2 m of the upper block from x = 3, of which 0.5 m at the left and 0.25 m at the right do not bear.
+    let weight = 2500.0 * 6.0 * G;
+    let [left, right] = [1000.0 * G * 1.0 * 0.5, 1000.0 * G * 2.0 * 0.25];
+    let tight = above("uplift = \"tight\"\n");
+    six(tight.p, weight - left - right);
+    let open = above("uplift = \"open\"\n");
+    six(open.p, weight - left - right - 1000.0 * G * 1.5 * 1.25);
+    let given = above("uplift_left = 0\nuplift_right = \"8 kPa\"\n");
+    six(given.p, weight - left - right - 4e3 * 1.25);
+    // The wide joint has the whole underside: at the same pressures from side to side another diagram, and none at all if it is tight.
+    let wide =
+        on(&assess(&format!("{TWO}{wet}{}{PUSH}", joint("uplift = \"tight\"\n"))), 1).outcome.full.wrench;
+    six(wide.p, weight);
+    // About the centre at x = 4: the gaps are pressed up at 3.25 and at 4.875.
+    six(tight.m - wide.m, right * 0.875 - left * 0.75);
+    // Archimedes: of equal levels an open joint and its gaps are pressed as the whole underside is.
+    let level = |more: &str| {
+        let text =
+            format!("{TWO}[water]\nlevel = 4\ndensity = 1000\nopening = \"closed\"\n{}{PUSH}", joint(more));
+        on(&assess(&text), 1).outcome.full.wrench.p
+    };
+    six(level("left = 3.5\nuplift = \"open\"\n"), level("uplift = \"open\"\n"));
+    // A wave of the pressure p beside the joint, 15 m wide: a gap of 1 m is pressed by p, an open joint by p/2 from end to end.
+    let crown = include_str!("../../../examples/joints/crown-wall-on-caisson.toml");
+    let p = |water: &str, more: &str| {
+        let text = crown.replace("uplift = \"open\"", &format!("uplift = \"{water}\"\n{more}"));
+        on(&assess(&text), 1).outcome.full.wrench.p
+    };
+    let gap = "right = \"23 m\"";
+    let [tight, open] = ["tight", "open"].map(|water| p(water, "") - p(water, gap));
+    assert!(tight > 10e3, "{tight}");
+    six(open, tight / 2.0);
+    six(p("tight", "") - p("open", ""), tight * 7.5);
+}
+
 /// Where water reaches above a joint, the file has to say what is in it.
 #[test]
 fn water_above_a_joint_has_to_be_told() {

@@ -1,7 +1,8 @@
 //! Joints: where a body is parted, what is above each, and the loads on that.
 
 use standfast::loads::{
-    AboveJoint, Action, AddedMass, Earthquake, Face, Load, LoadKind, LoadSource, PressureDiagram, Uplift,
+    AboveJoint, Action, AddedMass, BodyPoint, Earthquake, Face, Load, LoadKind, LoadSource, PressureDiagram,
+    Uplift,
 };
 use standfast::section::{Piece, Section};
 use standfast::{Ball, InputError, Jointed, OnJoint, Plan, Quantity, Scalar, Situation};
@@ -30,8 +31,20 @@ pub struct CaseJoint<T = f64> {
     pub above: AboveJoint<T>,
     /// The same of a section of parts.
     piece: Option<Piece>,
+    /// Widths at its left and its right where the bodies meet and do not bear: water beside them stands there.
+    gaps: [T; 2],
     /// Water that moves with what is above it.
     added_mass: AddedMass<T>,
+}
+
+/// Ends of a joint.
+struct JointEnds<T> {
+    /// To the right of the origin of the section.
+    ends: [T; 2],
+    /// As the body that is cut counts them.
+    contact: [T; 2],
+    /// What `left` and `right` cut off of where the bodies meet.
+    gaps: [T; 2],
 }
 
 /// Water in a joint.
@@ -171,7 +184,7 @@ impl Reader<'_> {
             Some(section) => Some(section.above(level, case.water_table).map_err(cut)?),
             None => None,
         };
-        let (ends, contact) = self.joint_ends(index, case, piece.as_ref())?;
+        let JointEnds { ends, contact, gaps } = self.joint_ends(index, case, piece.as_ref())?;
         let above = match (&case.section, &piece) {
             (Some(section), Some(piece)) => {
                 AboveJoint::of_section(&case.body, section, piece, elevation, contact)
@@ -191,19 +204,20 @@ impl Reader<'_> {
             kinetic_friction,
             water: self.joint_water(index, level, case)?,
             ends,
+            gaps,
             added_mass: self.added_mass_above(&above, case)?,
             above,
             piece,
         })
     }
 
-    /// The ends of a joint to the right of the origin of the section, and as the body that is cut counts them.
+    /// The ends of a joint.
     fn joint_ends<T: Scalar>(
         &self,
         index: usize,
         case: &Case<T>,
         piece: Option<&Piece>,
-    ) -> Result<([T; 2], [T; 2]), Fault> {
+    ) -> Result<JointEnds<T>, Fault> {
         let id = |key| Id::new(key, index);
         let keys = [Key::JointLeft, Key::JointRight];
         let given = keys.map(|key| self.inputs.scalar::<T>(id(key)));
@@ -222,7 +236,7 @@ impl Reader<'_> {
         };
         let [from, to] = whole.each_ref().map(T::value);
         let slack = 1e-6 * (to - from);
-        let mut ends = whole;
+        let mut ends = whole.clone();
         for ((end, given), key) in ends.iter_mut().zip(given).zip(keys) {
             let Some(given) = given else { continue };
             let given = given * scale.clone();
@@ -238,7 +252,9 @@ impl Reader<'_> {
             return Err(Fault::new(problem, id(Key::JointRight)).and(id(Key::JointLeft)));
         }
         let contact = ends.each_ref().map(|end| end.clone() - origin.clone());
-        Ok((ends, contact))
+        let [from, to] = whole;
+        let gaps = [ends[0].clone() - from, to - ends[1].clone()];
+        Ok(JointEnds { ends, contact, gaps })
     }
 
     /// Water in a joint, which has to be said where something that may be water reaches above it.
@@ -427,52 +443,89 @@ impl<T: Scalar> Case<T> {
         }
     }
 
-    /// Water in a joint: still water from each end to nothing at the other, so that each has the factors of what makes it, and that of waves.
+    /// Water in a joint and in the gaps beside it.
     fn water_in(&self, joint: &CaseJoint<T>) -> Vec<(LoadOrigin, Load<T>)> {
         let body = joint.above.body();
-        match &joint.water {
-            JointWater::Dry | JointWater::Tight => Vec::new(),
-            JointWater::Given(uplift) => vec![(LoadOrigin::Table(Table::Uplift), uplift.load(body))],
-            JointWater::Open => {
-                let zero = || T::of(0.0);
-                let mut loads = Vec::new();
-                if let Some(still) = &self.water {
-                    let unit_weight = still.density() * self.gravity.clone();
-                    let under = |level: T| {
-                        let depth = level - joint.level();
-                        if depth.value() > 0.0 { unit_weight.clone() * depth } else { zero() }
-                    };
-                    let (left, right) = (under(still.left()), under(still.right()));
-                    let ends = [(Face::Left, left, zero()), (Face::Right, zero(), right)];
-                    for (side, left, right) in ends {
-                        if (left.value(), right.value()) != (0.0, 0.0) {
-                            let base = Action::base_pressure(body, left, right);
-                            let load = Load::permanent(LoadSource::Buoyancy, LoadKind::Weight, base);
-                            loads.push((LoadOrigin::JointWater(side), load));
-                        }
-                    }
+        let mut loads = Vec::new();
+        let mut still = |side: Face, action: Action<T>| {
+            let load = Load::permanent(LoadSource::Buoyancy, LoadKind::Weight, action);
+            loads.push((LoadOrigin::JointWater(side), load));
+        };
+        let pressures = self.still_pressures(joint.level());
+        let waves = self.wave_pressures(&joint.level());
+        // In an open joint still water from each end to nothing at the other, so that each has the factors of what makes it.
+        if joint.water == JointWater::Open {
+            let [left, right] = pressures.clone();
+            let zero = || T::of(0.0);
+            for (side, [left, right]) in [(Face::Left, [left, zero()]), (Face::Right, [zero(), right])] {
+                if (left.value(), right.value()) != (0.0, 0.0) {
+                    still(side, Action::base_pressure(body, left, right));
                 }
-                if let Some(wave) = &self.wave {
-                    let on_face = |face: Face| -> f64 {
-                        let loads = wave.loads(&self.body.rounded()).into_iter();
-                        let at = loads.filter_map(|load| match load.action {
-                            Action::Pressure { face: on, diagram } if on == face => {
-                                Some(diagram.at(&joint.level().value()))
-                            }
-                            _ => None,
-                        });
-                        at.sum()
-                    };
-                    let [left, right] = [Face::Left, Face::Right].map(on_face);
-                    if (left, right) != (0.0, 0.0) {
-                        let base = Action::base_pressure(body, T::computed(left), T::computed(right));
-                        let load = Load::variable(LoadSource::WaveUplift, LoadKind::Uplift, base);
-                        loads.push((LoadOrigin::Table(Table::Wave), load.fast()));
-                    }
-                }
-                loads
             }
         }
+        for (side, pressure) in [Face::Left, Face::Right].into_iter().zip(pressures) {
+            if let Some(action) = joint.lift_in_gap(side, pressure) {
+                still(side, action);
+            }
+        }
+        let mut wave = |action: Action<T>| {
+            let load = Load::variable(LoadSource::WaveUplift, LoadKind::Uplift, action);
+            loads.push((LoadOrigin::Table(Table::Wave), load.fast()));
+        };
+        if joint.water == JointWater::Open && waves != [0.0, 0.0] {
+            let [left, right] = waves.map(T::computed);
+            wave(Action::base_pressure(body, left, right));
+        }
+        for (side, pressure) in [Face::Left, Face::Right].into_iter().zip(waves) {
+            if let Some(action) = joint.lift_in_gap(side, T::computed(pressure)) {
+                wave(action);
+            }
+        }
+        if let JointWater::Given(uplift) = &joint.water {
+            loads.push((LoadOrigin::Table(Table::Uplift), uplift.load(body)));
+        }
+        loads
+    }
+
+    /// The pressures of still water beside a level, left and right.
+    fn still_pressures(&self, level: T) -> [T; 2] {
+        let Some(still) = &self.water else { return [T::of(0.0), T::of(0.0)] };
+        let unit_weight = still.density() * self.gravity.clone();
+        [still.left(), still.right()].map(|surface| {
+            let depth = surface - level.clone();
+            if depth.value() > 0.0 { unit_weight.clone() * depth } else { T::of(0.0) }
+        })
+    }
+
+    /// The pressures of waves beside a level, left and right.
+    fn wave_pressures(&self, level: &T) -> [f64; 2] {
+        let Some(wave) = &self.wave else { return [0.0, 0.0] };
+        let loads = wave.loads(&self.body.rounded());
+        [Face::Left, Face::Right].map(|face| {
+            let at = loads.iter().filter_map(|load| match &load.action {
+                Action::Pressure { face: on, diagram } if *on == face => Some(diagram.at(&level.value())),
+                _ => None,
+            });
+            at.sum()
+        })
+    }
+}
+
+impl<T: Scalar> CaseJoint<T> {
+    /// What a pressure beside the joint lifts where the bodies do not bear at a side.
+    fn lift_in_gap(&self, side: Face, pressure: T) -> Option<Action<T>> {
+        let [left, right] = self.gaps.clone();
+        let (body, half) = (self.above.body(), |gap: &T| gap.clone() / T::of(2.0));
+        let edges = body.base_edges();
+        let (gap, x) = match side {
+            Face::Left => (left.clone(), T::of(0.0) - edges.left - half(&left)),
+            _ => (right.clone(), edges.right + half(&right)),
+        };
+        if gap.value() <= 0.0 || pressure.value() == 0.0 {
+            return None;
+        }
+        let up = pressure * gap * body.plan().side(body.width());
+        Some(Action::Force { at: BodyPoint { x, y: T::of(0.0) }, right: T::of(0.0), up })
     }
 }
 

@@ -160,7 +160,9 @@ impl Cloud {
         let caption = match problem.has_joints() {
             true => {
                 let medians = if others.is_empty() { "" } else { ", all other numbers at their medians" };
-                format!("{count} draws{which}{outside}. Shaded: every joint rests{medians}; white: one leaves rest.")
+                format!(
+                    "{count} draws{which}{outside}. Shaded: every joint rests{medians}; white: one leaves rest."
+                )
             }
             false => format!("{count} draws{which}, in the colours of their modes{outside}. {behind}{fails}"),
         };
