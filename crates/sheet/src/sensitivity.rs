@@ -18,12 +18,15 @@ pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
         (false, true) => ", water included,",
         (true, _) => ", waves and water included,",
     };
+    let is_lifted = rows.iter().any(|row| row.sliding == SensitivityChange::Lifted);
     Ok(html! {
         p.note {
             "Change of the safety factors and of the load factor at which the body leaves rest, if one input grows by 1 %, \
              with what has to go with it: the mass with the width, the crest with the height. The least of all loads counts in each \
              column. The whole case" (wet) " is computed anew for each, with the input 1 % larger. Where there is no number: " em { "unlimited" } ", a factor has no bound, as it is or then; " em { "at once" } ", the body moves without any \
-             share of the load; " em { "no case" } ", an input 1 % larger makes no sense beside the others."
+             share of the load; " em { "no case" } ", an input 1 % larger makes no sense beside the others"
+            @if is_lifted { "; " em { "lifted" } ", nothing presses the body on its base, or a joint, as it is or then, and there is no factor" }
+            "."
         }
         @if stays { p.note { (STAYS) } }
         @if untold { p.note { "The pressures of a [[pressure]] have no row: they are lists, and no single input." } }

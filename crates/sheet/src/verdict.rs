@@ -192,7 +192,6 @@ pub fn table(assessment: &Assessment, most: usize) -> Markup {
             }
             tbody {
                 @for assessed in assessment.worst_first().into_iter().take(most) {
-                    @let full = &assessed.outcome.full;
                     @let factors = [sliding(assessed), overturning(assessed)];
                     tr {
                         @if several { td.name data-label="Situation" { (name(assessment, assessed)) } }
@@ -204,7 +203,7 @@ pub fn table(assessment: &Assessment, most: usize) -> Markup {
                         }
                         @for (factor, column) in factors.into_iter().zip(&COLUMNS[1..]) {
                             td.n data-label=(column) {
-                                @if full.is_lifted() { "none" } @else { (Measured::of(factor, FACTOR).html("")) }
+                                @if assessed.is_lifted() { "none" } @else { (Measured::of(factor, FACTOR).html("")) }
                             }
                         }
                         td.n data-label=(COLUMNS[3]) { (departure(&assessed.departure())) }

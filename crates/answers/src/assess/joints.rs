@@ -245,6 +245,11 @@ impl Assessed {
         }
     }
 
+    /// True if nothing presses the body on its base, or on one of its joints, under the full load.
+    pub fn is_lifted(&self) -> bool {
+        self.on_joints().any(|on| on.outcome.full.is_lifted())
+    }
+
     /// What is on each joint from the base, which is the first: the whole, and where there are joints above, all that is above each.
     pub fn on_joints(&self) -> impl Iterator<Item = &Assessed> {
         std::iter::once(self).chain(self.joints.iter().flat_map(|joints| &joints.above))

@@ -27,6 +27,8 @@ pub enum SensitivityChange {
     Unlimited,
     /// There is no load factor, because the body moves at once, at present or with the number changed.
     AtOnce,
+    /// There is no safety factor, because nothing presses the body on its base, or a joint, at present or with the number changed.
+    Lifted,
     /// With the number changed, the case makes no sense or cannot be computed.
     NoCase,
 }
@@ -46,6 +48,7 @@ impl SensitivityChange {
             SensitivityChange::By(_) => "",
             SensitivityChange::Unlimited => "unlimited",
             SensitivityChange::AtOnce => "at once",
+            SensitivityChange::Lifted => "lifted",
             SensitivityChange::NoCase => "no case",
         }
     }
@@ -89,10 +92,10 @@ pub(super) fn all(
     present: Option<&Assessment>,
     portion: Portion<'_>,
 ) -> Result<Vec<Sensitivity>, Stopped> {
-    // The caisson's width is the body's.
+    // The caisson's width is the body's, and a joint stays where its bodies meet.
     let variables = Variable::all(varied.inputs())
         .chain(Variable::implied(varied.inputs()))
-        .filter(|id| id.key != Key::CaissonWidth)
+        .filter(|id| !matches!(id.key, Key::CaissonWidth | Key::JointElevation))
         .map(|id| Variable::of(id, varied.inputs()));
     let variables: Vec<Variable> = variables.collect();
     let steps = portion.steps(variables.len());
@@ -129,7 +132,13 @@ fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> 
         Some((now, then)) if at_once(now) || at_once(then) => SensitivityChange::AtOnce,
         _ => change(load_factor),
     };
-    let (sliding, overturning) = (change(sliding), change(overturning));
+    let of_factor = |of: fn(&Assessed) -> f64| match both {
+        Some((now, then)) if [now, then].into_iter().any(|answer| answer.least(of).is_lifted()) => {
+            SensitivityChange::Lifted
+        }
+        _ => change(of),
+    };
+    let (sliding, overturning) = (of_factor(sliding), of_factor(overturning));
     let motion = varied.follows.then(|| {
         [farthest, steepest].map(|of: fn(&Assessment) -> Option<f64>| match both {
             // A body that overturns slides and turns without bound.

@@ -201,9 +201,9 @@ fn with_width_scale(file: &CaseFile) -> Option<CaseFile> {
 fn is_free(id: Id) -> bool {
     use Key::{
         BlockGravity, BuoyantWeight, CaissonWidth, EnvelopeCoupling, EnvelopeHorizontal, EnvelopeMoment,
-        Gravity, HistoryStart, KineticFriction, Lambda1, Lambda2, Lambda3, MomentOfInertia, MuImpact, MuK,
-        PartDensity, PartDensityBelow, PartUnitWeight, Phase, RecordStep, SeaBottomSlope, TMax, TurnDeg,
-        WaterDensity, WaterDepth, WaterMass, WaveWaterDensity, WeightArm,
+        Gravity, HistoryStart, JointElevation, KineticFriction, Lambda1, Lambda2, Lambda3, MomentOfInertia,
+        MuImpact, MuK, PartDensity, PartDensityBelow, PartUnitWeight, Phase, RecordStep, SeaBottomSlope,
+        TMax, TurnDeg, WaterDensity, WaterDepth, WaterMass, WaveWaterDensity, WeightArm,
     };
     let bound = matches!(
         id.key,
@@ -222,6 +222,7 @@ fn is_free(id: Id) -> bool {
             | EnvelopeMoment
             | EnvelopeCoupling
             | CaissonWidth
+            | JointElevation
             | BuoyantWeight
             | WeightArm
             | MomentOfInertia

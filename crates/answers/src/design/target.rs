@@ -309,13 +309,15 @@ impl Target {
     }
 
     fn is_met_by(self, answer: &Assessment, assessed: &Assessed) -> bool {
-        let full = &assessed.outcome.full;
         match self {
             Target::Rest => assessed.mode() == Some(Mode::Rest),
             Target::Factor(factor) => {
                 // By uplift that turns it, a body may move with both factors above 1.
                 let turns = factor >= 1.0 && assessed.mode() != Some(Mode::Rest);
-                sliding(assessed) >= factor && overturning(assessed) >= factor && !full.is_lifted() && !turns
+                sliding(assessed) >= factor
+                    && overturning(assessed) >= factor
+                    && !assessed.is_lifted()
+                    && !turns
             }
             Target::NoRock | Target::NoSlide => self.offending(&answer.case, assessed).is_none(),
             Target::Criterion(criterion) => Check::of(criterion, assessed).met,
@@ -457,12 +459,10 @@ impl Target {
 /// Failing one of both safety factors, or the reason why neither means anything.
 fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
     let at_least = digits(factor);
-    if assessed.outcome.full.is_lifted() {
-        Binding::because(
-            "uplift",
-            "nothing presses the body on its base".to_owned(),
-            Some("V > 0 fails".to_owned()),
-        )
+    if assessed.is_lifted() {
+        let what = if assessed.outcome.full.is_lifted() { "the body on its base" } else { "a joint" };
+        let brief = format!("nothing presses {what}");
+        Binding::because("uplift", brief, Some("V > 0 fails".to_owned()))
     } else if sliding(assessed) < factor {
         let brief = format!("the factor of the body against sliding is less than {at_least}");
         Binding::because("sliding", brief, Some(format!("μ(W' − U)/P ≥ {at_least} fails")))
@@ -515,7 +515,9 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
             )
         }
         _ if check.criterion.key == Key::LeastLoadFactor => {
-            let why = condition(assessed, verdict).map_or(String::new(), |why| format!(": {why}"));
+            // Of joints it is told which leaves rest and how.
+            let why = condition(assessed, verdict).filter(|_| assessed.joints.is_none());
+            let why = why.map_or(String::new(), |why| format!(": {why}"));
             format!("{}{place}: {}{why}", check.failure(assessed), assessed.departs())
         }
         _ => check.failure(assessed) + &place,

@@ -4,9 +4,10 @@ use standfast::Verdict;
 
 use super::summary::summary;
 use super::{
-    DIGITS, Design, End, Extreme, OuterState, SensitivityChange, Stretch, Target, farthest, least,
-    load_factor, overturning, overturns, sliding, steepest, with_unit,
+    DIGITS, Design, End, Extreme, OuterState, SensitivityChange, Stretch, Target, farthest, load_factor,
+    overturning, overturns, sliding, steepest, with_unit,
 };
+use crate::assess::joint_words::slashed;
 use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, note, title};
 use crate::key::Key;
@@ -56,20 +57,33 @@ fn before_and_after(design: &Design) -> String {
     let under = |answer: &Assessment, of: fn(&Assessed) -> f64| {
         name(answer, of).filter(|_| !same).map_or(String::new(), |name| format!(", {name}"))
     };
+    let of = |answer: &Assessment, of: fn(&Assessed) -> f64| {
+        let worst = answer.least(of);
+        let value = if worst.is_lifted() { "none".to_owned() } else { factor(of(worst)) };
+        value + &under(answer, of)
+    };
+    let joints = !present.case.joints.is_empty();
+    let mode = if joints { "modes under the full load" } else { "mode under the full load" };
     let both = |words: &str, of: &dyn Fn(&Assessment) -> String| row![words, of(present), of(&found.answer)];
     let mut rows = vec![
         row!["", "at present", "found"],
         row![quantity.variable.name(), quantity.shown(quantity.present), &found.text],
-        both("SF sliding", &|answer| factor(least(answer, sliding)) + &under(answer, sliding)),
-        both("SF overturning", &|answer| factor(least(answer, overturning)) + &under(answer, overturning)),
-        both("mode under the full load", &|answer| {
-            symbol(answer.least(load_factor).verdict()) + &under(answer, load_factor)
+        both("SF sliding", &|answer| of(answer, sliding)),
+        both("SF overturning", &|answer| of(answer, overturning)),
+        both(mode, &|answer| {
+            let worst = answer.least(load_factor);
+            let modes = worst.joints.as_ref().map(|joints| joints.modes().map_or("–".to_owned(), slashed));
+            modes.unwrap_or_else(|| symbol(worst.verdict())) + &under(answer, load_factor)
         }),
         both("leaves rest at", &|answer| {
             departure_word(&answer.least(load_factor).departure()) + &under(answer, load_factor)
         }),
         both("into", &|answer| {
-            answer.least(load_factor).departure().verdict().map_or("", Verdict::symbol).to_owned()
+            let worst = answer.least(load_factor);
+            match &worst.joints {
+                Some(joints) => slashed(joints.departing()),
+                None => worst.departure().verdict().map_or("", Verdict::symbol).to_owned(),
+            }
         }),
     ];
     rows.extend(asked(request.target, present, &found.answer));

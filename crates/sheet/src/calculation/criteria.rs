@@ -40,6 +40,15 @@ fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
     }
     let (value, unit) = quantity(criterion.key);
     let utilisation = check.utilisation.unwrap_or(f64::INFINITY);
+    if utilisation == f64::INFINITY {
+        let value = match check.value_words(assessed).as_str() {
+            "none" => "There is no value".to_owned(),
+            words => format!("The value is {words}"),
+        };
+        let on_joint = check.on_joint(assessed);
+        steps.note(&format!("{about}. {value}{on_joint}: the utilisation is infinite."));
+        return;
+    }
     if check.joint.is_some_and(|joint| joint > 0) {
         let words = format!("{}{}", check.value_words(assessed), check.on_joint(assessed));
         return steps.told(&about, &name, utilisation, FACTOR, &words, "");
@@ -48,7 +57,7 @@ fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
         let words = format!("{}, in another of the ways that were tried", check.value_words(assessed));
         return steps.told(&about, &name, utilisation, FACTOR, &words, "");
     }
-    if utilisation == 0.0 || utilisation == f64::INFINITY {
+    if utilisation == 0.0 {
         return steps.told(&about, &name, utilisation, FACTOR, &check.value_words(assessed), "");
     }
     let required = format!("R_{}", letters(criterion.key));

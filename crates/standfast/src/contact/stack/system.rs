@@ -338,7 +338,8 @@ impl Decider<'_> {
         let joints = course.motions.iter().zip(&course.reactions).map(|(motion, reaction)| {
             let ([t, v, ω], [f, n, g]) = (value(motion), value(reaction));
             let xi = if sign(&n) == Equal { 0.0 } else { (g / n.clone()).value() };
-            JointMotion { t: t.value(), v: v.value(), omega: ω.value(), f: f.value(), n: n.value(), xi }
+            let [t, v, omega, f, n] = [t, v, ω, f, n].map(told);
+            JointMotion { t, v, omega, f, n, xi }
         });
         let joints: Vec<_> = joints.collect();
         // Of the point of body i at the origin: right, up, and the rotation.
@@ -350,13 +351,18 @@ impl Decider<'_> {
                 at_origin = [right + t + ω.clone() * joint.h.clone(), up + v, turn + ω];
                 let [right, up, turn] = at_origin.clone();
                 BodyMotion {
-                    x_ddot: (right - turn.clone() * body.y.clone()).value(),
-                    y_ddot: (up + turn.clone() * body.x.clone()).value(),
-                    theta_ddot: turn.value(),
+                    x_ddot: told(right - turn.clone() * body.y.clone()),
+                    y_ddot: told(up + turn.clone() * body.x.clone()),
+                    theta_ddot: told(turn),
                 }
             });
         Some(StackMotion { bodies: bodies.collect(), joints })
     }
+}
+
+/// A number rounded once; one that is not told from zero is zero.
+fn told(number: Ball) -> f64 {
+    if sign(&number) == Equal { 0.0 } else { number.value() }
 }
 
 #[cfg(test)]
