@@ -801,6 +801,53 @@ fn the_plane_names_the_joint_that_leaves_rest_first() {
     assert!(seen > 150 && upper > 20, "{seen} {upper}");
 }
 
+/// The plane of what all joints begin with at once: at each place the answer of the case with these forces and this friction.
+#[test]
+fn the_plane_at_once_is_the_answer_of_each_case() {
+    let mut random = Random(29);
+    let (mut seen, mut both) = (0, 0);
+    for _ in 0..4 {
+        let blocks = blocks(&mut random, 2);
+        // The upper joint so rough that it drags the lower one along.
+        let frictions = [random.number(0.15, 0.3), random.number(0.6, 0.9)];
+        let case = |factor: f64, share: f64| {
+            let bed = blocks[1].bottom;
+            format!(
+                "[body]\nfriction = {}\n{}{}[[joint]]\nelevation = {bed}\nfriction = {}\n\
+                 [[load]]\nforce = {}\nelevation = {}\n",
+                frictions[0] * share,
+                blocks[0].text(1),
+                blocks[1].text(2),
+                frictions[1] * share,
+                150e3 * factor,
+                bed + 0.3
+            )
+        };
+        let Ok(read) = file(&case(1.0, 1.0)).case() else { continue };
+        let whole = Assessment::of(&read).unwrap();
+        let plane =
+            whole.governing().joints.as_ref().unwrap().all_at_once([2.0, 1.5 * frictions[0]]).unwrap();
+        for share in [0.11, 0.36, 0.71, 0.99, 1.41] {
+            for factor in [0.17, 0.52, 0.93, 1.31, 1.77] {
+                // Not next to a boundary, from which a straight piece may be off by a thousandth.
+                let at =
+                    |factor: f64, share: f64| plane.at(factor, frictions[0] * share).map(<[Mode]>::to_vec);
+                let here = at(factor, share);
+                let around = [(0.99, 1.0), (1.01, 1.0), (1.0, 0.99), (1.0, 1.01)];
+                if around.iter().any(|(one, other)| at(factor * one, share * other) != here) {
+                    continue;
+                }
+                let found = assess(&case(factor, share));
+                let modes = found.governing().joints.as_ref().unwrap().modes().unwrap().to_vec();
+                assert_eq!(here, Some(modes.clone()), "{}", case(factor, share));
+                seen += 1;
+                both += usize::from(modes.iter().all(|mode| *mode != Mode::Rest));
+            }
+        }
+    }
+    assert!(seen > 60 && both > 5, "{seen} {both}");
+}
+
 /// Drums of a column: each joint is a circle, shaken.
 #[test]
 fn drums_stand_on_circles() {

@@ -391,6 +391,8 @@ pub struct StackMap<'a> {
     pub point: Option<DesignPoint>,
     /// What its regions tell, in a sentence; that they are the modes of all joints, if nothing is said.
     pub regions: Option<&'a str>,
+    /// What each region is, in words for the key, in the order of the plane's; `None` of stacks in general, whose key has patterns.
+    pub words: Option<&'a [String]>,
     /// Title, in a line; not markup.
     pub title: &'a str,
 }

@@ -10,7 +10,7 @@ use crate::canvas::Canvas;
 use crate::caption::{SIZE, SMALL};
 use crate::palette::{INK, MARK, REST, symbol, tint};
 use crate::plot::{Arc, Piece, View, clip_strips, level, outline};
-use crate::scene::{Path, Pen};
+use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::texture::{self, Texture};
 use crate::{Figure, StackMap, caption, margins};
@@ -51,7 +51,7 @@ impl Moves {
 
     fn words(self) -> &'static str {
         match self {
-            Moves::Lowest => "the joint at the ground moves",
+            Moves::Lowest => "no pattern: the joint at the ground moves",
             Moves::Upper => "one above it moves",
             Moves::Several => "several move",
         }
@@ -62,6 +62,8 @@ impl Moves {
 struct Area<'a> {
     modes: &'a [Mode],
     pieces: Vec<Piece>,
+    /// In words.
+    words: Option<&'a str>,
 }
 
 impl Area<'_> {
@@ -91,7 +93,11 @@ pub(crate) fn figure(given: &StackMap<'_>) -> Figure {
         .plane
         .regions
         .iter()
-        .map(|region| Area { modes: &region.modes, pieces: area(region) })
+        .enumerate()
+        .map(|(place, region)| {
+            let words = given.words.and_then(|words| words.get(place)).map(String::as_str);
+            Area { modes: &region.modes, pieces: area(region), words }
+        })
         .collect();
     areas.retain(|area| !area.pieces.is_empty());
 
@@ -122,17 +128,23 @@ pub(crate) fn figure(given: &StackMap<'_>) -> Figure {
 
     let edges = (LEFT, COLUMN - LEFT);
     let mut key = Key::new(edges, below + GAP);
+    for area in &areas {
+        let Some(words) = area.words else { continue };
+        let words = [Text::new(&area.name(), SMALL), Text::verbatim(words, SMALL)];
+        key.patch(
+            &mut canvas.scene,
+            |scene, rect| {
+                scene.fill(&Path::rectangle(rect), area.tint());
+                lay(scene, rect, area.texture());
+            },
+            &words,
+        );
+    }
     for moves in [Moves::Lowest, Moves::Upper, Moves::Several] {
-        if areas.iter().any(|area| Moves::of(area.modes) == Some(moves)) {
+        if given.words.is_none() && areas.iter().any(|area| Moves::of(area.modes) == Some(moves)) {
             let words = [Text::verbatim(moves.words(), SMALL)];
-            key.patch(
-                &mut canvas.scene,
-                |scene, rect| {
-                    scene.fill(&Path::rectangle(rect), REST);
-                    texture::laid_within(scene, &[&rect.corners()], moves.texture());
-                },
-                &words,
-            );
+            // On paper: of a tint it would be that of a mode.
+            key.patch(&mut canvas.scene, |scene, rect| lay(scene, rect, moves.texture()), &words);
         }
     }
     let known = if given.curves.is_empty() { "" } else { " Dotted: boundaries known in closed form." };
@@ -145,6 +157,14 @@ pub(crate) fn figure(given: &StackMap<'_>) -> Figure {
     let description = caption::chart("k", &window, shaded);
     let words = Words::new(verbatim(given.title, SIZE), margins::words(&words, SMALL));
     words.figure(canvas.scene, edges, key.below() + GAP, LEFT, &description)
+}
+
+/// Lays a texture within a patch of the key; the rims of dots keep within it, too.
+fn lay(scene: &mut Scene, patch: &Rect, texture: Texture) {
+    let inset = if texture == Texture::Dots { 3.0 } else { 0.0 };
+    let Rect { x0, y0, x1, y1 } = *patch;
+    let within = Rect { x0: x0 + inset, y0, x1: x1 - inset, y1 };
+    texture::laid_within(scene, &[&within.corners()], texture);
 }
 
 /// The lower edges of all areas, but for the axis.

@@ -85,6 +85,7 @@ fn planes() -> Vec<Figure> {
         curves: &[vec![(0.0, 0.0), (0.3, 0.3)]],
         point: Some(DesignPoint { k: 0.4, mu: 0.5, label: "full load".to_owned(), mirrored: false }),
         regions: None,
+        words: None,
         title: "Two blocks",
     };
     let flat = [diagram(&body, &[storm]), load_plane(&path), set.expect("a boundary"), stack_map(&map)];

@@ -63,6 +63,7 @@ pub fn figures() -> io::Result<Vec<(&'static str, Figure)>> {
                     curves: &curves,
                     point: None,
                     regions: None,
+                    words: None,
                     title,
                 }),
             ))

@@ -67,6 +67,14 @@ impl Joints {
         clauses.join(", ")
     }
 
+    /// What the joints do that do not rest, in a clause.
+    pub fn moving(&self, modes: &[Mode]) -> String {
+        let moving = modes.iter().copied().enumerate().filter(|(_, mode)| *mode != Mode::Rest);
+        let clauses: Vec<String> =
+            moving.map(|(joint, mode)| format!("{} {}", self.called(joint), goes(mode))).collect();
+        if clauses.is_empty() { EVERY.to_owned() } else { clauses.join(", ") }
+    }
+
     /// What begins under the full load, in a clause; `whole` is the situation whose joints they are.
     pub fn at_once(&self, whole: &Assessed) -> String {
         match self.modes() {

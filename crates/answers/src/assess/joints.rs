@@ -188,6 +188,12 @@ impl Joints {
         is_plain.then(|| self.jointed.departures(window)).flatten()
     }
 
+    /// What all joints do at once over the load factor and the friction of the base; `None` where that is not answered, and of more than two bodies.
+    pub fn all_at_once(&self, window: [f64; 2]) -> Option<StackPlane> {
+        self.together.answer()?;
+        self.jointed.all_at_once(window)
+    }
+
     /// True if only one combination is consistent under the full load; `None` where that is not known.
     pub fn is_unique(&self) -> Option<bool> {
         self.together.answer().map(|answer| answer.full.is_unique())

@@ -1,5 +1,6 @@
 //! The figures of a case.
 
+use standfast::contact::stack::plane::StackPlane;
 use standfast::ground::bearing::BearingPlane;
 use standfast::ground::load_plane::GroundLoadPlane;
 use standfast::ground::strength::CrushMap;
@@ -82,7 +83,7 @@ pub(super) fn of(
             figures.push(path(assessment, assessed, &suffix, up_to)?);
         }
         figures.extend(rotation(assessment, assessed, &suffix)?);
-        figures.extend(departures(assessment, assessed, &suffix, up_to));
+        figures.extend(of_joints(assessment, assessed, &suffix, up_to));
     }
     figures.push(AnswerFigure {
         suffix: "-section".to_owned(),
@@ -184,34 +185,41 @@ fn rotation(
     }))
 }
 
-/// Where which joint leaves rest first, over load factor and friction; none on a base with more to it than friction.
-fn departures(
-    assessment: &Assessment,
-    assessed: &Assessed,
-    suffix: &str,
-    up_to: f64,
-) -> Option<AnswerFigure> {
-    let joints = assessed.joints.as_ref().filter(|_| assessed.rises())?;
+/// Which joint leaves rest first, and what all of them begin with at once, over load factor and friction; none on a base with more to it than
+/// friction.
+fn of_joints(assessment: &Assessment, assessed: &Assessed, suffix: &str, up_to: f64) -> Vec<AnswerFigure> {
+    let Some(joints) = assessed.joints.as_ref().filter(|_| assessed.rises()) else { return Vec::new() };
     let friction = assessed.situation.static_friction();
     let window = [up_to, 1.5 * friction];
-    let plane = joints.departures(window)?;
     let title = title(assessment, assessed);
-    let point = DesignPoint { k: 1.0, mu: friction, label: "full load".to_owned(), mirrored: false };
-    let map = StackMap {
-        plane: &plane,
-        window,
-        across: "load factor $λ$",
-        up: "friction $μ$ of the base, that of the other joints in proportion",
-        curves: &[],
-        point: Some(point),
-        regions: Some("The joint that leaves rest first as the load rises, and how: modes from the base up."),
-        title: &title,
+    let drawn = |plane: StackPlane, words: Option<Vec<String>>, (file, name, regions): (&str, &str, &str)| {
+        let map = StackMap {
+            plane: &plane,
+            window,
+            across: "load factor $λ$",
+            up: "friction $μ$ of the base, that of the other joints in proportion",
+            curves: &[],
+            point: Some(DesignPoint { k: 1.0, mu: friction, label: "full load".to_owned(), mirrored: false }),
+            regions: Some(regions),
+            words: words.as_deref(),
+            title: &title,
+        };
+        AnswerFigure {
+            suffix: format!("{suffix}-{file}"),
+            words: named(name, assessment, assessed, suffix),
+            figure: stack_map(&map),
+        }
     };
-    Some(AnswerFigure {
-        suffix: format!("{suffix}-joints"),
-        words: named("Joint that leaves rest first", assessment, assessed, suffix),
-        figure: stack_map(&map),
-    })
+    let first = joints.departures(window).map(|plane| {
+        let regions = "The joint that leaves rest first as the load rises, and how: modes from the base up.";
+        let words = plane.regions.iter().map(|region| joints.moving(&region.modes)).collect();
+        drawn(plane, Some(words), ("joints", "Joint that leaves rest first", regions))
+    });
+    let at_once = joints.all_at_once(window).map(|plane| {
+        let regions = "What all joints begin with if the load is applied at once: modes from the base up, in the colour of the lowest joint that moves.";
+        drawn(plane, None, ("at-once", "Joints at once", regions))
+    });
+    first.into_iter().chain(at_once).collect()
 }
 
 fn path(

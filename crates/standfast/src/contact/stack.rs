@@ -500,6 +500,12 @@ impl<'a> Decider<'a> {
         self.answer(&LoadPoint::of(load_factor))
     }
 
+    /// The modes reported under so many times the variable loads, without their motion; none where no combination is consistent.
+    pub(crate) fn modes_at_once(&self, load_factor: f64) -> Vec<Mode> {
+        let at = LoadPoint::of(load_factor);
+        self.chosen(self.consistent(&at), &at).into_iter().next().map_or_else(Vec::new, |first| first.modes)
+    }
+
     /// The stages of the variable loads that rise up to a factor, the last of which ends where it does.
     pub(crate) fn path(&self, up_to: f64) -> Vec<StackStage> {
         let mut stages: Vec<StackStage> = Vec::new();

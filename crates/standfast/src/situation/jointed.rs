@@ -160,6 +160,33 @@ impl Jointed {
         plane_of(decide, [up_to, friction]).ok()
     }
 
+    /// What all joints do under the full load times λ, applied at once, over λ up to `up_to` and the friction of the base up to `friction`, that of
+    /// the other joints in proportion. `None` of a base without friction, and of more than two bodies.
+    pub fn all_at_once(&self, [up_to, friction]: [f64; 2]) -> Option<StackPlane> {
+        let of_base = self.0.first()?.situation.static_friction();
+        if of_base <= 0.0 || self.0.len() > MOST_IN_PLANE {
+            return None;
+        }
+        let all: Vec<Sum<Approx>> = self.0.iter().map(OnJoint::tracked).collect();
+        let decide = |factor: f64, mu: f64| {
+            let ratio = mu / of_base;
+            let scaled = |sum: &Sum<Approx>| {
+                let mut sum = sum.clone();
+                for friction in [&mut sum.joint.mu_s, &mut sum.joint.mu_k] {
+                    let value = friction.value() * ratio;
+                    *friction = Approx::around(value, f64::EPSILON * value);
+                }
+                sum
+            };
+            let sums: Vec<Sum<Approx>> = all.iter().map(scaled).collect();
+            let plain = |sum: &Sum<Approx>| sum.map(|number: &Approx| Ball::of(number.value()));
+            let exact = || numbers(&sums.iter().map(plain).collect::<Vec<_>>());
+            let decider = Decider::new(numbers(&sums), Box::new(exact));
+            Ok::<_, Infallible>(decider.modes_at_once(factor))
+        };
+        plane_of(decide, [up_to, friction]).ok()
+    }
+
     fn decider<'a>(&'a self, written: &'a dyn Fn() -> Option<Jointed<Ball>>) -> Decider<'a> {
         let rounded = || self.0.iter().map(OnJoint::tracked).collect::<Vec<_>>();
         let make = move || {
@@ -278,6 +305,9 @@ impl OnJoint {
         }
     }
 }
+
+/// Number of bodies up to which what all joints do is found over a plane: in a third of a second, where three take ten times as long.
+const MOST_IN_PLANE: usize = 2;
 
 /// Error of a number that was made of few in f64, as a share of the sizes of its parts.
 const NEAR: f64 = 1e-13;
