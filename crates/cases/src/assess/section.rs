@@ -31,6 +31,7 @@ const SOIL_BESIDE: &str = "Grains beside the body: soil, up to the ground.";
 const FILLED: &str = "Grains beside the body: fill, drawn where a permanent pressure rises with depth.";
 const WET: &str = "A part that takes up water has one density above it and another below.";
 const SOIL: &str = "Grains under the base: ground that can fail, taken as one soil.";
+const SHAKEN_WORST: &str = "The earthquake is drawn as it governs; the other directions are tried as well.";
 const SHAKEN: &str = "The earthquake is drawn as it is given; the other directions are tried as well.";
 
 /// The section of a case under all of its loads, with the reaction of the base in the worst of its situations where the case says what the
@@ -66,7 +67,9 @@ pub(super) fn with_section<T>(
     let case = &assessment.case;
     let worst = assessment.governing();
     let reaction = worst.ground.as_ref().and_then(|ground| under::reaction(case, worst, ground));
-    let situation = case.situation(Acting::All, Trial::AS_GIVEN)?;
+    // The line of thrust is that of the accelerations that govern.
+    let trial = if worst.joints.is_some() { worst.trial } else { Trial::AS_GIVEN };
+    let situation = case.situation(Acting::All, trial)?;
     let output = case.output;
     let look = Look { output, slope: case.floor_deg.to_radians() };
     let BaseEdges { left, right } = case.body.base_edges();
@@ -489,7 +492,7 @@ fn notes(case: &Case) -> Vec<String> {
         notes.push(SLOPES);
     }
     if case.earthquake.is_some() && (case.both_sides || case.both_ways) {
-        notes.push(SHAKEN);
+        notes.push(if case.joints.is_empty() { SHAKEN } else { SHAKEN_WORST });
     }
     notes.into_iter().map(str::to_owned).collect()
 }
