@@ -227,12 +227,12 @@ impl Varied<'_> {
 
 /// SF_sliding of a situation, the least of its joints.
 pub fn sliding(assessed: &Assessed) -> f64 {
-    assessed.on_joints().map(|on| on.outcome.stability.sliding).fold(f64::INFINITY, f64::min)
+    assessed.least_sliding()
 }
 
 /// SF_overturning_net of a situation, about either corner, the least of its joints.
 pub fn overturning(assessed: &Assessed) -> f64 {
-    assessed.on_joints().map(|on| on.outcome.stability.overturning()).fold(f64::INFINITY, f64::min)
+    assessed.least_overturning()
 }
 
 /// Up to which multiple of its variable loads a situation leaves the body at rest.

@@ -80,6 +80,10 @@ pub enum SweepResult {
     Warnings,
     /// The joint at which the governing criterion is met worst.
     CriterionJoint,
+    /// The least safety factor against sliding of all joints.
+    LeastSliding,
+    /// The least net safety factor against overturning of all joints.
+    LeastOverturning,
     /// The modes of all joints from the base up.
     JointModes,
     /// The joints that leave rest first.
@@ -181,9 +185,11 @@ impl Sweep {
                 SweepResult::Sea(_) => self.case.goda().is_some(),
                 SweepResult::Warnings => true,
                 SweepResult::CriterionJoint => has_criteria && !self.case.joints.is_empty(),
-                SweepResult::JointModes | SweepResult::DepartureJoints | SweepResult::DepartureModes => {
-                    !self.case.joints.is_empty()
-                }
+                SweepResult::LeastSliding
+                | SweepResult::LeastOverturning
+                | SweepResult::JointModes
+                | SweepResult::DepartureJoints
+                | SweepResult::DepartureModes => !self.case.joints.is_empty(),
             })
             .collect()
     }
@@ -306,6 +312,10 @@ impl Answer {
                 }
                 joined(names)
             }
+            SweepResult::CriterionJoint => {
+                let joint = self.check.and_then(|(check, _)| check.joint)?;
+                joined(vec![(joint + 1).to_string()])
+            }
             SweepResult::JointModes => modes(joints()?.modes()?),
             SweepResult::DepartureModes => modes(joints()?.departing()),
             SweepResult::DepartureJoints => {
@@ -313,6 +323,12 @@ impl Answer {
             }
             _ => None,
         }
+    }
+
+    /// The least of a factor over the joints of the situation that governs; none where something is lifted.
+    fn least(&self, of: fn(&Assessed) -> f64) -> ResultValue {
+        let governing = self.governing();
+        if governing.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(of(governing)) }
     }
 
     /// A result; which situation governs, by its place among them.
@@ -334,13 +350,12 @@ impl Answer {
             }
             // They are more than one value.
             SweepResult::Warnings
+            | SweepResult::CriterionJoint
             | SweepResult::JointModes
             | SweepResult::DepartureJoints
             | SweepResult::DepartureModes => ResultValue::Nothing,
-            SweepResult::CriterionJoint => {
-                let joint = self.check.and_then(|(check, _)| check.joint);
-                joint.map_or(ResultValue::Nothing, |joint| ResultValue::Number(joint as f64 + 1.0))
-            }
+            SweepResult::LeastSliding => self.least(Assessed::least_sliding),
+            SweepResult::LeastOverturning => self.least(Assessed::least_overturning),
             SweepResult::Criterion => {
                 let name = self.check.map(|(check, _)| check.criterion.name());
                 name.map_or(ResultValue::Nothing, ResultValue::Word)
@@ -366,6 +381,8 @@ impl SweepResult {
             SweepResult::Criterion,
             SweepResult::Warnings,
             SweepResult::CriterionJoint,
+            SweepResult::LeastSliding,
+            SweepResult::LeastOverturning,
             SweepResult::JointModes,
             SweepResult::DepartureJoints,
             SweepResult::DepartureModes,
@@ -426,6 +443,8 @@ impl SweepResult {
             SweepResult::Criterion => "criterion",
             SweepResult::Warnings => "warnings",
             SweepResult::CriterionJoint => "criterion_joint",
+            SweepResult::LeastSliding => "SF_sliding_joints",
+            SweepResult::LeastOverturning => "SF_overturning_net_joints",
             SweepResult::JointModes => "modes",
             SweepResult::DepartureJoints => "departure_joints",
             SweepResult::DepartureModes => "departure_modes",
@@ -439,15 +458,17 @@ impl SweepResult {
     pub fn kind(self) -> ResultKind {
         use crate::units::Dimension::Acceleration;
         match self {
-            SweepResult::Situation | SweepResult::Utilisation | SweepResult::CriterionJoint => {
-                ResultKind::Number(None)
-            }
+            SweepResult::Situation
+            | SweepResult::Utilisation
+            | SweepResult::LeastSliding
+            | SweepResult::LeastOverturning => ResultKind::Number(None),
             SweepResult::EarthquakeHorizontal | SweepResult::EarthquakeVertical => {
                 ResultKind::Number(Some(Acceleration))
             }
             SweepResult::Met => ResultKind::Truth,
             SweepResult::Criterion => ResultKind::Word(&CRITERIA),
             SweepResult::Warnings
+            | SweepResult::CriterionJoint
             | SweepResult::JointModes
             | SweepResult::DepartureJoints
             | SweepResult::DepartureModes => ResultKind::Names,
@@ -474,6 +495,12 @@ impl SweepResult {
             SweepResult::Warnings => "the names of the warnings about the case, which may be slips",
             SweepResult::CriterionJoint => {
                 "the joint at which the governing criterion is met worst, from the base, which is 1"
+            }
+            SweepResult::LeastSliding => {
+                "the least safety factor against sliding of all joints, the base among them"
+            }
+            SweepResult::LeastOverturning => {
+                "the least safety factor against overturning, net, of all joints, the base among them"
             }
             SweepResult::JointModes => {
                 "the mode of each joint from the base up under the full load, applied at once, where that is known"

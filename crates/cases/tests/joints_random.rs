@@ -4,7 +4,8 @@ mod common;
 
 use common::{file, near};
 use standfast::contact::stack::RestLimit;
-use standfast_answers::sweep::{Factor, Sweep};
+use standfast_answers::results::ResultValue;
+use standfast_answers::sweep::{Factor, Sweep, SweepResult};
 use standfast_cases::random::{
     ChanceProblem, ChanceRequest, Chances, Draws, Effort, FirstJoint, Happening, Method, Probability,
 };
@@ -308,4 +309,26 @@ fn many_joints_are_refused_by_their_number() {
     let error = Probability::of(&file(&text(22)), request).unwrap_err().to_string();
     assert!(error.contains("22 tables [[joint]]; a probability is found of 21 of them at most"), "{error}");
     assert_eq!(Probability::of(&file(&text(21)), request).unwrap().situations[0].modes.len(), 46);
+}
+
+/// The least factors of all joints, by hand: 0.5 · 60/20 against 0.6 · 140/20, and 60 · 1/20 against 140 · 2/40. Of a joint that is lifted none.
+#[test]
+fn tables_have_the_least_factors_of_all_joints() {
+    let found = |text: &str, name: &str| {
+        let file = file(text);
+        let sweep = Sweep::of(&file, Vec::new()).unwrap();
+        let answer = sweep.answer(&mut sweep.scratch(), &[]).unwrap();
+        let result = SweepResult::find(name).unwrap();
+        (answer.get(result), answer.names(result, &[]))
+    };
+    let criteria = format!("{PAIR}[criteria]\nSF_sliding = 1.6\n");
+    for (name, expected) in [("SF_sliding_joints", 1.5), ("SF_overturning_net_joints", 3.0)] {
+        let (ResultValue::Number(least), None) = found(PAIR, name) else { panic!("{name}") };
+        near(least, expected, 1e-12);
+    }
+    assert_eq!(found(&criteria, "criterion_joint"), (ResultValue::Nothing, Some("2".to_owned())));
+    let lifted = PAIR.to_owned()
+        + "[[load]]\nforce = \"70 kN/m\"\ndirection = \"up\"\nelevation = 2\ndistance = 2\ntogether = true\n";
+    let lifted = lifted.replace("elevation = 2\n[[load]]", "elevation = 2\ntogether = true\n[[load]]");
+    assert_eq!(found(&lifted, "SF_sliding_joints").0, ResultValue::Nothing);
 }

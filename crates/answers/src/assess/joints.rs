@@ -256,6 +256,16 @@ impl Assessed {
         self.on_joints().any(|on| on.outcome.full.is_lifted())
     }
 
+    /// SF_sliding, the least of its joints.
+    pub fn least_sliding(&self) -> f64 {
+        self.on_joints().map(|on| on.outcome.stability.sliding).fold(f64::INFINITY, f64::min)
+    }
+
+    /// SF_overturning_net about either corner, the least of its joints.
+    pub fn least_overturning(&self) -> f64 {
+        self.on_joints().map(|on| on.outcome.stability.overturning()).fold(f64::INFINITY, f64::min)
+    }
+
     /// What is on each joint from the base, which is the first: the whole, and where there are joints above, all that is above each.
     pub fn on_joints(&self) -> impl Iterator<Item = &Assessed> {
         std::iter::once(self).chain(self.joints.iter().flat_map(|joints| &joints.above))
