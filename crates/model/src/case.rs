@@ -58,7 +58,7 @@ pub use combination::{ChangeBy, Combination, InputChange, Trial};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub(crate) use history::HistoryOf;
 pub use history::{course, history_shapes};
-pub use joint::{CaseJoint, JointWater, called};
+pub use joint::{BASE, CaseJoint, JointWater, called};
 pub use loads::{Direction, FacePressure, PointForce};
 pub(crate) use loads::{SLACK, ends};
 pub use motion::CaseMotion;

@@ -19,7 +19,7 @@ use super::problem::ChanceProblem;
 use super::quantity::RandomInput;
 use super::storm::{self, Sliding};
 use super::subject::{ChanceSubject, problems_of};
-use crate::case::called;
+use crate::case::{BASE, called};
 use crate::couple::Variable;
 use crate::digits::digits;
 use crate::units::Dimension;
@@ -323,7 +323,7 @@ impl Probability {
     pub fn joint_called(&self, joint: usize) -> String {
         let case = self.problem.as_ref().and_then(|problem| problem.case());
         let name = match (joint, case) {
-            (0, _) => Some("base"),
+            (0, _) => Some(BASE),
             (above, Some((case, _))) => case.joints.get(above - 1).and_then(|joint| joint.name.as_deref()),
             (_, None) => None,
         };

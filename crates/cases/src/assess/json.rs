@@ -9,7 +9,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use standfast::ground::impact::EventFound;
 use standfast::loads::{self, LoadKind, LoadSource};
-use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
+use standfast::{Mode, Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
 use super::holding::{AdhesionEntry, ResistanceEntry};
 use super::joints::JointEntries;
@@ -333,6 +333,35 @@ struct ShortAnswer {
     sliding: ResultValue,
     #[serde(rename = "SF_overturning_net")]
     overturning: ResultValue,
+    #[serde(flatten)]
+    joints: Option<ShortJoints>,
+}
+
+/// What is told of its joints.
+#[derive(Serialize)]
+struct ShortJoints {
+    modes: Option<Vec<Mode>>,
+    departure_joints: Vec<usize>,
+    #[serde(rename = "SF_sliding_joints")]
+    sliding: ResultValue,
+    #[serde(rename = "SF_overturning_net_joints")]
+    overturning: ResultValue,
+}
+
+impl ShortJoints {
+    fn of(assessed: &Assessed) -> Option<ShortJoints> {
+        let joints = assessed.joints.as_ref()?;
+        let factor = |least: f64| match assessed.is_lifted() {
+            true => ResultValue::Nothing,
+            false => ResultValue::Number(least),
+        };
+        Some(ShortJoints {
+            modes: joints.modes().filter(|modes| !modes.is_empty()).map(<[Mode]>::to_vec),
+            departure_joints: joints.leaves.joints().iter().map(|joint| joint + 1).collect(),
+            sliding: factor(assessed.least_sliding()),
+            overturning: factor(assessed.least_overturning()),
+        })
+    }
 }
 
 #[derive(Serialize)]
@@ -626,6 +655,7 @@ impl ShortAnswer {
             departure_mode: ResultName::DepartureMode.of(assessed),
             sliding: ResultName::SfSliding.of(assessed),
             overturning: ResultName::SfOverturningNet.of(assessed),
+            joints: ShortJoints::of(assessed),
         }
     }
 }

@@ -72,6 +72,9 @@ impl<T: Scalar> CaseJoint<T> {
     }
 }
 
+/// Name of the joint under the whole, which no other has.
+pub const BASE: &str = "base";
+
 /// A joint by its number and name, from its place from the base, which is the first.
 pub fn called(place: usize, name: Option<&str>) -> String {
     let number = place + 1;
@@ -116,7 +119,7 @@ impl Reader<'_> {
         for (place, joint) in joints.iter().enumerate() {
             let Some(name) = &joint.name else { continue };
             let other = joints[..place].iter().find(|other| other.name.as_ref() == Some(name));
-            if other.is_some() || name == "base" {
+            if other.is_some() || name == BASE {
                 let problem = Problem::SameJoint { name: name.clone() };
                 let fault = Fault::new(problem, Id::new(Key::JointName, joint.index));
                 return Err(match other {
