@@ -287,6 +287,11 @@ impl CaseText {
         let top = document.get_ref();
         self.headers.insert((Table::Top, 0), document.span());
         self.units = units(top);
+        // Before what a [block] makes of the units of all others is said.
+        if let (None, Some((joint, _))) = (self.units, top.get_key_value(Table::Joint.name())) {
+            let problem = Problem::JointsNotFor { what: "a body in pure numbers, [block]" };
+            return Err(PlacedProblem { problem, span: joint.span() });
+        }
         self.datum = datum(text, top)?;
         self.sea = sea(text, top, frame(self.units, &self.datum, None))?;
         self.read_table(text, top, Table::Top, 0)?;

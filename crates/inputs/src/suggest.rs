@@ -3,6 +3,13 @@
 /// Likeness of two words, from 0 to 1, from which one is suggested in place of the other.
 const ALIKE: f64 = 0.6;
 
+/// The key of a case that a name resembles most. The base is the first joint, and has its friction with the body.
+pub fn closest_key<'a>(name: &str, keys: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
+    let of_base = name.strip_prefix("joint[1].").map(|key| format!("body.{key}"));
+    let of_base = of_base.filter(|meant| keys.clone().any(|key| key == meant));
+    of_base.or_else(|| closest(name, keys).map(str::to_owned))
+}
+
 /// The candidate most like `word`, upper and lower case alike, if any is like it. Of a key with its table, as `wave.heigth`, it is one of
 /// that table where one is like it, whole or by one of its words: what tables have in common makes no likeness.
 pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {

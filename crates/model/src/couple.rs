@@ -20,7 +20,7 @@ use crate::error::Problem;
 use crate::inputs::{Inputs, Value, dimension};
 use crate::key::{Id, Key, Kind, Moves, Range, Table};
 use crate::parse::read;
-use crate::suggest::closest;
+use crate::suggest::closest_key;
 use crate::units::{Dimension, Extent, ShownUnit};
 
 /// A number of a case that is varied.
@@ -89,11 +89,7 @@ impl Variable {
         }
         let names: Vec<_> = Variable::all(inputs).map(|id| id.to_string()).collect();
         let candidates = SHORT_NAMES.iter().map(|(short, _)| *short).chain(names.iter().map(String::as_str));
-        // The base is the first joint, and has its friction with the body.
-        let of_base = name.strip_prefix("joint[1].").map(|key| format!("body.{key}"));
-        let of_base = of_base.filter(|name| inputs.has(Table::Joint) && names.contains(name));
-        let closest = closest(name, candidates.filter(|candidate| *candidate != name)).map(str::to_owned);
-        let suggestion = of_base.or(closest);
+        let suggestion = closest_key(name, candidates.filter(|candidate| *candidate != name));
         let numbers = Table::ALL.into_iter().filter(|table| inputs.has(*table)).flat_map(|table| {
             let numbers = table.keys().filter(|key| key.info().range().is_some());
             numbers.map(move |key| Id::of(table, 0, key))

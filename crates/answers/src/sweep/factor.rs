@@ -283,7 +283,12 @@ impl Factor {
             }
             // Two numbers to the one, a decimal to the other.
             (_, _, None) if text.trim().replace(',', ".").parse::<f64>().is_ok() => Err(UnitError::Separator),
-            (_, _, None) => Err(UnitError::Number),
+            (_, _, None) => Err(match text.trim().split_once(char::is_whitespace) {
+                Some((number, unit)) if number.parse::<f64>().is_ok() => {
+                    UnitError::Unknown(unit.trim().to_owned())
+                }
+                _ => UnitError::Number,
+            }),
         }
     }
 

@@ -12,7 +12,7 @@ use crate::inputs::GRAVITY;
 use crate::key::MOTION_CRITERIA;
 use crate::key::{Key, Kind, Range, Table};
 use crate::random::RANDOM;
-use crate::suggest::closest;
+use crate::suggest::{closest, closest_key};
 use crate::typed::number_and_rest;
 use crate::units::{Dimension, Extent, UnitError};
 
@@ -139,8 +139,8 @@ impl Problem {
             Problem::BesideJoint { .. } => "put `left` and `right` of the joint where it touches, or leave them out".into(),
             Problem::BesideContact { .. } | Problem::NoJoint { .. } => "lengths are to the right of the origin of the section, in m if they have no unit; of O without parts".into(),
             Problem::JointWater { .. } => {
-                "\"open\": from the pressure outside at one end to that at the other; \"tight\": none. It decides: four blocks under 0.6 m of \
-                 head leave rest at 0.80 of it with open joints, at 1.54 with tight ones"
+                "\"open\": from the pressure outside at one end to that at the other; \"tight\": none. An open joint leaves rest the \
+                 sooner: say \"tight\" only of a joint that keeps water out"
                     .into()
             }
             Problem::NothingOpen { .. } => {
@@ -223,7 +223,7 @@ impl Problem {
                     _ => "the numbers of the case are called as --vary calls them",
                 };
                 let known = format!("{also}: {}", names.join(", "));
-                match closest(name, names.iter().map(String::as_str)) {
+                match closest_key(name, names.iter().map(String::as_str)) {
                     Some(suggestion) => format!("did you mean `{suggestion}`? {known}"),
                     None => known,
                 }

@@ -196,7 +196,12 @@ impl Reader<'_> {
         };
         let above = above.map_err(|error| match error.quantity {
             Quantity::CentroidOffset => {
-                Fault::new(Problem::BesideJoint { level }, Place::Table(Table::Joint, index))
+                let fault = |place: Place| Fault::new(Problem::BesideJoint { level }, place);
+                match [Key::JointLeft, Key::JointRight].map(|key| number(key).map(|_| Id::new(key, index))) {
+                    [Some(left), Some(right)] => fault(left.into()).and(right),
+                    [Some(end), None] | [None, Some(end)] => fault(end.into()),
+                    [None, None] => fault(Place::Table(Table::Joint, index)),
+                }
             }
             _ => self.blame(Table::Body, error),
         })?;
