@@ -41,10 +41,10 @@ pub fn tables(case: &Case, file: &CaseFile) -> Markup {
             @if !defaults.is_empty() {
                 tbody {
                     tr.group { th colspan="5" scope="rowgroup" { "Not in the file, taken as" } }
-                    @for (key, value) in defaults {
+                    @for (id, value) in defaults {
                         tr {
-                            td { (taken(key)) }
-                            td { (sign(file, key.into())) }
+                            td { (taken(id.key)) @if id.table == Table::Joint { ", joint " (id.table.number(id.index)) } }
+                            td { (sign(file, id)) }
                             td { (value) }
                             td.n {}
                             td { "default of the program" }
@@ -135,7 +135,7 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
 }
 
 /// Values taken where the file is silent: as a word, or in numbers and their unit.
-fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
+fn defaults(case: &Case, file: &CaseFile) -> Vec<(Id, Markup)> {
     let output = case.output;
     let BaseEdges { left, right } = case.body.base_edges();
     let mut taken = vec![
@@ -190,6 +190,11 @@ fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
             taken.push((Key::VerticalFixed, html! { "not fixed" }));
         }
     }
-    taken.retain(|(key, _)| file.inputs().get(*key).is_none());
+    let mut taken: Vec<(Id, Markup)> = taken.into_iter().map(|(key, value)| (key.into(), value)).collect();
+    taken.extend(case.joints.iter().map(|joint| {
+        let id = Id::new(Key::JointKineticFriction, joint.index);
+        (id, Measured::of(joint.kinetic_friction, NONE).in_output(output).html(""))
+    }));
+    taken.retain(|(id, _)| file.inputs().get(*id).is_none());
     taken
 }

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use standfast::Plan;
-use standfast_cases::case::{CrownWall, WaveFormula, Waves};
+use standfast_cases::case::{CrownWall, JointWater, WaveFormula, Waves};
 use standfast_cases::{Assessment, Case};
 
 use crate::limits::Setting;
@@ -58,6 +58,16 @@ pub fn words(assessment: &Assessment) -> Markup {
                     @if case.section.is_some() {
                         " What stands on steps and slopes of the sides presses down, and lifts where the body overhangs."
                     }
+                }
+            }
+            @if !case.joints.is_empty() {
+                li {
+                    "Each joint, the base among them, carries all that is above it, whatever the others do; so rest and departure are those of one body \
+                     on each. Joints are level and rigid, without cohesion, tension or dowels."
+                    @if case.joints.iter().any(|joint| joint.water == JointWater::Open) {
+                        " Water in an open joint is straight from the pressure beside it at one end to that at the other."
+                    }
+                    @if case.joints.iter().any(|joint| joint.water == JointWater::Tight) { " In a tight joint there is none." }
                 }
             }
             @if case.section.is_some() && case.wave.is_some() {

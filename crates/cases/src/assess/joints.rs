@@ -190,13 +190,11 @@ pub fn about_ends(on: &Assessed) -> [f64; 2] {
     if on.outcome.actions.heel == Corner::O { [heel, toe] } else { [toe, heel] }
 }
 
-/// The motion of all joints, where one moves.
-pub(super) fn motion(assessed: &Assessed) -> String {
-    let Some(joints) = &assessed.joints else { return String::new() };
+/// The motion of all joints, where one moves: the names of the columns, their units, and the joints from the top.
+pub fn motion_rows(assessed: &Assessed) -> Option<Vec<Vec<String>>> {
+    let joints = assessed.joints.as_ref()?;
     let moves = assessed.verdict() != Some(Verdict::REST);
-    let Some((motion, modes)) = joints.motion().zip(joints.modes()).filter(|_| moves) else {
-        return String::new();
-    };
+    let (motion, modes) = joints.motion().zip(joints.modes()).filter(|_| moves)?;
     let output = assessed.output;
     let (force, length) = (output.symbol(Dimension::Force), output.symbol(Dimension::Length));
     let mut rows = vec![
@@ -219,11 +217,23 @@ pub(super) fn motion(assessed: &Assessed) -> String {
             digits(theta_ddot),
         ]);
     }
-    let key = "t, ω̇: acceleration along the joint and angular acceleration, relative to the body below; f, N: friction and normal \
-               reaction on the body above, N at ξ; ẍ, ÿ, θ̈: its centre, on a shaken base relative to that. To the right, upwards, \
-               counter-clockwise.";
-    let table = columns(&rows, 2, &[0, 2, 3, 4, 5, 6, 7, 8, 9]);
-    format!("\nAt onset: the joints from the top, each with the body on it\n{table}{}", paragraph(key, 2))
+    Some(rows)
+}
+
+/// What the columns of [`motion_rows`] are.
+pub const MOTION_KEY: &str = "t, ω̇: acceleration along the joint and angular acceleration, relative to the body below; f, N: friction and normal \
+     reaction on the body above, N at ξ; ẍ, ÿ, θ̈: its centre, on a shaken base relative to that. To the right, upwards, \
+     counter-clockwise.";
+
+/// The motion of all joints as text, where one moves.
+pub(super) fn motion(assessed: &Assessed) -> String {
+    motion_rows(assessed).map_or(String::new(), |rows| {
+        let table = columns(&rows, 2, &[0, 2, 3, 4, 5, 6, 7, 8, 9]);
+        format!(
+            "\nAt onset: the joints from the top, each with the body on it\n{table}{}",
+            paragraph(MOTION_KEY, 2)
+        )
+    })
 }
 
 /// The stages of the rising load.

@@ -2,16 +2,18 @@
 //! one in full; all of them together.
 
 use maud::{Markup, html};
-use standfast::{Departure, Wrench};
+use standfast::loads::{Action, Load, LoadSource};
+use standfast::{Body, Departure, Wrench};
 use standfast_cases::assess::joint_words::slashed;
 use standfast_cases::assess::{Component, JointPlace, Joints, joints, share, verdict};
+use standfast_cases::case::{CaseJoint, JointWater};
 use standfast_cases::layout::percent;
 use standfast_cases::units::Dimension;
 use standfast_cases::{Assessed, AssessmentView, Case};
 
 use super::loads::{parts, sum};
 use super::{classical, path};
-use crate::measured::{FACTOR, KILONEWTON, METRE, MOMENT, NONE};
+use crate::measured::{DENSITY, FACTOR, KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
 use crate::steps::SheetSteps;
 use crate::together::Brief;
 
@@ -34,7 +36,15 @@ pub(super) fn steps(
             assessed.output.length(at.elevation)
         );
         steps.heading(&title);
-        let components = above.components();
+        let of = case.under(assessed.acting);
+        let water = Water { case: &of, joint: &of.joints[place], body: above.situation.body() };
+        let mut components = above.components();
+        for component in &mut components {
+            if let Some(name) = water.name(&component.load) {
+                component.name = name.to_owned();
+            }
+        }
+        water.steps(steps);
         carried(steps, above, &components);
         conditions(steps, above);
         if first.first() == Some(&joint) {
@@ -54,6 +64,10 @@ pub(super) fn steps(
     for sentence in verdict::full_load(assessed).into_iter().chain(verdict::path(assessed)) {
         steps.push(html! { p.note { (sentence) } }, Brief::Nothing);
     }
+    if let Some(rows) = joints::motion_rows(assessed) {
+        steps.push(onset(&rows), Brief::Nothing);
+        steps.push(html! { p.note { (joints::MOTION_KEY) } }, Brief::Nothing);
+    }
     let stages = all.path(case, assessed, view.up_to);
     if !stages.is_empty() {
         let rows = stages.iter().map(|stage| {
@@ -62,6 +76,87 @@ pub(super) fn steps(
         });
         let full = path::table("modes_path", "Modes from the base up", rows);
         steps.push(full, Brief::Nothing);
+    }
+}
+
+/// Water in a joint and in the gaps beside it.
+struct Water<'a> {
+    case: &'a Case,
+    joint: &'a CaseJoint,
+    body: &'a Body,
+}
+
+impl Water<'_> {
+    /// What a load of water in the joint is called; `None` of any other.
+    fn name(&self, load: &Load) -> Option<&'static str> {
+        let names = match load.source {
+            LoadSource::Buoyancy => [
+                ["water in the joint, from the left", "water in the joint, from the right"],
+                ["water in the gap at the left", "water in the gap at the right"],
+            ],
+            LoadSource::WaveUplift => [
+                ["wave in the joint", "wave in the joint"],
+                ["wave in the gap at the left", "wave in the gap at the right"],
+            ],
+            _ => return None,
+        };
+        let (is_gap, side) = match &load.action {
+            Action::Force { at, .. } => (1, usize::from(at.x > 0.0)),
+            Action::Pressure { diagram, .. } => {
+                let first = diagram.points().first().map_or(0.0, |point| point.pressure);
+                (0, usize::from(first == 0.0))
+            }
+            _ => return None,
+        };
+        Some(names[is_gap][side])
+    }
+
+    /// The pressures of still water in an open joint, and what they lift.
+    fn steps(&self, steps: &mut SheetSteps) {
+        let Some(water) = &self.case.water else { return };
+        if self.joint.water != JointWater::Open {
+            return;
+        }
+        let (level, length) = (self.joint.level(), self.body.plan().side(self.body.width()));
+        let unit_weight = water.density() * self.case.gravity;
+        steps.know_all([("ρ_w", water.density(), DENSITY), ("y_j", level, METRE)]);
+        let sides = [("left", "h_l", "p_jl", water.left()), ("right", "h_r", "p_jr", water.right())];
+        for (side, depth, name, surface) in sides {
+            if surface <= level {
+                continue;
+            }
+            steps.know(depth, surface, METRE);
+            let about = format!("Pressure of still water at the joint, {side}");
+            let formula = format!("ρ_w g ({depth} − y_j)");
+            steps.add(&about, "", [name, &formula], unit_weight * (surface - level), KILOPASCAL, "");
+        }
+        let out_of_plane = if length == 1.0 { "" } else { ", times the length out of the plane" };
+        steps.note(&format!(
+            "In the open joint each goes straight to nothing at the other end, and lifts half of it times the length of the contact{out_of_plane}."
+        ));
+    }
+}
+
+/// The joints from the top with their motion and their reactions.
+fn onset(rows: &[Vec<String>]) -> Markup {
+    let [names, units, joints @ ..] = rows else { return html! {} };
+    html! {
+        table.numbers data-table="joints-onset" {
+            thead {
+                tr {
+                    th { "Joint" } th { "Mode" }
+                    @for (name, unit) in names.iter().zip(units).skip(2) { th.n { (name) br; (unit) } }
+                }
+            }
+            tbody {
+                @for joint in joints {
+                    tr {
+                        td { (joint[0]) } td { (joint[1]) }
+                        @for value in &joint[2..] { td.n { (value.replace('-', "−")) } }
+                    }
+                }
+            }
+        }
     }
 }
 
@@ -188,7 +283,7 @@ fn table(assessed: &Assessed, all: &Joints) -> Markup {
             thead {
                 tr {
                     th { "Joint" } th.n { "at" br; (output.symbol(Dimension::Length)) }
-                    th.n { "X to the left" br; (force) } th.n { "V" br; (force) }
+                    th.n { "X to the right" br; (force) } th.n { "V" br; (force) }
                     th.n { "SF slide" } th.n { "SF about O" } th.n { "SF about O′" }
                     th.n { "Pressed, %" } th.n { "Leaves rest at, %" }
                 }
@@ -203,8 +298,7 @@ fn table(assessed: &Assessed, all: &Joints) -> Markup {
                             @if first.contains(joint) { strong { (all.called(*joint)) ", governs" } } @else { (all.called(*joint)) }
                         }
                         td.n { (output.value(Dimension::Length, place.elevation)) }
-                        td.n { (output.value(Dimension::Force, 0.0 - full.wrench.x)) }
-                        td.n { (output.value(Dimension::Force, full.wrench.p)) }
+                        @for value in [full.wrench.x, full.wrench.p] { td.n { (output.value(Dimension::Force, value).replace('-', "−")) } }
                         td.n { (factor(on.outcome.stability.sliding)) }
                         td.n { (factor(about_o)) }
                         td.n { (factor(about_o_prime)) }
