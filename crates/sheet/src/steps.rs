@@ -104,6 +104,19 @@ impl SheetSteps {
         self.scope.clone_from(known);
     }
 
+    /// Writes what is of a joint alone, whose symbols are those of what is above it: what becomes known is forgotten again.
+    pub fn of_joint(&mut self, joint: usize, write: impl FnOnce(&mut SheetSteps)) {
+        let (known, start) = (self.known(), self.part.items.len());
+        write(self);
+        self.forget_since(&known);
+        let own = &mut self.part.items[start..];
+        let all: Vec<Markup> =
+            own.iter_mut().map(|item| std::mem::replace(&mut item.full, html! {})).collect();
+        if let Some(first) = own.first_mut() {
+            first.full = html! { div data-joint=(joint) { @for full in &all { (full) } } };
+        }
+    }
+
     /// Begins the next part. Quantities stay known.
     pub fn part(&mut self, title: &str, load: Option<usize>) {
         let part = std::mem::replace(&mut self.part, Part::of(title, load));

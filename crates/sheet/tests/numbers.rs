@@ -6,7 +6,7 @@ mod common;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use common::{Step, cases, document, select, si, steps, units_of_loads};
+use common::{Step, cases, document, is_of_joint, select, si, steps, units_of_loads};
 use scraper::ElementRef;
 use serde_json::Value;
 use standfast_cases::results::{ResultKind, ResultName};
@@ -68,10 +68,13 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
         let assessment = Assessment::of(&case).unwrap();
         let json: Value = serde_json::from_str(&assessment.json(&AssessmentView::default(), &[])).unwrap();
         let html = document(&name, &text);
-        let all = |selector: &str| select(&html, selector).into_iter().map(in_si).collect::<Vec<_>>();
+        let outside = |selector: &str| {
+            select(&html, selector).into_iter().filter(|data| !is_of_joint(*data)).collect::<Vec<_>>()
+        };
+        let all = |selector: &str| outside(selector).into_iter().map(in_si).collect::<Vec<_>>();
         // Of several with one name, the last.
         let by_name = |scope: &str| -> BTreeMap<_, _> {
-            let data = select(&html, &format!("{scope} data[data-quantity]"));
+            let data = outside(&format!("{scope} data[data-quantity]"));
             data.into_iter().map(|data| (data.attr("data-quantity").unwrap().to_owned(), data)).collect()
         };
         let compare = |shown: Option<f64>, json: &Value, what: &str| match (shown, number(json)) {
@@ -123,7 +126,7 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
             let parts: Vec<_> =
                 parts.flat_map(|part| ["x", "p", "m"].map(|key| number(&part[key]).unwrap())).collect();
             if in_full {
-                let table = select(&html, &format!("{scope} [data-table=components] data"));
+                let table = outside(&format!("{scope} [data-table=components] data"));
                 let units = units_of_loads(&html, &scope);
                 let shown = table.iter().enumerate().map(|(place, data)| units[place % 3] * attribute(*data));
                 for (shown, json) in shown.zip(&parts) {
@@ -282,7 +285,10 @@ fn every_number_put_in_stands_elsewhere_on_the_sheet() {
             let text: String = cell.text().collect();
             text.trim_start_matches(['≥', '≤', ' ']).split(' ').next()?.parse::<f64>().ok()
         });
-        let known: Vec<f64> = known.into_iter().chain(asked).collect();
+        // Of a joint the parts of loads stand in its table alone, in kN and kN m.
+        let of_joints = select(&html, "[data-joint] [data-table=components] data").into_iter();
+        let of_joints = of_joints.map(|data| 1e3 * attribute(data).abs());
+        let known: Vec<f64> = known.into_iter().chain(asked).chain(of_joints).collect();
         for leaf in select(&html, ".numbers [data-value]") {
             let value = si(leaf, "data-value").unwrap();
             let found = known.iter().any(|known| (known - value).abs() <= 1e-12 * value);

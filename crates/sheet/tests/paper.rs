@@ -12,7 +12,7 @@ use standfast_sheet::{Sheet, SheetOptions};
 /// Sheets of every example that has one, in full and in short; a life of storms, which takes long, is left to other tests.
 fn examples() -> Vec<(String, CaseFile)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
-    let mut paths: Vec<PathBuf> = ["", "motion", "probability"]
+    let mut paths: Vec<PathBuf> = ["", "joints", "motion", "probability"]
         .iter()
         .flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap().map(|entry| entry.unwrap().path()))
         .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))

@@ -221,9 +221,13 @@ pub fn motion_rows(assessed: &Assessed) -> Option<Vec<Vec<String>>> {
 }
 
 /// What the columns of [`motion_rows`] are.
-pub const MOTION_KEY: &str = "t, ω̇: acceleration along the joint and angular acceleration, relative to the body below; f, N: friction and normal \
-     reaction on the body above, N at ξ; ẍ, ÿ, θ̈: its centre, on a shaken base relative to that. To the right, upwards, \
-     counter-clockwise.";
+pub fn motion_key(assessed: &Assessed) -> String {
+    let relative = if assessed.earthquake.is_some() { ", relative to the shaken base" } else { "" };
+    format!(
+        "t, ω̇: acceleration along the joint and angular acceleration, relative to the body below; f, N: friction and normal reaction on the \
+         body above, N at ξ; ẍ, ÿ, θ̈: its centre{relative}. To the right, upwards, counter-clockwise."
+    )
+}
 
 /// The motion of all joints as text, where one moves.
 pub(super) fn motion(assessed: &Assessed) -> String {
@@ -231,7 +235,7 @@ pub(super) fn motion(assessed: &Assessed) -> String {
         let table = columns(&rows, 2, &[0, 2, 3, 4, 5, 6, 7, 8, 9]);
         format!(
             "\nAt onset: the joints from the top, each with the body on it\n{table}{}",
-            paragraph(MOTION_KEY, 2)
+            paragraph(&motion_key(assessed), 2)
         )
     })
 }

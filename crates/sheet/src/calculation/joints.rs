@@ -25,48 +25,30 @@ pub(super) fn steps(
     components: &[Component],
     view: &AssessmentView,
 ) {
-    let whole = steps.known();
     let first = all.leaves.joints();
+    let of = case.under(assessed.acting);
     for (place, above) in all.above.iter().enumerate() {
-        let joint = place + 1;
-        let at = &all.places[joint];
-        let title = format!(
-            "{}, {} above the base: all that is above it as one body",
-            standfast_cases::capital(&all.called(joint)),
-            assessed.output.length(at.elevation)
-        );
-        steps.heading(&title);
-        let of = case.under(assessed.acting);
-        let water = Water { case: &of, joint: &of.joints[place], body: above.situation.body() };
-        let mut components = above.components();
-        for component in &mut components {
-            if let Some(name) = water.name(&component.load) {
-                component.name = name.to_owned();
-            }
-        }
-        water.steps(steps);
-        carried(steps, above, &components);
-        conditions(steps, above);
-        if first.first() == Some(&joint) {
-            classical::steps(steps, case, above, &components);
-            governing(steps, all, above, &components, joint);
-        }
-        steps.forget_since(&whole);
+        steps.of_joint(place + 1, |steps| on_joint(steps, &of, all, above, place));
     }
     if first.first() == Some(&0) {
         governing(steps, all, assessed, components, 0);
     }
-    if let Departure::At { factor, .. } = assessed.departure() {
-        steps.know("λ_d", factor, FACTOR);
-    }
     steps.heading("All joints");
     steps.push(table(assessed, all), Brief::Nothing);
+    match assessed.departure() {
+        Departure::At { factor, .. } if first.first() == Some(&0) => steps.know("λ_d", factor, FACTOR),
+        Departure::At { factor, .. } => {
+            let about = "Load factor at which the first joint leaves rest";
+            steps.told(about, "λ_d", factor, FACTOR, "the least of all joints", "load_factor");
+        }
+        _ => {}
+    }
     for sentence in verdict::full_load(assessed).into_iter().chain(verdict::path(assessed)) {
         steps.push(html! { p.note { (sentence) } }, Brief::Nothing);
     }
     if let Some(rows) = joints::motion_rows(assessed) {
         steps.push(onset(&rows), Brief::Nothing);
-        steps.push(html! { p.note { (joints::MOTION_KEY) } }, Brief::Nothing);
+        steps.push(html! { p.note { (joints::motion_key(assessed)) } }, Brief::Nothing);
     }
     let stages = all.path(case, assessed, view.up_to);
     if !stages.is_empty() {
@@ -76,6 +58,32 @@ pub(super) fn steps(
         });
         let full = path::table("modes_path", "Modes from the base up", rows);
         steps.push(full, Brief::Nothing);
+    }
+}
+
+/// What is above a joint, by its place among those above the base: its loads, its conditions of rest, and of the governing one all.
+fn on_joint(steps: &mut SheetSteps, case: &Case, all: &Joints, above: &Assessed, place: usize) {
+    let joint = place + 1;
+    let title = format!(
+        "{}, {} above the base: all that is above it as one body",
+        standfast_cases::capital(&all.called(joint)),
+        above.output.length(all.places[joint].elevation)
+    );
+    steps.heading(&title);
+    steps.note("Symbols up to the next joint are of what is above this one.");
+    let water = Water { case, joint: &case.joints[place], body: above.situation.body() };
+    let mut components = above.components();
+    for component in &mut components {
+        if let Some(name) = water.name(&component.load) {
+            component.name = name.to_owned();
+        }
+    }
+    water.steps(steps);
+    carried(steps, above, &components);
+    conditions(steps, above);
+    if all.leaves.joints().first() == Some(&joint) {
+        classical::steps(steps, case, above, &components);
+        governing(steps, all, above, &components, joint);
     }
 }
 

@@ -13,8 +13,10 @@ use standfast_sheet::{Sheet, SheetOptions};
 /// Every example, the cases of validation/goda.toml, and a few that reach what these do not: name and text.
 pub fn cases() -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let mut paths: Vec<_> =
-        std::fs::read_dir(root.join("examples")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let mut paths: Vec<_> = ["examples", "examples/joints"]
+        .iter()
+        .flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap().map(|entry| entry.unwrap().path()))
+        .collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
     let mut cases: Vec<_> = paths
@@ -618,4 +620,9 @@ impl Reader<'_> {
             other => panic!("{other:?} is no factor"),
         }
     }
+}
+
+/// True of what stands in the block of a joint, whose symbols and numbers are of what is above that.
+pub fn is_of_joint(element: ElementRef<'_>) -> bool {
+    element.ancestors().filter_map(ElementRef::wrap).any(|above| above.attr("data-joint").is_some())
 }
