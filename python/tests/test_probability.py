@@ -380,3 +380,28 @@ def test_values_along_a_number_are_a_text_or_one_by_one() -> None:
 def test_values_that_are_no_range_are_refused(over: Any, error: type[Exception], said: str) -> None:
     with pytest.raises(error, match=said):
         standfast.probability(GODA, over=over, samples=4096, method="sobol")
+
+
+PAIR = {
+    "gravity": 10,
+    "body": {"friction": 0.6},
+    "part": [
+        {"name": "lower", "left": 0, "width": 4, "bottom": 0, "height": 1, "density": 2000},
+        {"name": "upper", "left": 1, "width": 2, "bottom": 1, "height": 1, "density": 3000},
+    ],
+    "joint": [{"name": "bed", "elevation": 1, "friction": 0.5}],
+    "load": [{"name": "push", "force": "20 kN/m", "elevation": 2}],
+    "random": {"joint.bed.friction": {"uniform": {"from": 0.2, "to": 0.6}}},
+}
+
+
+def test_joints_are_told_by_which_leaves_rest_first():
+    # The upper block, 60 kN/m, slides under 20 kN/m where its friction is below 1/3; the base never does.
+    found = standfast.probability(PAIR)
+    assert found.modes["joint 2 slides"].probability == pytest.approx(1 / 3, rel=1e-12)
+    assert found.modes["joint 1 slides"].probability == 0
+    assert found.not_unique is None
+    drawn = standfast.draws(PAIR, 400)
+    friction, modes = drawn["joint.bed.friction"].to_numpy(), np.array(drawn["mode"].to_pylist())
+    assert set(modes) == {"RE", "joint 2 slides"}
+    assert ((friction < 1 / 3) == (modes == "joint 2 slides")).all()

@@ -28,7 +28,7 @@ pub(super) fn steps(
     let first = all.leaves.joints();
     let of = case.under(assessed.acting);
     for (place, above) in all.above.iter().enumerate() {
-        steps.of_joint(place + 1, |steps| on_joint(steps, &of, all, above, place));
+        steps.of_joint(place + 1, |steps| on_joint(steps, of, all, above, place));
     }
     if first.first() == Some(&0) {
         governing(steps, all, assessed, components, 0);
