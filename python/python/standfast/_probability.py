@@ -257,9 +257,9 @@ def draws(
         missing = np.isnan(values)
         columns.append(_standfast.make_array(name, values, missing if missing.any() else None, None, {"description": words}))
     missing = modes == _NO_MODE
-    words = SYMBOLS.tolist() if of_joints is None else of_joints
+    names: list[str] = SYMBOLS.tolist() if of_joints is None else of_joints
     meaning = "the mode that begins" if of_joints is None else "RE where every joint rests, else which leaves rest first and how"
-    columns.append(_standfast.make_array("mode", modes, missing if missing.any() else None, words, {"description": meaning}))
+    columns.append(_standfast.make_array("mode", modes, missing if missing.any() else None, names, {"description": meaning}))
     return ArrowTable(_standfast.make_table(columns))
 
 
