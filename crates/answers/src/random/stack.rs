@@ -104,6 +104,8 @@ impl OnJoints {
             (base, above) => base.or(above),
         };
         match first {
+            // Which forms are zero but for rounding.
+            None if asked == Asked::Full => REST,
             None => NEVER,
             Some((0.0, _)) if asked == Asked::Departure => AT_ONCE,
             Some((_, how)) => how,
