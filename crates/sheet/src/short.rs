@@ -190,10 +190,14 @@ struct Asked {
 impl Asked {
     /// Every criterion in every situation, what is not met first, then by utilisation.
     fn all(assessment: &Assessment, chance: Option<&Probability>) -> Vec<Asked> {
+        let cells = |check: &AnyCheck<'_>| {
+            let [required, value, utilisation, met] = check.cells();
+            [required, value + &check.on_joint(), utilisation, met]
+        };
         let of = |assessed: &Assessed, check: &AnyCheck<'_>| Asked {
             words: check.words(),
             name: check.name(),
-            cells: check.cells(),
+            cells: cells(check),
             place: assessment.name(assessed).unwrap_or_default(),
             met: check.is_met(),
             used: match check {

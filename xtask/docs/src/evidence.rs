@@ -124,7 +124,7 @@ const ROWS: &[Row] = &[
         claim: "which joint leaves rest first, of drawn numbers",
         against: "the same numbers as a case, decided exactly; two blocks by hand",
         independent: "in part: floating point against exact signs of the same forms",
-        count: "150 draws of each of 5 cases",
+        count: "150 draws of each of five cases",
         result: "0 differ",
         repeat: "`cargo test -p standfast-cases --test joints_random`",
         measured: false,
