@@ -403,14 +403,10 @@ impl Assessed {
         let asked = case.criteria_of(self.acting).iter();
         let asked = asked.filter(|criterion| !criterion.is_chance() || self.not_rest.is_some());
         let used = asked.map(|criterion| Check::of(*criterion, self).urgency()).fold(0.0, f64::max);
-        let factors = |one: &Assessed| match one.outcome.full.is_lifted() {
+        let [sliding, overturning] = match self.is_lifted() {
             true => [0.0; 2],
-            false => [one.outcome.stability.sliding, one.outcome.stability.overturning()],
+            false => [self.least_sliding(), self.least_overturning()],
         };
-        let [sliding, overturning] = self
-            .on_joints()
-            .map(factors)
-            .fold([f64::INFINITY; 2], |least, next| [least[0].min(next[0]), least[1].min(next[1])]);
         let factors = [sliding.min(overturning), sliding.max(overturning)];
         Severity([-used, self.departure().load_factor(), factors[0], factors[1]])
     }

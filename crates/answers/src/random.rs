@@ -19,7 +19,7 @@ mod draws;
 mod error;
 mod fragility;
 mod intervals;
-mod joint;
+mod joined;
 mod mechanics;
 mod outcome;
 mod overturn;
@@ -42,7 +42,7 @@ pub(crate) use criterion::not_rest;
 pub use draws::{Draw, DrawInPlane, Draws, WeighedDraws};
 pub use error::ProbabilityError;
 pub use fragility::{Fit, Fragility, FragilityPoint, ValueRange};
-pub use joint::JointChance;
+pub use joined::JoinedChance;
 pub use overturn::{Overturning, PeakChances};
 pub use standfast_probability::sample::{Effort, Estimate};
 

@@ -452,6 +452,11 @@ pub fn event(event: ImpactEvent) -> &'static str {
     }
 }
 
+/// The least of a safety factor over all joints; one of what is lifted means nothing.
+pub fn least_of_joints(assessed: &Assessed, of: fn(&Assessed) -> f64) -> ResultValue {
+    if assessed.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(of(assessed)) }
+}
+
 /// A safety factor; one of a lifted body means nothing.
 fn factor(full: &Response, factor: f64) -> ResultValue {
     if full.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(factor) }

@@ -34,7 +34,7 @@ use crate::criteria::{Check, asked_for};
 use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Table};
-use crate::results::{ResultKind, ResultName, ResultValue, SeaResult};
+use crate::results::{ResultKind, ResultName, ResultValue, SeaResult, least_of_joints};
 use standfast_model::{CaseFile, Criterion, Warning};
 
 /// A case, and which of its numbers vary.
@@ -325,12 +325,6 @@ impl Answer {
         }
     }
 
-    /// The least of a factor over the joints of the situation that governs; none where something is lifted.
-    fn least(&self, of: fn(&Assessed) -> f64) -> ResultValue {
-        let governing = self.governing();
-        if governing.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(of(governing)) }
-    }
-
     /// A result; which situation governs, by its place among them.
     pub fn get(&self, result: SweepResult) -> ResultValue {
         let shaken = |of: fn(&Earthquake) -> f64| {
@@ -354,8 +348,8 @@ impl Answer {
             | SweepResult::JointModes
             | SweepResult::DepartureJoints
             | SweepResult::DepartureModes => ResultValue::Nothing,
-            SweepResult::LeastSliding => self.least(Assessed::least_sliding),
-            SweepResult::LeastOverturning => self.least(Assessed::least_overturning),
+            SweepResult::LeastSliding => least_of_joints(self.governing(), Assessed::least_sliding),
+            SweepResult::LeastOverturning => least_of_joints(self.governing(), Assessed::least_overturning),
             SweepResult::Criterion => {
                 let name = self.check.map(|(check, _)| check.criterion.name());
                 name.map_or(ResultValue::Nothing, ResultValue::Word)

@@ -124,7 +124,7 @@ fn interval(e: Estimate) -> Markup {
 
 fn words(answer: &Probability, happening: Happening) -> String {
     if let Happening::First(first) = happening {
-        return format!("{} {} first", answer.joint_called(first.joint), first.does());
+        return answer.first_words(first);
     }
     let name = happening.name();
     happening.words().map_or(name.clone(), |words| format!("{words} ({name})"))

@@ -3,7 +3,7 @@
 use standfast::{Corner, Mode, Verdict};
 
 use super::{Assessed, Joints, predicate};
-use crate::case::{BASE, called};
+use crate::case::called;
 
 /// Joints in a row: "joint 1", "joints 1, 2 and 4".
 pub fn together(joints: &[usize]) -> String {
@@ -42,11 +42,7 @@ fn goes(mode: Mode) -> String {
 impl Joints {
     /// A joint by its number and name: `joint 3 (cap)`; the base is joint 1.
     pub fn called(&self, joint: usize) -> String {
-        let name = match joint {
-            0 => Some(BASE),
-            above => self.places[above].name.as_deref(),
-        };
-        called(joint, name)
+        called(joint, self.places[joint].name.as_deref())
     }
 
     /// What all joints do, in a clause: "joint 3 (third) slides to the left (SL), joints 1, 2 and 4 rest".

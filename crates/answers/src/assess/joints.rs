@@ -8,12 +8,12 @@ use standfast::{
 };
 
 use super::Assessed;
-use crate::case::Case;
+use crate::case::{BASE, Case};
 
 /// A joint: the base, or one above it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointPlace {
-    /// Its name; none of the base.
+    /// Its name; of the base [`BASE`].
     pub name: Option<String>,
     /// Above the base, m.
     pub elevation: f64,
@@ -82,7 +82,8 @@ impl JointPlace {
             elevation: joint.level(),
             ends: joint.ends,
         });
-        [JointPlace { name: None, elevation: 0.0, ends: base }].into_iter().chain(above).collect()
+        let base = JointPlace { name: Some(BASE.to_owned()), elevation: 0.0, ends: base };
+        [base].into_iter().chain(above).collect()
     }
 }
 

@@ -12,7 +12,7 @@ use super::chances::chances;
 use super::criterion::{ChanceCriterion, bound};
 use super::error::ProbabilityError;
 use super::fragility::Fragility;
-use super::joint::{JointChance, joined};
+use super::joined::{JoinedChance, joined};
 use super::outcome::{NOT_A_BODY, joint};
 use super::overturn::Overturning;
 use super::problem::ChanceProblem;
@@ -292,7 +292,7 @@ pub struct Probability {
     /// None of a storm without a body.
     pub situations: Vec<Chances>,
     /// That any of several situations moves the body; none where there is only one.
-    pub joined: Option<JointChance>,
+    pub joined: Option<JoinedChance>,
     /// Criterion that `[criteria]` sets for the probability.
     pub criterion: Option<ChanceCriterion>,
     /// Slides of the body in storms.
@@ -319,8 +319,13 @@ impl Probability {
         self.problem.as_ref().is_some_and(|problem| problem.has_joints())
     }
 
+    /// What leaves rest first, in a clause: `joint 3 (cap) slides first`.
+    pub fn first_words(&self, first: FirstJoint) -> String {
+        format!("{} {} first", self.joint_called(first.joint), first.does())
+    }
+
     /// Joint by its number and name, from its place from the base, which is zero: `joint 3 (cap)`.
-    pub fn joint_called(&self, joint: usize) -> String {
+    fn joint_called(&self, joint: usize) -> String {
         let case = self.problem.as_ref().and_then(|problem| problem.case());
         let name = match (joint, case) {
             (0, _) => Some(BASE),

@@ -9,7 +9,7 @@ use standfast_watch::Portion;
 
 use super::answer::ChanceRequest;
 use super::error::ProbabilityError;
-use super::joint::by_acting;
+use super::joined::by_acting;
 use super::problem::ChanceProblem;
 use super::subject::problems_of;
 use crate::case::Acting;

@@ -8,7 +8,7 @@ use standfast::{Departure, DepartureSpan};
 use standfast_probability::problem::{Outcomes, Pieces};
 
 use super::mechanics::Mechanics;
-use super::outcome::{NOT_A_BODY, of_verdict};
+use super::outcome::{NOT_A_BODY, nothing, of_verdict};
 use super::problem::{ChanceProblem, Line};
 use super::stack::Asked;
 
@@ -77,10 +77,6 @@ impl Departures<'_> {
 
 fn push(spans: &[DepartureSpan], pieces: &mut Pieces) {
     spans.iter().for_each(|span| pieces.push(span.from, span.to, outcome(span.departure)));
-}
-
-fn nothing(pieces: &mut Pieces) {
-    pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY);
 }
 
 impl Outcomes for Departures<'_> {

@@ -6,7 +6,7 @@ use standfast::contact::path;
 use standfast_probability::problem::{Outcomes, Pieces};
 
 use super::base;
-use super::outcome::{LIFTED, NOT_A_BODY, of_modes, push_all, told_apart};
+use super::outcome::{LIFTED, NOT_A_BODY, nothing, of_modes, push_all, told_apart};
 use super::problem::{ChanceProblem, Line};
 use super::stack::Asked;
 
@@ -37,7 +37,7 @@ impl Outcomes for ChanceProblem {
             Line::Friction(place) => {
                 values[place] = 1.0;
                 let Some(mechanics) = self.mechanics(&values) else {
-                    return everywhere(pieces, NOT_A_BODY);
+                    return nothing(pieces);
                 };
                 let (block, wrench) = (mechanics.block, mechanics.wrench());
                 pieces.branch(u64::from(mechanics.formulas));
@@ -45,7 +45,7 @@ impl Outcomes for ChanceProblem {
                     everywhere(pieces, LIFTED);
                 }
                 if base::by_friction(&mechanics.base, &block, &wrench, self.reach(place), pieces).is_err() {
-                    everywhere(pieces, NOT_A_BODY);
+                    nothing(pieces);
                 }
             }
             Line::Load(place) => {
@@ -53,7 +53,7 @@ impl Outcomes for ChanceProblem {
                 let without = self.mechanics(&values);
                 values[place] = 1.0;
                 let (Some(without), Some(with)) = (without, self.mechanics(&values)) else {
-                    return everywhere(pieces, NOT_A_BODY);
+                    return nothing(pieces);
                 };
                 pieces.branch(u64::from(with.formulas));
                 let (block, start) = (with.block, without.wrench());
@@ -66,7 +66,7 @@ impl Outcomes for ChanceProblem {
                     (true, false) => {}
                 }
                 let Ok(stages) = path::stages(&block, &start, &slope) else {
-                    return everywhere(pieces, NOT_A_BODY);
+                    return nothing(pieces);
                 };
                 let stages = stages
                     .iter()

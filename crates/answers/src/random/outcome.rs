@@ -87,6 +87,11 @@ pub(super) fn told_apart(all: impl Iterator<Item = Stretch>) -> Vec<Stretch> {
     apart
 }
 
+/// No body for any value of the line.
+pub(super) fn nothing(pieces: &mut Pieces) {
+    pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY);
+}
+
 /// Outcomes that hold from one value to another, a bit for each.
 pub(super) fn push_all(pieces: &mut Pieces, from: f64, to: f64, outcomes: u64) {
     (0..count(MOST_JOINTS))

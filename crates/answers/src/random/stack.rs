@@ -12,7 +12,7 @@ use standfast_probability::problem::Pieces;
 
 use super::departure::{AT_ONCE, NEVER};
 use super::mechanics::Mechanics;
-use super::outcome::{BEARING_FAILURE, LIFTED, NOT_A_BODY, REST, of_joint, push_all, told_apart};
+use super::outcome::{BEARING_FAILURE, LIFTED, NOT_A_BODY, REST, nothing, of_joint, push_all, told_apart};
 use super::problem::{ChanceProblem, Line};
 
 /// What is asked of bodies on joints.
@@ -336,9 +336,4 @@ fn between(mut at: Vec<f64>, pieces: &mut Pieces, mut outcomes: impl FnMut(f64) 
         }
     }
     push_all(pieces, from, f64::INFINITY, held);
-}
-
-/// No body for any value of the line.
-fn nothing(pieces: &mut Pieces) {
-    pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY);
 }

@@ -7,7 +7,7 @@ use standfast_figures::JointLine;
 use standfast_inputs::digits::{digits, percent};
 
 use super::{Assessed, Assessment, AssessmentView, JointPlace, Joints, Together, predicate, verdict};
-use crate::case::{BASE, Case};
+use crate::case::Case;
 use crate::json::number_or_word;
 use crate::layout::{columns, paragraph, row};
 use crate::results::{ResultName, ResultValue};
@@ -143,7 +143,7 @@ pub(super) fn render(assessed: &Assessed) -> String {
         let e = bearing.eccentricity(on.situation.body().base_width());
         rows.push(row![
             (joint + 1).to_string(),
-            if joint == 0 { BASE } else { place.name.as_deref().unwrap_or_default() },
+            place.name.as_deref().unwrap_or_default(),
             output.value(Dimension::Length, place.elevation),
             format!("{from} to {to}"),
             output.value(Dimension::Force, 0.0 - full.wrench.x),
@@ -391,7 +391,7 @@ impl<'a> JointEntries<'a> {
             // Of the whole the departure in its results is that of all joints.
             let own = on.outcome.departure;
             JointEntry {
-                name: if place == 0 { Some(BASE) } else { at.name.as_deref() },
+                name: at.name.as_deref(),
                 elevation: at.elevation,
                 left: at.ends[0],
                 right: at.ends[1],

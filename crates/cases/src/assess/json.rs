@@ -351,15 +351,11 @@ struct ShortJoints {
 impl ShortJoints {
     fn of(assessed: &Assessed) -> Option<ShortJoints> {
         let joints = assessed.joints.as_ref()?;
-        let factor = |least: f64| match assessed.is_lifted() {
-            true => ResultValue::Nothing,
-            false => ResultValue::Number(least),
-        };
         Some(ShortJoints {
             modes: joints.modes().filter(|modes| !modes.is_empty()).map(<[Mode]>::to_vec),
             departure_joints: joints.leaves.joints().iter().map(|joint| joint + 1).collect(),
-            sliding: factor(assessed.least_sliding()),
-            overturning: factor(assessed.least_overturning()),
+            sliding: results::least_of_joints(assessed, Assessed::least_sliding),
+            overturning: results::least_of_joints(assessed, Assessed::least_overturning),
         })
     }
 }

@@ -97,7 +97,7 @@ pub(super) fn groups(answer: &Probability, worst: &Chances) -> Vec<(String, Vec<
 /// What a bar is of that is of no mode.
 fn bar_words(answer: &Probability, happening: Happening) -> String {
     match happening {
-        Happening::First(_) => super::text::words(answer, happening),
+        Happening::First(first) => answer.first_words(first),
         other => other.name(),
     }
 }

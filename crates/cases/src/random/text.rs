@@ -7,7 +7,7 @@ use standfast_probability::sample::{Effort, Estimate};
 
 use super::summary::{FEW, period, summary};
 use super::{
-    Chances, Exceedance, FirstDeparture, Fit, FollowedWaves, Fragility, Happening, JointChance, Method,
+    Chances, Exceedance, FirstDeparture, Fit, FollowedWaves, Fragility, Happening, JoinedChance, Method,
     Overturning, PeakChances, Probability, Pulse, Quantile, RandomNumber, Sliding,
 };
 use crate::layout::{columns, digits, paragraph, percent, row, significant};
@@ -51,7 +51,7 @@ fn static_modes(answer: &Probability) -> String {
         let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
         text += &event_table(answer, chances);
     }
-    if let Some(JointChance { count, not_rest, method }) = &answer.joined {
+    if let Some(JoinedChance { count, not_rest, method }) = &answer.joined {
         let within = interval(*not_rest, *method).map_or(String::new(), |interval| format!(", {interval}"));
         let words = format!(
             "Under any of these {count}, all with the same numbers drawn, it does not rest: {}{within}.",
@@ -445,7 +445,7 @@ fn interval(e: Estimate, method: Method) -> Option<String> {
 /// An outcome in words, a mode with its symbol, a joint with its name.
 pub(super) fn words(answer: &Probability, happening: Happening) -> String {
     if let Happening::First(first) = happening {
-        return format!("{} {} first", answer.joint_called(first.joint), first.does());
+        return answer.first_words(first);
     }
     let name = happening.name();
     happening.words().map_or(name.clone(), |words| format!("{words}, {name}"))

@@ -179,8 +179,7 @@ impl Jointed {
                 sum
             };
             let sums: Vec<Sum<Approx>> = all.iter().map(scaled).collect();
-            let plain = |sum: &Sum<Approx>| sum.map(|number: &Approx| Ball::of(number.value()));
-            let exact = || numbers(&sums.iter().map(plain).collect::<Vec<_>>());
+            let exact = || numbers(&as_they_are(&sums));
             let decider = Decider::new(numbers(&sums), Box::new(exact));
             Ok::<_, Infallible>(decider.modes_at_once(factor))
         };
@@ -192,9 +191,7 @@ impl Jointed {
         let make = move || {
             let exact = written().map(|jointed| jointed.0.iter().map(OnJoint::sum).collect::<Vec<_>>());
             // Without others these are the numbers.
-            let exact = exact.unwrap_or_else(|| {
-                rounded().iter().map(|sum| sum.map(|number: &Approx| Ball::of(number.value()))).collect()
-            });
+            let exact = exact.unwrap_or_else(|| as_they_are(&rounded()));
             numbers(&exact)
         };
         Decider::new(numbers(&rounded()), Box::new(make))
@@ -304,6 +301,11 @@ impl OnJoint {
             variable: wrench(&sum.variable, sizes[1]),
         }
     }
+}
+
+/// Tracked numbers without how far rounding may have moved them.
+fn as_they_are(sums: &[Sum<Approx>]) -> Vec<Sum<Ball>> {
+    sums.iter().map(|sum| sum.map(|number: &Approx| Ball::of(number.value()))).collect()
 }
 
 /// Number of bodies up to which what all joints do is found over a plane: in a third of a second, where three take ten times as long.

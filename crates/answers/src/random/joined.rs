@@ -17,7 +17,7 @@ use crate::case::Acting;
 
 /// The chance that any of several sets of loads moves the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct JointChance {
+pub struct JoinedChance {
     /// Number of sets of loads.
     pub count: usize,
     /// Method by which it was found.
@@ -95,7 +95,7 @@ pub(super) fn joined(
     problems: &[&ChanceProblem],
     request: &ChanceRequest,
     portion: Portion<'_>,
-) -> Result<Option<JointChance>, ProbabilityError> {
+) -> Result<Option<JoinedChance>, ProbabilityError> {
     let [first, _, ..] = problems else { return Ok(None) };
     let any = AnyOf(problems.to_vec());
     let points = local_design_points(first.laws(), &any, 1 << MOVES);
@@ -104,7 +104,7 @@ pub(super) fn joined(
     let sampled =
         chances::by(method, first.laws(), &any, &[1 << MOVES], &about, request.effort.within(portion));
     portion.check()?;
-    Ok(Some(JointChance { count: problems.len(), method, not_rest: sampled.estimates[0] }))
+    Ok(Some(JoinedChance { count: problems.len(), method, not_rest: sampled.estimates[0] }))
 }
 
 /// The chance that the body does not stay at rest, for each set of loads that act together; under any of the accelerations of the
