@@ -199,7 +199,7 @@ impl Explorer {
 
     /// The course of a history, of a size, as JSON; empty where there is none to draw.
     pub fn course(&mut self, key: &str, width: f64, height: f64) -> String {
-        self.page.course(key, (width, height))
+        self.page.course(key, drawable(width, height))
     }
 
     /// Drags a point of a history drawn by hand to a place in its drawing.
@@ -250,24 +250,24 @@ impl Explorer {
     /// The section, about `width` by `height` units, with its handles, as JSON; its pressures summed or not, if a person has chosen.
     pub fn section(&mut self, width: f64, height: f64, summed: Option<bool>) -> String {
         let of = |summed: bool| if summed { Pressures::Summed } else { Pressures::Along };
-        self.page.section((width, height), summed.map(of))
+        self.page.section(drawable(width, height), summed.map(of))
     }
 
     /// The body with its forces and accelerations; empty where the loads are not one horizontal force.
     pub fn free_body(&self, width: f64, height: f64) -> String {
-        self.page.body((width, height)).map_or(String::new(), |(figure, _)| figure.svg().to_owned())
+        self.page.body(drawable(width, height)).map_or(String::new(), |(figure, _)| figure.svg().to_owned())
     }
 
     /// Pose to which its motion leads, exaggerated: pivot x, y, shift and turn in degrees; empty without a drawing.
     pub fn pose(&self, width: f64, height: f64) -> Vec<f64> {
         self.page
-            .body((width, height))
+            .body(drawable(width, height))
             .map_or(Vec::new(), |(_, pose)| vec![pose.pivot.0, pose.pivot.1, pose.shift, pose.turn])
     }
 
     /// A plate of the right side, `width` by `height` units: `load`, `k-mu` or `time`.
     pub fn plate(&mut self, which: &str, width: f64, height: f64) -> String {
-        self.page.plate(which, (width, height))
+        self.page.plate(which, drawable(width, height))
     }
 
     /// Place of the design point in the plate last drawn, as [x, y, 1 if in the plot, 1 if it goes to the side, 1 if up]; empty without one.
@@ -282,7 +282,7 @@ impl Explorer {
 
     /// The stage of a motion, about `width` by `height` units, from the floor or from the earth, as JSON; empty of a case at rest.
     pub fn stage(&mut self, from_earth: bool, width: f64, height: f64) -> String {
-        self.page.stage(from_earth, (width, height))
+        self.page.stage(from_earth, drawable(width, height))
     }
 
     /// Poses on the stage last drawn at even steps: x, y, degrees clockwise, shift of the ground, number of the mode.
@@ -302,7 +302,7 @@ impl Explorer {
 
     /// The strip of strengths, so wide; empty while they are not known.
     pub fn strengths(&self, width: f64) -> String {
-        self.page.strengths(width)
+        self.page.strengths(drawable(width, 0.0).0)
     }
 
     /// Left, top, right and bottom of the plot of the histories last drawn; empty of other plates.
@@ -397,7 +397,7 @@ impl Explorer {
 
     /// The plane in fixed colours with the design point, for a file.
     pub fn plane_on_paper(&self, which: &str, width: f64, height: f64) -> String {
-        self.page.plane_on_paper(which, (width, height))
+        self.page.plane_on_paper(which, drawable(width, height))
     }
 
     /// The section in fixed colours, for a file.
@@ -419,7 +419,7 @@ impl Explorer {
 
     /// The γ–k' map of cases, with the place of the body as its last two numbers, as JSON.
     pub fn cases(&self, width: f64, height: f64) -> String {
-        self.page.cases((width, height))
+        self.page.cases(drawable(width, height))
     }
 
     /// A figure of the report, by its number; empty if there is none of that number.
@@ -450,8 +450,46 @@ impl Explorer {
     }
 }
 
+/// A size that can be drawn in, near to what the page has: a window may be a pixel wide for a moment.
+fn drawable(width: f64, height: f64) -> (f64, f64) {
+    // Of NaN, the least.
+    (width.max(LEAST.0).min(1e4), height.max(LEAST.1).min(1e4))
+}
+
+/// The least width and height of a drawing, px.
+const LEAST: (f64, f64) = (200.0, 140.0);
+
 #[cfg(test)]
 mod tests {
+    use super::{Explorer, examples};
+
+    /// Every drawing of every case, in windows that are no windows.
+    #[test]
+    fn no_size_is_too_small_or_too_large_to_draw_in() {
+        for shelf in &examples::SHELVES {
+            for case in shelf.cases {
+                let mut explorer = Explorer::new();
+                assert!(explorer.open_example(case.name), "{}", case.name);
+                for size in [-30.0, 1.0, 90.0, f64::NAN, f64::INFINITY] {
+                    for (width, height) in [(size, size), (size, 400.0), (600.0, size)] {
+                        println!("{}: {width} by {height}", case.name);
+                        explorer.section(width, height, None);
+                        explorer.free_body(width, height);
+                        explorer.pose(width, height);
+                        for plate in ["load", "k-mu", "time"] {
+                            explorer.plate(plate, width, height);
+                            explorer.plane_on_paper(plate, width, height);
+                        }
+                        explorer.stage(false, width, height);
+                        explorer.strengths(width);
+                        explorer.cases(width, height);
+                        explorer.course("load[1].force", width, height);
+                    }
+                }
+            }
+        }
+    }
+
     /// The page has the colours of the figures in both themes.
     #[test]
     fn the_page_has_the_colours_of_the_figures() {

@@ -543,6 +543,25 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
+test("a window of a pixel is drawn in, and left again", async () => {
+  const page = await open(browser);
+  for (const name of ["Caisson in air", "Quay wall with backfill", "Server rack in an earthquake"]) {
+    await page.setViewportSize({ width: 1280, height: 900 });
+    await choose(page, name);
+    for (const tab of ["why", "likely", "inputs", "whole", "terms"]) {
+      await page.setViewportSize({ width: 1280, height: 900 });
+      await page.click(`#tab-${tab}`);
+      await page.setViewportSize({ width: 1, height: 1 });
+      await drawn(page);
+    }
+  }
+  await page.setViewportSize({ width: 1280, height: 900 });
+  await drawn(page);
+  assert.deepEqual(page.heard, []);
+  assert.ok(await page.isVisible("#cases svg") || await page.evaluate(() => window.standfast.said.point === null));
+  await page.close();
+});
+
 test("pictures of every state at three widths, in two themes, without sideways scrolling", async () => {
   mkdirSync(artefacts, { recursive: true });
   const looks = [

@@ -495,6 +495,21 @@ fn water_stands_in_the_gap_beside_a_joint() {
     six(p("tight", "") - p("open", ""), tight * 7.5);
 }
 
+/// Where a joint is said to end where the bodies' contact does, rounding leaves no gap for water: 0.1 + 0.2 is more than 0.3.
+#[test]
+fn rounding_leaves_no_gap_beside_a_joint() {
+    let blocks = "[body]\nfriction = 0.5\n[[part]]\nleft = 0\nwidth = 1\nbottom = 0\nheight = 2\ndensity = 2500\n\
+                  [[part]]\nleft = 0.1\nwidth = 0.2\nbottom = 2\nheight = 2\ndensity = 2500\n\
+                  [water]\nlevel = 3\ndensity = 1000\nopening = \"closed\"\n";
+    let loads = |right: &str| {
+        let assessment = assess(&format!("{blocks}{}{PUSH}", joint(&format!("uplift = \"tight\"\n{right}"))));
+        on(&assessment, 1).situation.loads().len()
+    };
+    assert!(0.1 + 0.2 > 0.3);
+    assert_eq!(loads("right = 0.3\n"), loads(""));
+    assert_eq!(loads("right = 0.25\n"), loads("") + 1);
+}
+
 /// Where water reaches above a joint, the file has to say what is in it.
 #[test]
 fn water_above_a_joint_has_to_be_told() {

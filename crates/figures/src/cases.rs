@@ -98,8 +98,9 @@ impl Band {
         // Numbers and their letters are names; the rest is mathematics.
         let is_name = name.starts_with(|first: char| first.is_ascii_digit());
         let text = if is_name { Text::verbatim(name, NAME) } else { Text::new(&format!("${name}$"), NAME) };
-        let x = x.clamp(picture.plot.x0 + text.width, picture.plot.x1 - text.width);
-        if greatest - least > 0.12 {
+        let (from, to) = (picture.plot.x0 + text.width, picture.plot.x1 - text.width);
+        if from <= to && greatest - least > 0.12 {
+            let x = x.clamp(from, to);
             scene.text_in(&text, &Rect::around(x, y, text.width, text.height()), INK);
         }
     }

@@ -93,7 +93,7 @@ fn method(answer: &Probability) -> Markup {
         (Method::MonteCarlo, _) => "Every input is drawn.".to_owned(),
         (_, true) if answer.has_joints() => format!(
             "For given other inputs each joint that leaves rest first does so on intervals of {line} in closed form, so that {line} is integrated \
-             exactly. What all joints begin with is not asked."
+             exactly."
         ),
         (_, true) => format!(
             "For given other inputs each mode is an interval of {line} between curves in closed form, so that {line} is integrated exactly."
@@ -110,7 +110,12 @@ fn method(answer: &Probability) -> Markup {
             chances.method, chances.points
         ),
     };
-    html! { p { (how) " " (others) } }
+    html! {
+        p {
+            (how) " " (others)
+            @if answer.has_joints() { " What all joints begin with at once is not asked." }
+        }
+    }
 }
 
 /// A probability with its value in the markup.

@@ -261,7 +261,9 @@ impl Reader<'_> {
         }
         let contact = ends.each_ref().map(|end| end.clone() - origin.clone());
         let [from, to] = whole;
-        let gaps = [ends[0].clone() - from, to - ends[1].clone()];
+        // What rounding leaves of a number given where the contact ends is no gap.
+        let gaps = [ends[0].clone() - from, to - ends[1].clone()]
+            .map(|gap| if gap.value() > slack { gap } else { T::of(0.0) });
         Ok(JointEnds { ends, contact, gaps })
     }
 
