@@ -37,6 +37,9 @@ pub trait Scalar: Real + Div<Output = Self> + Debug + PartialEq {
     /// A number that was computed in f64, to [some thirteen digits](COMPUTED).
     fn computed(x: f64) -> Self;
 
+    /// The number itself as a fraction of whole numbers.
+    fn ball(&self) -> Ball;
+
     /// Sum of two terms; in f64 zero where they cancel but for their rounding, 2⁻⁴⁹ of the first.
     fn plus(self, other: Self) -> Self;
 }
@@ -66,6 +69,10 @@ impl Scalar for f64 {
     #[inline(always)]
     fn computed(x: f64) -> f64 {
         x
+    }
+
+    fn ball(&self) -> Ball {
+        Ball::of(*self)
     }
 
     #[inline(always)]
@@ -261,6 +268,10 @@ impl Scalar for Ball {
 
     fn computed(x: f64) -> Ball {
         Ball { radius: up(x.abs() * COMPUTED), ..Ball::of(x) }
+    }
+
+    fn ball(&self) -> Ball {
+        self.clone()
     }
 
     fn plus(self, other: Ball) -> Ball {

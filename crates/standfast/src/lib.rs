@@ -22,6 +22,7 @@
 //! | Safety factors and bearing pressure | [`Stability`] |
 //! | A base that crushes, ground that fails, an elastic base under short loads | [`ground`] |
 //! | Any wrench, added mass, μ_s ≠ μ_k, eccentric bodies | [`contact`] |
+//! | Forces of any horizontal direction, on a polygon, feet or a disc | [`footprint`] |
 //! | Bodies on bodies: which joint moves first, all combinations of modes | [`contact::stack`] |
 //!
 //! The symbols are those of the report this library implements, on vertical caisson breakwaters, after Shenton's
@@ -40,6 +41,7 @@ mod departure;
 pub mod diagram;
 mod error;
 mod exact;
+pub mod footprint;
 pub mod ground;
 pub mod history;
 pub mod initiation;
@@ -77,7 +79,7 @@ pub use quantity::{Expected, Quantity};
 pub use section::Section;
 pub use situation::{
     BaseOpening, Boundary, Held, InHalfWidths, JointAnswer, JointDeparture, Jointed, OnJoint, OpeningRule,
-    Outcome, Response, Situation,
+    Outcome, PlanBase, PlanOutcome, Response, Situation,
 };
 pub use span::Span;
 pub use stability::{Bearing, ClassicalActions, GrossOverturning, Margins, Stability};

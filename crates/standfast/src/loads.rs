@@ -94,6 +94,15 @@ pub enum LoadSource {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct LoadId(pub u64);
 
+/// Share of a load out of the plane of the section, which counts on a base [seen from above](crate::footprint).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Across<T = f64> {
+    /// The force away from the viewer, N; of inertia the acceleration of the base that way, m/s².
+    pub away: T,
+    /// Where it acts along the length, away from its middle, m; `None` at the centre of mass.
+    pub z: Option<T>,
+}
+
 /// A load on a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load<T = f64> {
@@ -113,6 +122,8 @@ pub struct Load<T = f64> {
     pub factor: T,
     /// Action, with its place.
     pub action: Action<T>,
+    /// Its share out of the plane of the section; `None` of a load in the vertical plane through the centre of mass.
+    pub across: Option<Across<T>>,
     /// Course of its size in time, as a share of the action; `None` of a load of which nothing is said, which a problem of rest takes as it
     /// is.
     pub history: Option<History>,
@@ -130,6 +141,7 @@ impl<T: Scalar> Load<T> {
             is_fast: false,
             factor: T::of(1.0),
             action: action.into(),
+            across: None,
             history: None,
         }
     }
@@ -177,6 +189,11 @@ impl<T: Scalar> Load<T> {
         Load { is_fast: true, ..self }
     }
 
+    /// Load with a share out of the plane of the section.
+    pub fn across(self, across: Across<T>) -> Load<T> {
+        Load { across: Some(across), ..self }
+    }
+
     /// Load with a history.
     pub fn over_time(self, history: History) -> Load<T> {
         Load { history: Some(history), ..self }
@@ -196,9 +213,11 @@ impl<T: Scalar> Load<T> {
 impl Load {
     /// Load of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
     pub fn computed<T: Scalar>(self) -> Load<T> {
-        let Load { id, source, kind, name, permanent, is_fast, factor, action, history } = self;
+        let Load { id, source, kind, name, permanent, is_fast, factor, action, across, history } = self;
         let (factor, action) = (T::computed(factor), action.computed());
-        Load { id, source, kind, name, permanent, is_fast, factor, action, history }
+        let across =
+            across.map(|Across { away, z }| Across { away: T::computed(away), z: z.map(T::computed) });
+        Load { id, source, kind, name, permanent, is_fast, factor, action, across, history }
     }
 
     /// Wrench at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.

@@ -59,6 +59,7 @@ worded! {
         Pressure => "pressure",
         PressurePosition => "position of a pressure",
         Acceleration => "acceleration of the base",
+        TorsionalMoment => "moment about the vertical",
         LoadFactor => "load factor",
         WaterDepth => "water depth",
         SeaBottomSlope => "sea bottom slope",
@@ -150,5 +151,6 @@ worded! {
         RectangularBase => "none for a round base: the formulas are those of a strip",
         BeyondLeftEnd => "one beyond the left end",
         InOrder => "positions that rise from point to point",
+        NoneButOnDisc => "none, but on a disc: another base has no one answer to it",
     }
 }

@@ -51,11 +51,13 @@ use crate::wrench::Wrench;
 
 mod holding;
 mod jointed;
+mod on_plan;
 mod opening;
 mod written;
 
 pub use holding::Held;
 pub use jointed::{JointAnswer, JointDeparture, Jointed, OnJoint};
+pub use on_plan::{PlanBase, PlanOutcome};
 use opening::Opening;
 pub use opening::{BaseOpening, OpeningRule};
 pub use written::Boundary;
@@ -76,6 +78,8 @@ pub struct Situation<T = f64> {
     holding: Option<Holding>,
     /// The sum of its loads times partial factors that act on their effects alone, against which resistances count.
     effects: Option<Wrench>,
+    /// Its base seen from above, where that is described.
+    plan: Option<PlanBase<T>>,
     /// Its numbers as they are written, where they decide.
     written: Option<Box<Written>>,
 }
@@ -119,6 +123,8 @@ pub struct Outcome {
     pub margins: Margins,
     /// What holds the body beside friction; `None` where nothing does.
     pub held: Option<Held>,
+    /// The answer of a base seen from above, which takes the place of what the plane knows; `None` without one.
+    pub plan: Option<PlanOutcome>,
 }
 
 impl Response {
@@ -172,6 +178,7 @@ impl<T: Scalar> Situation<T> {
             opening: None,
             holding: None,
             effects: None,
+            plan: None,
             written: None,
         })
     }
@@ -510,6 +517,9 @@ impl Situation {
     /// # Errors
     /// If a number is out of range.
     pub fn outcome(&self) -> Result<Outcome, InputError> {
+        if let Some(outcome) = self.outcome_on_plan()? {
+            return Ok(outcome);
+        }
         let sums = self.sums();
         let wrench = sums.permanent.plus(sums.variable);
         let full = self.response(1.0, wrench, self.in_air().or_else(|| self.effective(&wrench)))?;
@@ -534,7 +544,7 @@ impl Situation {
         if let Some(written) = &self.written {
             written.settle(&self.body, actions.heel, (&mut margins, &mut stability, &mut gross));
         }
-        Ok(Outcome { full, departure, path, actions, stability, gross, margins, held })
+        Ok(Outcome { full, departure, path, actions, stability, gross, margins, held, plan: None })
     }
 
     fn departure(&self, path: &[Stage], permanent: &Wrench) -> Result<Departure, InputError> {

@@ -77,6 +77,8 @@ pub enum Bearing {
     OutsideBase,
     /// Nothing presses the body on its base: W' ≤ U.
     Lifted,
+    /// The base is one seen from above, of which no pressure is told.
+    OnPlan,
 }
 
 impl Bearing {
@@ -84,7 +86,7 @@ impl Bearing {
     pub fn largest(&self) -> Option<f64> {
         match *self {
             Bearing::Pressed { heel, toe, .. } => Some(heel.max(toe)),
-            Bearing::OutsideBase | Bearing::Lifted => None,
+            Bearing::OutsideBase | Bearing::Lifted | Bearing::OnPlan => None,
         }
     }
 }

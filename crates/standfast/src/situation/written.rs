@@ -17,6 +17,7 @@ use crate::body::Body;
 use crate::contact::{self, Choice, Numbers, REST, conditions, rest, rests_alone};
 use crate::error::LARGEST;
 use crate::exact::{Exact, Real};
+use crate::footprint::Problem;
 use crate::loads::LoadKind;
 use crate::mode::{Corner, Mode, Modes};
 use crate::motion::Motion;
@@ -54,6 +55,8 @@ pub(super) struct Written {
     weight: Ball,
     /// B, m.
     half_width: Ball,
+    /// Its base seen from above, with all loads on it.
+    pub(super) plan: Option<Problem<Ball>>,
 }
 
 /// Modes that begin under written numbers.
@@ -87,7 +90,8 @@ impl Written {
         let push = reduced(&(sums.permanent.clone() + sums.variable.clone())).x;
         let turning = reduced(&sums.by_kind[LoadKind::Horizontal as usize]).m - push * block[2].clone();
         let (permanent, variable) = (reduced(&sums.permanent), reduced(&sums.variable));
-        Written { block, permanent, variable, turning, weight, half_width }
+        let plan = situation.problem_on_plan();
+        Written { block, permanent, variable, turning, weight, half_width, plan }
     }
 
     fn under(&self, Wrench { x, p, m }: Wrench<Ball>) -> Numbers<Ball> {
@@ -275,6 +279,9 @@ pub(super) fn settled(relation: Relation) -> Relation {
 /// True if a condition under the permanent or under the full load is within rounding of its boundary. Sums may be off by [`NEAR`] of the
 /// sizes of the parts; arms are no longer than the body is wide and high.
 pub(super) fn is_near(situation: &Situation) -> bool {
+    if let Some(is_near) = situation.is_near_on_plan() {
+        return is_near;
+    }
     let body = situation.body();
     let reach = body.width() + body.height() + body.base_width();
     // What acts, and the sizes of its parts: the permanent loads, and all.

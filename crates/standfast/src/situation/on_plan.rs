@@ -1,0 +1,221 @@
+//! A situation whose base is seen from above: rest under loads of any horizontal direction.
+//!
+//! The body keeps its section in the plane; what a load has out of it is its [`Across`]. All are carried over to the point of the base under the
+//! centre of mass and decided on the [`Footprint`].
+
+use crate::approx::Approx;
+use crate::ball::{Ball, Scalar};
+use crate::departure::Departure;
+use crate::error::InputError;
+use crate::exact::Real;
+use crate::footprint::{BaseWrench, Footprint, PlanDeparture, Problem, Torsion};
+use crate::loads::{Across, Action, Load};
+use crate::mode::Modes;
+use crate::quantity::{Expected, Quantity};
+use crate::stability::{Bearing, GrossOverturning, Margins, Stability, ratio};
+
+use super::{Outcome, Response, Situation};
+
+/// A base seen from above, under a body whose section lies in the plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanBase<T = f64> {
+    /// Where the body bears, from the point under its centre of mass.
+    pub footprint: Footprint<T>,
+    /// The centre of mass, away from the middle of the length, m.
+    pub centroid_z: T,
+}
+
+/// The answer of a base seen from above.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanOutcome {
+    /// The departure from rest as the variable loads rise, and whether the body rests under all.
+    pub departure: PlanDeparture,
+    /// All loads under the full load.
+    pub full: BaseWrench,
+    /// The edge with the least factor against overturning, from zero; `None` where nothing turns the body.
+    pub edge: Option<usize>,
+    /// h_i, m: the distances of the edges from the point under the centre of mass.
+    pub distances: Vec<f64>,
+}
+
+/// Error of a sum in f64, as a share of the sizes of its parts.
+const NEAR: f64 = 1e-13;
+
+impl<T: Scalar> Situation<T> {
+    /// Situation on a base seen from above, which takes loads of any horizontal direction.
+    pub fn with_plan(self, plan: PlanBase<T>) -> Situation<T> {
+        Situation { plan: Some(plan), written: None, ..self }
+    }
+
+    /// Its base as seen from above, where that is described.
+    pub fn plan(&self) -> Option<&PlanBase<T>> {
+        self.plan.as_ref()
+    }
+
+    /// Forces and moments of a load at the point of the base under the centre of mass, the vertical ones apart.
+    fn at_base(&self, plan: &PlanBase<T>, load: &Load<T>) -> [BaseWrench<T>; 2] {
+        let (body, wrench) = (&self.body, self.wrench_of(load));
+        let zero = || T::of(0.0);
+        let Across { away, z } = load.across.clone().unwrap_or_else(|| Across { away: zero(), z: None });
+        let z = z.map_or_else(zero, |z| z - plan.centroid_z.clone());
+        let (x, y) = match &load.action {
+            Action::Force { at, .. } => (at.x.clone() - body.centroid_offset(), at.y.clone()),
+            _ => (zero(), body.centroid_height()),
+        };
+        let away = match &load.action {
+            Action::Inertia { .. } => zero() - body.mass() * away,
+            _ => away,
+        };
+        let away = away * load.factor.clone();
+        // What the section's moment about C has of the push, d X, and of the vertical part.
+        let of_push = y.clone() * wrench.x.clone();
+        let of_weight = body.centroid_height() * wrench.x.clone() - wrench.m.clone() - of_push.clone();
+        let push = BaseWrench {
+            t: x * away.clone() - z.clone() * wrench.x.clone(),
+            q_x: of_push,
+            q_z: y * away.clone(),
+            x: wrench.x,
+            z: away,
+            p: zero(),
+        };
+        let vertical =
+            BaseWrench { q_x: of_weight, q_z: z * wrench.p.clone(), p: wrench.p, ..BaseWrench::zero() };
+        [push, vertical]
+    }
+
+    /// The problem of rest on its base, with the sizes of what its sums are made of.
+    fn on_plan(&self, plan: &PlanBase<T>) -> (Problem<T>, [BaseWrench; 2]) {
+        let mut sums = [BaseWrench::zero(), BaseWrench::zero()];
+        let mut sizes = [BaseWrench::zero(), BaseWrench::zero()];
+        for load in &self.loads {
+            let place = usize::from(!load.permanent);
+            for part in self.at_base(plan, load) {
+                sizes[place] = sizes[place].plus(part.map(|number| number.value().abs()));
+                sums[place] = sums[place].clone().plus(part);
+            }
+        }
+        let [permanent, variable] = sums;
+        let friction = self.static_friction();
+        (Problem { footprint: plan.footprint.clone(), friction, permanent, variable }, sizes)
+    }
+
+    /// The same, of numbers that decide.
+    pub(super) fn problem_on_plan(&self) -> Option<Problem<T>> {
+        self.plan.as_ref().map(|plan| self.on_plan(plan).0)
+    }
+}
+
+impl Situation {
+    /// The moment about the vertical through the centre of pressure that the loads have, where the base has no one answer to that.
+    pub fn torsion(&self) -> Option<Torsion> {
+        let (tracked, exact) = self.tracked_on_plan()?;
+        tracked.departure(&|| exact.clone()).err()
+    }
+
+    /// The permanent and the variable loads at the point of the base under the centre of mass; `None` without a plan.
+    pub fn base_wrenches(&self) -> Option<[BaseWrench; 2]> {
+        self.problem_on_plan().map(|problem| [problem.permanent, problem.variable])
+    }
+
+    /// The numbers with how far rounding may have moved them, and those that decide where that cannot.
+    fn tracked_on_plan(&self) -> Option<(Problem<Approx>, Problem<Ball>)> {
+        let (problem, sizes) = self.on_plan(self.plan.as_ref()?);
+        let exact = match self.written.as_ref().and_then(|written| written.plan.clone()) {
+            Some(written) => written,
+            None => problem.map(|number| Ball::of(*number)),
+        };
+        let [permanent, variable] = sizes;
+        let near = |wrench: &BaseWrench, size: &BaseWrench| {
+            let part = |value: f64, size: f64| Approx::around(value, NEAR * size);
+            BaseWrench {
+                x: part(wrench.x, size.x),
+                z: part(wrench.z, size.z),
+                p: part(wrench.p, size.p),
+                q_x: part(wrench.q_x, size.q_x),
+                q_z: part(wrench.q_z, size.q_z),
+                t: part(wrench.t, size.t),
+            }
+        };
+        let size = problem.footprint.size();
+        let length = |length: &f64| Approx::around(*length, NEAR * size);
+        let tracked = Problem {
+            footprint: problem.footprint.map(length),
+            friction: Approx::around(problem.friction, f64::EPSILON * problem.friction),
+            permanent: near(&problem.permanent, &permanent),
+            variable: near(&problem.variable, &variable),
+        };
+        Some((tracked, exact))
+    }
+
+    /// True if rounding could put a body on a plan on the other side of a boundary.
+    pub(super) fn is_near_on_plan(&self) -> Option<bool> {
+        self.tracked_on_plan().map(|(tracked, _)| tracked.is_near())
+    }
+
+    /// The answer of its plan.
+    ///
+    /// # Errors
+    /// If the loads turn the body about the vertical on a base that has no one answer to that.
+    pub(super) fn outcome_on_plan(&self) -> Result<Option<Outcome>, InputError> {
+        let Some((tracked, exact)) = self.tracked_on_plan() else { return Ok(None) };
+        let departure = tracked.departure(&|| exact.clone()).map_err(|Torsion { moment }| {
+            InputError::new(Quantity::TorsionalMoment, moment, Expected::NoneButOnDisc)
+        })?;
+        let plan = self.plan.as_ref().expect("it was tracked");
+        let sums = self.sums();
+        let wrench = sums.permanent.plus(sums.variable);
+        let actions = self.actions(&sums.by_kind);
+        let mut parts = [BaseWrench::zero(), BaseWrench::zero()];
+        for load in &self.loads {
+            let [push, vertical] = self.at_base(plan, load);
+            parts = [parts[0].plus(push), parts[1].plus(vertical)];
+        }
+        let [push, vertical] = parts;
+        let full = push.plus(vertical);
+        let edges = plan.footprint.overturning(&push, &vertical);
+        let least = edges.iter().enumerate().min_by(|(_, one), (_, two)| one.factor.total_cmp(&two.factor));
+        let margin = edges.iter().map(|edge| edge.margin).fold(f64::INFINITY, f64::min);
+        let factor = least.map_or(f64::INFINITY, |(_, edge)| edge.factor);
+        let (grip, on_friction) = (self.static_friction * full.p, plan.footprint.on_friction(&full));
+        let mut stability = Stability {
+            sliding: ratio(grip, on_friction),
+            overturning_about_heel: factor,
+            overturning_about_toe: f64::INFINITY,
+            resultant_arm: None,
+            bearing: if full.p > 0.0 { Bearing::OnPlan } else { Bearing::Lifted },
+        };
+        let mut margins = Margins {
+            sliding: grip - on_friction,
+            overturning_about_heel: margin,
+            overturning_about_toe: f64::INFINITY,
+        };
+        departure.settle(&mut stability, &mut margins);
+        let gross = GrossOverturning {
+            buoyancy: 0.0 - sums.buoyancy.p,
+            buoyancy_moment: 0.0,
+            about_heel: f64::INFINITY,
+            about_toe: f64::INFINITY,
+        };
+        let (modes, verdict) = (Modes::default(), None);
+        let full_response =
+            Response { wrench, verdict, modes, effective: None, motion: None, boundary: None };
+        let in_plane = match departure.at_once {
+            true => Departure::AtOnce { verdict: None, permanent: true },
+            false => Departure::from_rest(departure.load_factor, None),
+        };
+        let edge = least.filter(|(_, edge)| edge.factor < f64::INFINITY).map(|(place, _)| place);
+        let distances = plan.footprint.distances();
+        let plan = PlanOutcome { departure, full, edge, distances };
+        Ok(Some(Outcome {
+            full: full_response,
+            departure: in_plane,
+            path: Vec::new(),
+            actions,
+            stability,
+            gross,
+            margins,
+            held: None,
+            plan: Some(plan),
+        }))
+    }
+}
