@@ -10,6 +10,11 @@ pub(crate) trait Signed: Real {
     fn sign(&self) -> Option<Ordering>;
 }
 
+/// A sign; what is not known to the digits given is zero.
+pub(crate) fn sign<T: Signed>(value: &T) -> Ordering {
+    value.sign().unwrap_or(Ordering::Equal)
+}
+
 impl Signed for Exact {
     fn sign(&self) -> Option<Ordering> {
         Some(Exact::sign(self))

@@ -52,7 +52,9 @@ mod hull;
 mod rest;
 
 use crate::ball::Scalar;
+use crate::error::InputError;
 use crate::exact::Real;
+use crate::quantity::Quantity;
 
 pub(crate) use rest::Problem;
 pub use rest::{PlanDeparture, PlanLimit, Torsion};
@@ -72,7 +74,7 @@ enum Shape<T> {
 }
 
 /// Forces and moments on a body, carried over to the point of its base that is under its centre of mass.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BaseWrench<T = f64> {
     /// Horizontal force to the right, N.
     pub x: T,
@@ -93,8 +95,8 @@ pub struct BaseWrench<T = f64> {
 #[non_exhaustive]
 pub enum FootprintError {
     /// A coordinate or a radius is no number of a size that counts.
-    #[error("a length of the base is {0}; expected a number up to 1e50, and a radius above zero")]
-    Length(f64),
+    #[error(transparent)]
+    Input(#[from] InputError),
     /// All points lie on a line.
     #[error("all points of the base lie on a line; expected three that do not")]
     Line,
@@ -106,10 +108,8 @@ impl<T: Scalar> Footprint<T> {
     /// # Errors
     /// If all lie on a line, or one is no number.
     pub fn polygon(points: &[[T; 2]]) -> Result<Footprint<T>, FootprintError> {
-        for length in points.iter().flatten().map(T::value) {
-            if !(-LARGEST..=LARGEST).contains(&length) {
-                return Err(FootprintError::Length(length));
-            }
+        for length in points.iter().flatten() {
+            InputError::finite(Quantity::BaseCorner, length.value())?;
         }
         let places = hull::places(points).ok_or(FootprintError::Line)?;
         let vertices = places.iter().map(|place| points[*place].clone()).collect();
@@ -121,11 +121,10 @@ impl<T: Scalar> Footprint<T> {
     /// # Errors
     /// If its radius is not above zero, or one is no number.
     pub fn circle(centre: [T; 2], radius: T) -> Result<Footprint<T>, FootprintError> {
-        for (length, least) in [(&centre[0], -LARGEST), (&centre[1], -LARGEST), (&radius, SMALLEST)] {
-            if !(least..=LARGEST).contains(&length.value()) {
-                return Err(FootprintError::Length(length.value()));
-            }
+        for length in &centre {
+            InputError::finite(Quantity::BaseCentre, length.value())?;
         }
+        let radius = InputError::positive(Quantity::BaseRadius, radius)?;
         Ok(Footprint(Shape::Circle { centre, radius }))
     }
 
@@ -294,6 +293,12 @@ impl BaseWrench {
         (self.p > 0.0).then(|| [self.q_x / self.p, self.q_z / self.p])
     }
 
+    /// T_c: its moment about the vertical through its centre of pressure, counter-clockwise from above, N·m; about C where nothing presses.
+    pub fn torsion(&self) -> f64 {
+        let [x, z] = self.centre_of_pressure().unwrap_or_default();
+        self.t - (x * self.z - z * self.x)
+    }
+
     /// The wrench with its horizontal forces and their moments turned so many degrees from left over away to right.
     pub fn turned(&self, degrees: f64) -> BaseWrench {
         let (sin, cos) = exact_angle(degrees);
@@ -334,9 +339,3 @@ fn exact_angle(degrees: f64) -> (f64, f64) {
 fn edges<V>(vertices: &[V]) -> impl Iterator<Item = [&V; 2]> {
     vertices.iter().zip(vertices.iter().cycle().skip(1)).map(|(from, to)| [from, to])
 }
-
-/// The largest magnitude of a length, m.
-const LARGEST: f64 = 1e50;
-
-/// The smallest radius, m.
-const SMALLEST: f64 = 1e-50;

@@ -51,6 +51,7 @@ mod motion;
 mod neighbour;
 pub mod number;
 pub mod plan;
+mod polynomial;
 mod quantity;
 pub mod region;
 pub mod relation;

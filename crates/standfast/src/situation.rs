@@ -391,6 +391,9 @@ impl Situation {
         wrench: Wrench,
         effective: Option<Reduced>,
     ) -> Result<Response, InputError> {
+        if self.plan.is_some() {
+            return Ok(Response::unknown(wrench));
+        }
         if let Some(response) = self.response_as_held(factor, wrench)? {
             return Ok(response);
         }
@@ -489,6 +492,9 @@ impl Situation {
     /// # Errors
     /// If a number is out of range.
     pub fn path(&self) -> Result<Vec<Stage>, InputError> {
+        if self.plan.is_some() {
+            return Ok(Vec::new());
+        }
         if let Some(stages) = self.path_as_held()? {
             return Ok(stages);
         }
@@ -507,6 +513,9 @@ impl Situation {
     /// # Errors
     /// If a number is out of range, or `up_to` is not above zero.
     pub fn plane(&self, up_to: f64) -> Result<Vec<Region>, InputError> {
+        if self.plan.is_some() {
+            return Ok(Vec::new());
+        }
         let Sums { permanent, variable, .. } = self.sums();
         let [permanent, variable] = [permanent, variable].map(|wrench| self.reduced_wrench(&wrench));
         plane::regions(&self.reduced_block().0, &permanent, &variable, up_to)
@@ -560,6 +569,9 @@ impl Situation {
         Departure::along(begin.map(Verdict::Begins), path.iter().copied().map(Ok))
     }
 }
+
+/// Error of a number that was made of few in f64, as a share of the sizes of its parts.
+const SUMMED: f64 = 1e-13;
 
 /// A block with lengths in B, half the width of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]

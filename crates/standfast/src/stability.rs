@@ -32,6 +32,8 @@
 //!
 //! They say whether the body stays at rest. Which mode begins when it does not, they cannot say.
 
+use std::cmp::Ordering;
+
 use crate::body::Body;
 use crate::mode::Corner;
 use crate::plan::{CirclePressure, Plan, circle_pressure};
@@ -220,6 +222,15 @@ pub(crate) fn ratio(resistance: f64, action: f64) -> f64 {
         () if resistance < 0.0 => 0.0,
         () if action > 0.0 => resistance / action,
         () => f64::INFINITY,
+    }
+}
+
+/// A factor on the side of 1 that the sign of what it leaves says.
+pub(crate) fn beside_one(factor: f64, left: Ordering) -> f64 {
+    match left {
+        Ordering::Equal => 1.0,
+        Ordering::Less => factor.min(1.0 - f64::EPSILON / 2.0),
+        Ordering::Greater => factor.max(1.0),
     }
 }
 

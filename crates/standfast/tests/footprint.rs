@@ -448,6 +448,12 @@ fn a_situation_carries_its_loads_over_to_its_plan() {
     assert_eq!((pushed.full.q_z, pushed.full.t, pushed.edge), (900.0, 0.0, Some(2)));
     let outcome = bare().with(push(0.1, 1.8, 0.2, 0.0, 500.0)).outcome().unwrap();
     close(outcome.stability.overturning(), 0.5 * weight / 900.0, 1e-12);
+    // What begins in space is not told as if it began in the plane.
+    let pushed = bare().with(push(0.1, 1.8, 0.2, 5e4, 0.0));
+    assert_eq!(
+        (pushed.at(1.0).unwrap().verdict, pushed.path().unwrap(), pushed.plane(2.0).unwrap()),
+        (None, vec![], vec![])
+    );
     close(outcome.stability.sliding, 0.3 * weight / 500.0, 1e-12);
     close(outcome.margins.overturning_about_heel, 0.5 * weight - 900.0, 1e-12);
     let corner = bare().with(push(-0.5, 1.8, 0.7, 100.0, 50.0));

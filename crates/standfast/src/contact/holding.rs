@@ -13,13 +13,14 @@
 //! wrenches, the zeros of the points' accelerations, and for adhesion the roots of quadratics, (|X| − μP)P = 3c_a T.
 
 use super::conditions::Rotation;
-use super::polytope::{Constraint, boxed, choices, least, meeting, roots};
+use super::polytope::{Constraint, boxed, choices, least, meeting};
 use super::{Block, motion, numbers, path, rotation, solve, with_friction};
 use crate::departure::Departure;
 use crate::error::{InputError, LARGEST};
 use crate::mode::{Corner, Mode, Modes, Slip};
 use crate::motion::Motion;
 use crate::neighbour::Neighbour;
+use crate::polynomial::quadratic_roots;
 use crate::span::Span;
 use crate::stage::Stage;
 use crate::verdict::{Decision, Verdict};
@@ -219,7 +220,7 @@ impl Holding {
                 let by_reach = strength * on.reach();
                 let constant = at * start.p - by_reach * o[corner];
                 let linear = at * slope.p + by * start.p - by_reach * o_slope[corner];
-                ends.extend(roots([constant, linear, by * slope.p]));
+                ends.extend(quadratic_roots([constant, linear, by * slope.p]));
                 ends.push(line(
                     on.reach() * o[corner] - b * start.p,
                     on.reach() * o_slope[corner] - b * slope.p,

@@ -29,13 +29,13 @@
 
 use super::conditions::conditions;
 use super::path;
-use super::polytope::roots;
 use super::{Block, check, numbers, solve};
 use crate::departure::Departure;
 use crate::error::{InputError, LARGEST};
 use crate::mode::{Corner, Mode, Modes, Slip};
 use crate::motion::Motion;
 use crate::neighbour::Neighbour;
+use crate::polynomial::quadratic_roots;
 use crate::stage::Stage;
 use crate::verdict::Verdict;
 use crate::wrench::Wrench;
@@ -547,7 +547,7 @@ impl Given {
             zero(sum(&[(3.0, t), (-drain.distance, n)], squared));
             zero(sum(&[(3.0, t), (-drain.distance, n)], 0.0));
         }
-        events.extend(products.into_iter().flat_map(roots));
+        events.extend(products.into_iter().flat_map(quadratic_roots));
         for state in [OpeningState::Closed, OpeningState::Through] {
             let permanent = loads.permanent + self.water(state);
             events.extend(path::crossings(block, &permanent, &loads.steady));

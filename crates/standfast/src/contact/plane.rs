@@ -17,6 +17,7 @@ use super::conditions::{COUNT, conditions};
 use super::{Block, numbers, solve, with_friction};
 use crate::error::InputError;
 use crate::mode::Mode;
+use crate::polynomial::quadratic_roots;
 use crate::quantity::Quantity;
 use crate::region::{Curve, Region, Strip};
 use crate::wrench::Wrench;
@@ -138,7 +139,7 @@ fn breakpoints(boundaries: &[Boundary]) -> Vec<f64> {
             let ([c0, c1], [d0, d1]) = (two.alpha, two.beta);
             let square = a1 * d1 - c1 * b1;
             let linear = a0 * d1 + a1 * d0 - c0 * b1 - c1 * b0;
-            at.extend(quadratic_roots(square, linear, a0 * d0 - c0 * b0));
+            at.extend(quadratic_roots([a0 * d0 - c0 * b0, linear, square]));
         }
     }
     // One too close to the end would leave the end uncovered.
@@ -146,12 +147,6 @@ fn breakpoints(boundaries: &[Boundary]) -> Vec<f64> {
     at.sort_by(f64::total_cmp);
     at.dedup();
     at
-}
-
-/// Real roots of a x² + b x + c, without cancellation; what is not a number is for the caller to drop.
-fn quadratic_roots(a: f64, b: f64, c: f64) -> [f64; 2] {
-    let sum = -(b + b.signum() * (b * b - 4.0 * a * c).sqrt()) / 2.0;
-    [sum / a, c / sum]
 }
 
 /// The cells of the strip between two breakpoints, from the axis upwards.
@@ -220,16 +215,16 @@ mod tests {
         for (large, small) in
             [(1e8, 1e-8), (-1e8, 1e-8), (1e8, -1e-8), (-3e5, -2e-6), (2.0, 2.0), (5.0, -5.0)]
         {
-            let mut roots = quadratic_roots(3.0, -3.0 * (large + small), 3.0 * large * small);
+            let mut roots = quadratic_roots([3.0 * large * small, -3.0 * (large + small), 3.0]);
             if roots[0].abs() < roots[1].abs() {
                 roots.swap(0, 1);
             }
             assert!(roots[0].abs() == f64::abs(large) || (roots[0] / large - 1.0).abs() < 1e-12, "{roots:?}");
             assert!((roots[0] * roots[1] / (large * small) - 1.0).abs() < 1e-12, "{roots:?} {large} {small}");
         }
-        assert!(quadratic_roots(1.0, 0.0, 1.0).iter().all(|root| root.is_nan()));
+        assert!(quadratic_roots([1.0, 0.0, 1.0]).iter().all(|root| root.is_nan()));
         // A line has one root.
-        let [none, root] = quadratic_roots(0.0, 2.0, -3.0);
+        let [none, root] = quadratic_roots([-3.0, 2.0, 0.0]);
         assert!(!none.is_finite() && root == 1.5);
     }
 }

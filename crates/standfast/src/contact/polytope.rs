@@ -88,11 +88,3 @@ pub(super) fn meeting(rows: &[&Constraint]) -> Option<Vec<f64>> {
     let found: Vec<f64> = (0..count).map(|place| table[place][count] / table[place][place]).collect();
     found.iter().all(|number| number.is_finite()).then_some(found)
 }
-
-/// The roots of a polynomial of the second degree, its constant first.
-pub(super) fn roots([c, b, a]: [f64; 3]) -> [f64; 2] {
-    let root = (b * b - 4.0 * a * c).sqrt();
-    // Without cancellation.
-    let half = -(b + root.copysign(b)) / 2.0;
-    [half / a, c / half]
-}

@@ -8,10 +8,11 @@ use std::cell::OnceCell;
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::{BaseWrench, Footprint, Shape, edges};
-use crate::approx::{Approx, Signed};
+use crate::approx::{Approx, Signed, sign};
 use crate::ball::Ball;
 use crate::exact::Real;
-use crate::stability::{Margins, Stability, ratio};
+use crate::polynomial::{product, quadratic_roots, value};
+use crate::stability::{Margins, Stability, beside_one, ratio};
 
 /// What ends rest on a footprint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -63,19 +64,15 @@ impl PlanDeparture {
             (&mut stability.overturning_about_heel, &mut margins.overturning_about_heel),
         ];
         for ((factor, margin), sign) in pairs.into_iter().zip(self.left) {
-            let is_factor = *factor > 0.0 && factor.is_finite();
-            match sign {
-                Equal if is_factor => (*factor, *margin) = (1.0, 0.0),
-                Equal => *margin = 0.0,
-                Less => {
-                    *factor = factor.min(1.0 - f64::EPSILON / 2.0);
-                    *margin = margin.min(-f64::MIN_POSITIVE);
-                }
-                Greater => {
-                    *factor = factor.max(1.0);
-                    *margin = margin.max(f64::MIN_POSITIVE);
-                }
+            // Without a push, or beside the base, there is no factor to be 1.
+            if sign != Equal || (*factor > 0.0 && factor.is_finite()) {
+                *factor = beside_one(*factor, sign);
             }
+            *margin = match sign {
+                Equal => 0.0,
+                Less => margin.min(-f64::MIN_POSITIVE),
+                Greater => margin.max(f64::MIN_POSITIVE),
+            };
         }
     }
 }
@@ -174,7 +171,8 @@ impl Problem<Approx> {
         if turns {
             let nearest = exits.iter().flatten().copied().fold(f64::INFINITY, f64::min);
             let place = approx.len() - 1;
-            exits[place] = exits[place].filter(|exit| *exit == 0.0).or_else(|| self.turning_exit(nearest));
+            exits[place] =
+                exits[place].filter(|exit| *exit == 0.0).or_else(|| self.turning_exit(&approx, nearest));
         }
         let load_factor = exits.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         let near = |exit: f64| exit <= load_factor * (1.0 + TIED);
@@ -187,8 +185,8 @@ impl Problem<Approx> {
         // On the side of 1 on which the signs are.
         let load_factor = match rests {
             true if full.contains(&Equal) && (load_factor - 1.0).abs() <= 1e-9 => 1.0,
-            true => load_factor.max(1.0),
-            false => load_factor.min(1.0 - f64::EPSILON / 2.0),
+            true => beside_one(load_factor, Greater),
+            false => beside_one(load_factor, Less),
         };
         let wrench = (load_factor < f64::INFINITY).then(|| self.at(load_factor));
         Ok(PlanDeparture { load_factor, at_once: false, limits, rests, wrench, left })
@@ -217,24 +215,19 @@ impl Problem<Approx> {
         let sizes = [p0 * x0, p0 * x1 + p1 * x0, p1 * x1];
         let is_one =
             terms.iter().zip(sizes).any(|(term, size)| term.value().abs() > NO_TORSION * size + term.error());
-        is_one.then(|| {
-            let full = self.at(1.0);
-            let [c_x, c_z] = full.centre_of_pressure().unwrap_or_default();
-            Torsion { moment: full.t - (c_x * full.z - c_z * full.x) }
-        })
+        is_one.then(|| Torsion { moment: self.at(1.0).torsion() })
     }
 
     /// Where a disc begins to slide and turn at once, before it would slide or tip without a moment; that is an end of the search.
-    fn turning_exit(&self, end: f64) -> Option<f64> {
+    fn turning_exit(&self, forms: &[Form<Approx>], end: f64) -> Option<f64> {
+        let numbers = |terms: &[Approx]| terms.iter().map(|term| term.value()).collect::<Vec<f64>>();
+        let of =
+            |limit: PlanLimit| forms.iter().find(|form| form.limit == limit).map(|form| numbers(&form.terms));
+        let (grip, rim) = (of(PlanLimit::Slides)?, of(PlanLimit::Tips { edge: 0 })?);
+        let turning = numbers(&torsion(self));
+        // In factors, whose product loses digits near its zero when it is multiplied out.
         let at = |factor: f64| {
-            let BaseWrench { x, z, p, q_x, q_z, t } = self.at(factor);
-            let Shape::Circle { centre, radius } = &self.footprint.0 else { return 0.0 };
-            let ([o_x, o_z], radius) = (centre.map(Approx::value), radius.value());
-            let mu = self.friction.value();
-            let (about_x, about_z) = (q_x - p * o_x, q_z - p * o_z);
-            let grip = mu * mu * p * p - x * x - z * z;
-            let rim = radius * radius * p * p - about_x * about_x - about_z * about_z;
-            let turning = t * p - (q_x * z - q_z * x);
+            let [grip, rim, turning] = [&grip, &rim, &turning].map(|terms| value(terms, &factor));
             grip * rim - turning * turning
         };
         let mut outside = match end {
@@ -286,7 +279,7 @@ impl Footprint {
         let (Shape::Circle { centre, radius }, Some([x, z])) = (&self.0, full.centre_of_pressure()) else {
             return full.horizontal();
         };
-        let moment = full.t - (x * full.z - z * full.x);
+        let moment = full.torsion();
         let [beside_x, beside_z] = [x - centre[0], z - centre[1]];
         let arm = radius * radius - beside_x * beside_x - beside_z * beside_z;
         let reach = NO_TORSION * self.size() * full.horizontal();
@@ -373,17 +366,6 @@ fn torsion<T: Real>(problem: &Problem<T>) -> Vec<T> {
     less(&about_c, &of_force)
 }
 
-/// The product of two forms in the load factor.
-fn product<T: Real>(one: &[T], two: &[T]) -> Vec<T> {
-    let mut terms = vec![T::of(0.0); one.len() + two.len() - 1];
-    for (i, a) in one.iter().enumerate() {
-        for (j, b) in two.iter().enumerate() {
-            terms[i + j] = terms[i + j].clone() + a.clone() * b.clone();
-        }
-    }
-    terms
-}
-
 /// One form less another of the same powers.
 fn less<T: Real>(one: &[T], two: &[T]) -> Vec<T> {
     one.iter().zip(two).map(|(one, two)| one.clone() - two.clone()).collect()
@@ -395,13 +377,7 @@ fn first_zero(terms: &[f64]) -> Option<f64> {
     match *terms {
         [start, slope] if slope < 0.0 => positive(-start / slope),
         [start, slope, bend] => {
-            let inside = slope * slope - 4.0 * start * bend;
-            if inside < 0.0 {
-                return None;
-            }
-            // Without a difference of what is nearly equal.
-            let half = -(slope + inside.sqrt().copysign(slope)) / 2.0;
-            [start / half, half / bend].into_iter().filter_map(positive).reduce(f64::min)
+            quadratic_roots([start, slope, bend]).into_iter().filter_map(positive).reduce(f64::min)
         }
         _ => None,
     }
@@ -414,9 +390,4 @@ fn told(reached: Vec<PlanLimit>) -> Vec<PlanLimit> {
     }
     let is_alone = reached.iter().all(|limit| *limit == PlanLimit::Turns);
     reached.into_iter().filter(|limit| is_alone || *limit != PlanLimit::Turns).collect()
-}
-
-/// A sign; what is not known to the digits given is zero.
-fn sign(value: &Ball) -> Ordering {
-    value.sign().unwrap_or(Equal)
 }

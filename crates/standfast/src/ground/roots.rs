@@ -16,6 +16,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use crate::approx::{Approx, Signed};
 use crate::exact::{Exact, Real};
+use crate::polynomial::{product, value};
 use crate::twofold::Twofold;
 
 /// Numbers of roots of a polynomial above zero at which another polynomial is positive, zero and negative.
@@ -96,11 +97,6 @@ fn counted<T: Signed>(f: &[T], h: &[T]) -> Option<RootSigns> {
     })
 }
 
-/// f(x), by Horner.
-pub(super) fn value<T: Real>(f: &[T], x: &T) -> T {
-    f.iter().rev().fold(T::of(0.0), |sum, coefficient| sum * x.clone() + coefficient.clone())
-}
-
 /// The coefficients of f((τ − p)/w) wⁿ with n the degree of `f`, as a polynomial in τ: f from where p + w x = 0 on.
 pub(super) fn shifted<T: Real>(f: &[T], p: &T, w: &T) -> Vec<T> {
     let factor = [-p.clone(), T::of(1.0)];
@@ -116,16 +112,6 @@ pub(super) fn shifted<T: Real>(f: &[T], p: &T, w: &T) -> Vec<T> {
         power = power * w.clone();
     }
     sum
-}
-
-fn product<T: Real>(f: &[T], g: &[T]) -> Vec<T> {
-    let mut all = vec![T::of(0.0); (f.len() + g.len()).saturating_sub(1)];
-    for (i, a) in f.iter().enumerate() {
-        for (j, b) in g.iter().enumerate() {
-            all[i + j] = all[i + j].clone() + a.clone() * b.clone();
-        }
-    }
-    all
 }
 
 /// Without leading coefficients that are zero; nothing is left of zero.

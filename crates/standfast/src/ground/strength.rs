@@ -338,7 +338,7 @@ fn rate(given: &impl CrushProblem, n: &Numbers<f64>, corner: Corner, slip: Optio
     let roots = rate.roots();
     let Some(slip) = slip else { return (rate, roots.first().copied().unwrap_or(rate.least)) };
     let w = Turn::about(n, corner, Some(slip)).slipping(n, corner, slip, &n.mu_k);
-    let freedom = |a: &f64| super::roots::value(&w, a);
+    let freedom = |a: &f64| crate::polynomial::value(&w, a);
     let slips = roots.iter().find(|a| freedom(a) > 0.0);
     let nearest = slips.or_else(|| roots.iter().max_by(|a, b| freedom(a).total_cmp(&freedom(b))));
     (rate, nearest.copied().unwrap_or(rate.least))

@@ -20,7 +20,7 @@ use crate::loads::AboveJoint;
 use crate::mode::Mode;
 use crate::wrench::Wrench;
 
-use super::Situation;
+use super::{SUMMED, Situation};
 
 /// All that is above a joint, under its loads.
 #[derive(Debug, Clone, PartialEq)]
@@ -268,7 +268,7 @@ impl OnJoint {
         let reach = body.width() + body.height() + body.base_width();
         let sum = self.sum();
         let lengths = sum.joint.h.abs() + sum.joint.l.abs().max(sum.joint.r.abs()) + reach;
-        let rough = |value: &f64, size: f64| Approx::around(*value, NEAR * size);
+        let rough = |value: &f64, size: f64| Approx::around(*value, SUMMED * size);
         let mut sizes = [Wrench::ZERO; 2];
         for load in &self.situation.loads {
             let wrench = self.situation.wrench_of(load);
@@ -310,9 +310,6 @@ fn as_they_are(sums: &[Sum<Approx>]) -> Vec<Sum<Ball>> {
 
 /// Number of bodies up to which what all joints do is found over a plane: in a third of a second, where three take ten times as long.
 const MOST_IN_PLANE: usize = 2;
-
-/// Error of a number that was made of few in f64, as a share of the sizes of its parts.
-const NEAR: f64 = 1e-13;
 
 /// The bodies between the joints, each what is above its joint less what is above the next.
 fn numbers<T: Real + std::ops::Div<Output = T>>(above: &[Sum<T>]) -> StackNumbers<T> {

@@ -13,8 +13,9 @@ use crate::loads::{Across, Action, Load};
 use crate::mode::Modes;
 use crate::quantity::{Expected, Quantity};
 use crate::stability::{Bearing, GrossOverturning, Margins, Stability, ratio};
+use crate::wrench::Wrench;
 
-use super::{Outcome, Response, Situation};
+use super::{Outcome, Response, SUMMED, Situation};
 
 /// A base seen from above, under a body whose section lies in the plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,15 +35,19 @@ pub struct PlanOutcome {
     pub full: BaseWrench,
     /// The edge with the least factor against overturning, from zero; `None` where nothing turns the body.
     pub edge: Option<usize>,
-    /// h_i, m: the distances of the edges from the point under the centre of mass.
-    pub distances: Vec<f64>,
 }
 
-/// Error of a sum in f64, as a share of the sizes of its parts.
-const NEAR: f64 = 1e-13;
+impl Response {
+    /// Of a base seen from above: what begins there is not found.
+    pub(super) fn unknown(wrench: Wrench) -> Response {
+        let (verdict, modes) = (None, Modes::default());
+        Response { wrench, verdict, modes, effective: None, motion: None, boundary: None }
+    }
+}
 
 impl<T: Scalar> Situation<T> {
-    /// Situation on a base seen from above, which takes loads of any horizontal direction.
+    /// Situation on a base seen from above, which takes loads of any horizontal direction. Its [outcome](Situation::outcome) has its rest; what
+    /// begins beyond has no mode, no path and no region.
     pub fn with_plan(self, plan: PlanBase<T>) -> Situation<T> {
         Situation { plan: Some(plan), written: None, ..self }
     }
@@ -67,17 +72,9 @@ impl<T: Scalar> Situation<T> {
             _ => away,
         };
         let away = away * load.factor.clone();
-        // What the section's moment about C has of the push, d X, and of the vertical part.
-        let of_push = y.clone() * wrench.x.clone();
-        let of_weight = body.centroid_height() * wrench.x.clone() - wrench.m.clone() - of_push.clone();
-        let push = BaseWrench {
-            t: x * away.clone() - z.clone() * wrench.x.clone(),
-            q_x: of_push,
-            q_z: y * away.clone(),
-            x: wrench.x,
-            z: away,
-            p: zero(),
-        };
+        // Of the section's moment about C the push has d X, and what remains is the vertical part's.
+        let push = BaseWrench::force_at([wrench.x.clone(), away], zero(), [x, y, z.clone()]);
+        let of_weight = body.centroid_height() * wrench.x - wrench.m - push.q_x.clone();
         let vertical =
             BaseWrench { q_x: of_weight, q_z: z * wrench.p.clone(), p: wrench.p, ..BaseWrench::zero() };
         [push, vertical]
@@ -108,8 +105,7 @@ impl<T: Scalar> Situation<T> {
 impl Situation {
     /// The moment about the vertical through the centre of pressure that the loads have, where the base has no one answer to that.
     pub fn torsion(&self) -> Option<Torsion> {
-        let (tracked, exact) = self.tracked_on_plan()?;
-        tracked.departure(&|| exact.clone()).err()
+        self.tracked_on_plan()?.departure(&|| self.exact_on_plan()).err()
     }
 
     /// The permanent and the variable loads at the point of the base under the centre of mass; `None` without a plan.
@@ -117,16 +113,19 @@ impl Situation {
         self.problem_on_plan().map(|problem| [problem.permanent, problem.variable])
     }
 
-    /// The numbers with how far rounding may have moved them, and those that decide where that cannot.
-    fn tracked_on_plan(&self) -> Option<(Problem<Approx>, Problem<Ball>)> {
+    /// The numbers that decide where tracked rounding cannot: those that were written, or without any its own.
+    fn exact_on_plan(&self) -> Problem<Ball> {
+        let written = self.written.as_ref().and_then(|written| written.plan.clone());
+        let own = || self.problem_on_plan().map(|problem| problem.map(|number| Ball::of(*number)));
+        written.or_else(own).expect("it is on a plan")
+    }
+
+    /// The numbers with how far rounding may have moved them.
+    fn tracked_on_plan(&self) -> Option<Problem<Approx>> {
         let (problem, sizes) = self.on_plan(self.plan.as_ref()?);
-        let exact = match self.written.as_ref().and_then(|written| written.plan.clone()) {
-            Some(written) => written,
-            None => problem.map(|number| Ball::of(*number)),
-        };
         let [permanent, variable] = sizes;
         let near = |wrench: &BaseWrench, size: &BaseWrench| {
-            let part = |value: f64, size: f64| Approx::around(value, NEAR * size);
+            let part = |value: f64, size: f64| Approx::around(value, SUMMED * size);
             BaseWrench {
                 x: part(wrench.x, size.x),
                 z: part(wrench.z, size.z),
@@ -137,19 +136,18 @@ impl Situation {
             }
         };
         let size = problem.footprint.size();
-        let length = |length: &f64| Approx::around(*length, NEAR * size);
-        let tracked = Problem {
+        let length = |length: &f64| Approx::around(*length, SUMMED * size);
+        Some(Problem {
             footprint: problem.footprint.map(length),
             friction: Approx::around(problem.friction, f64::EPSILON * problem.friction),
             permanent: near(&problem.permanent, &permanent),
             variable: near(&problem.variable, &variable),
-        };
-        Some((tracked, exact))
+        })
     }
 
     /// True if rounding could put a body on a plan on the other side of a boundary.
     pub(super) fn is_near_on_plan(&self) -> Option<bool> {
-        self.tracked_on_plan().map(|(tracked, _)| tracked.is_near())
+        self.tracked_on_plan().map(|tracked| tracked.is_near())
     }
 
     /// The answer of its plan.
@@ -157,20 +155,16 @@ impl Situation {
     /// # Errors
     /// If the loads turn the body about the vertical on a base that has no one answer to that.
     pub(super) fn outcome_on_plan(&self) -> Result<Option<Outcome>, InputError> {
-        let Some((tracked, exact)) = self.tracked_on_plan() else { return Ok(None) };
-        let departure = tracked.departure(&|| exact.clone()).map_err(|Torsion { moment }| {
+        let (Some(plan), Some(tracked)) = (&self.plan, self.tracked_on_plan()) else { return Ok(None) };
+        let departure = tracked.departure(&|| self.exact_on_plan()).map_err(|Torsion { moment }| {
             InputError::new(Quantity::TorsionalMoment, moment, Expected::NoneButOnDisc)
         })?;
-        let plan = self.plan.as_ref().expect("it was tracked");
         let sums = self.sums();
         let wrench = sums.permanent.plus(sums.variable);
         let actions = self.actions(&sums.by_kind);
-        let mut parts = [BaseWrench::zero(), BaseWrench::zero()];
-        for load in &self.loads {
-            let [push, vertical] = self.at_base(plan, load);
-            parts = [parts[0].plus(push), parts[1].plus(vertical)];
-        }
-        let [push, vertical] = parts;
+        let parts = self.loads.iter().map(|load| self.at_base(plan, load));
+        let [push, vertical] =
+            parts.fold([BaseWrench::zero(); 2], |sum, part| [sum[0].plus(part[0]), sum[1].plus(part[1])]);
         let full = push.plus(vertical);
         let edges = plan.footprint.overturning(&push, &vertical);
         let least = edges.iter().enumerate().min_by(|(_, one), (_, two)| one.factor.total_cmp(&two.factor));
@@ -196,19 +190,15 @@ impl Situation {
             about_heel: f64::INFINITY,
             about_toe: f64::INFINITY,
         };
-        let (modes, verdict) = (Modes::default(), None);
-        let full_response =
-            Response { wrench, verdict, modes, effective: None, motion: None, boundary: None };
-        let in_plane = match departure.at_once {
+        let leaves = match departure.at_once {
             true => Departure::AtOnce { verdict: None, permanent: true },
             false => Departure::from_rest(departure.load_factor, None),
         };
         let edge = least.filter(|(_, edge)| edge.factor < f64::INFINITY).map(|(place, _)| place);
-        let distances = plan.footprint.distances();
-        let plan = PlanOutcome { departure, full, edge, distances };
+        let plan = PlanOutcome { departure, full, edge };
         Ok(Some(Outcome {
-            full: full_response,
-            departure: in_plane,
+            full: Response::unknown(wrench),
+            departure: leaves,
             path: Vec::new(),
             actions,
             stability,

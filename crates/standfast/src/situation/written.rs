@@ -11,7 +11,7 @@
 
 use std::cmp::Ordering;
 
-use crate::approx::{Approx, Signed};
+use crate::approx::{Approx, Signed, sign};
 use crate::ball::{Ball, COMPUTED, Scalar};
 use crate::body::Body;
 use crate::contact::{self, Choice, Numbers, REST, conditions, rest, rests_alone};
@@ -23,7 +23,7 @@ use crate::mode::{Corner, Mode, Modes};
 use crate::motion::Motion;
 use crate::neighbour::Neighbour;
 use crate::relation::Relation;
-use crate::stability::{GrossOverturning, Margins, Stability};
+use crate::stability::{GrossOverturning, Margins, Stability, beside_one};
 use crate::stage::Stage;
 use crate::verdict::Verdict;
 use crate::wrench::Wrench;
@@ -204,7 +204,7 @@ impl Written {
         settle(&mut stability.overturning_about_toe, &about_toe, &-turning);
         for (factor, margin) in [(&mut gross.about_heel, &about_heel), (&mut gross.about_toe, &about_toe)] {
             if (*factor - 1.0).abs() <= 1e-9 {
-                *factor = beside_one(*factor, margin);
+                *factor = beside_one(*factor, sign(margin));
             }
         }
     }
@@ -244,16 +244,7 @@ fn left(number: &Ball, unit: &Ball) -> f64 {
 fn settle(factor: &mut f64, margin: &Ball, action: &Ball) {
     if action.sign() == Some(Ordering::Greater) && *factor > 0.0 {
         let exact = (margin.clone() + action.clone()) / action.clone();
-        *factor = beside_one(exact.value(), margin);
-    }
-}
-
-/// A factor on the side of 1 that its margin says.
-fn beside_one(factor: f64, margin: &Ball) -> f64 {
-    match margin.sign() {
-        None | Some(Ordering::Equal) => 1.0,
-        Some(Ordering::Less) => factor.min(1.0 - f64::EPSILON / 2.0),
-        Some(Ordering::Greater) => factor.max(1.0),
+        *factor = beside_one(exact.value(), sign(margin));
     }
 }
 

@@ -12,9 +12,8 @@
 use std::cmp::Ordering::{Equal, Greater, Less};
 
 use super::laws::Freedom;
-use super::rest::sign;
 use super::{BodyMotion, Combination, Decider, JointMotion, LoadPoint, StackMotion};
-use crate::approx::{Approx, Signed};
+use crate::approx::{Approx, Signed, sign};
 use crate::exact::Real;
 use crate::mode::Mode;
 

@@ -1,9 +1,9 @@
 //! Rest of a stack: each joint carries what stands above it, and four forms a joint, linear in the load factor, say whether it can.
 
-use std::cmp::Ordering::{self, Equal, Greater, Less};
+use std::cmp::Ordering::{Equal, Greater, Less};
 
 use super::{Decider, LoadPoint, StackBody, StackNumbers};
-use crate::approx::Signed;
+use crate::approx::{Signed, sign};
 use crate::ball::Scalar;
 use crate::exact::Real;
 use crate::mode::{Corner, Mode, Slip};
@@ -102,11 +102,6 @@ pub(super) fn forms<T: Real>(numbers: &StackNumbers<T>) -> Vec<[Line<T>; 4]> {
         starts.map(|start| Line { start, slope: slopes.next().expect("four") })
     };
     starts.into_iter().zip(slopes).map(lines).collect()
-}
-
-/// A sign; what is not known to the digits given is zero.
-pub(super) fn sign<T: Signed>(value: &T) -> Ordering {
-    value.sign().unwrap_or(Equal)
 }
 
 impl Decider<'_> {

@@ -5,9 +5,9 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 use std::ops::Div;
 
 use super::laws::{Freedom, is_unpressed};
-use super::rest::{Line, sign};
+use super::rest::Line;
 use super::{BodyMotion, Combination, Decider, JointMotion, LoadPoint, StackMotion, StackNumbers};
-use crate::approx::{Approx, Signed};
+use crate::approx::{Approx, Signed, sign};
 use crate::ball::{Ball, Scalar};
 use crate::exact::Real;
 use crate::mode::Mode;

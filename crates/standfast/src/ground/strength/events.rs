@@ -21,7 +21,8 @@ use super::conditions::{CORNERS, SLIPS};
 use super::turning::Turn;
 use crate::contact::Block;
 use crate::exact::Real;
-use crate::ground::roots::{real_roots, value};
+use crate::ground::roots::real_roots;
+use crate::polynomial::value;
 use crate::wrench::Wrench;
 
 /// A polynomial in the load factor, its constant first; none of zero.
