@@ -1,17 +1,18 @@
-// Bytes from the letters that the libraries and scripts stand in: each two of 91 letters are thirteen bits, where two of base64
-// are twelve.
+// Bytes from the letters that the libraries and scripts stand in: each two of 124 letters are thirteen or fourteen bits, where two of
+// base64 are twelve.
 
-// Letters from ! on, but for those that mean something in HTML.
+// All letters of one byte, but for those that a page does not keep (NUL, \r), the one that ends an element, and one that ended files.
 const VALUES = new Uint8Array(128);
 let next = 0;
-for (let code = 33; code < 127; code++) {
-  if (!'"&<'.includes(String.fromCharCode(code))) VALUES[code] = next++;
+for (let code = 1; code < 128; code++) {
+  if (!"\r<\x1a".includes(String.fromCharCode(code))) VALUES[code] = next++;
 }
 
+// Pairs below it are thirteen bits, which are the pair; others are fourteen, which are it more than the pair.
+const SHORT = 2 ** 14 - 124 ** 2;
+
 export function bytesOf(letters) {
-  const pairs = Math.floor(letters.length / 2);
-  const isOdd = letters.length % 2 === 1;
-  const bytes = new Uint8Array(Math.floor((13 * pairs + (isOdd ? 6 : 0)) / 8));
+  const bytes = new Uint8Array(Math.ceil((7 * letters.length) / 8));
   let held = 0;
   let count = 0;
   let to = 0;
@@ -24,12 +25,14 @@ export function bytesOf(letters) {
       held &= (1 << count) - 1;
     }
   };
-  for (let pair = 0; pair < pairs; pair++) {
-    add(13, 91 * VALUES[letters.charCodeAt(2 * pair)] + VALUES[letters.charCodeAt(2 * pair + 1)]);
+  for (let at = 0; at + 1 < letters.length; at += 2) {
+    const pair = 124 * VALUES[letters.charCodeAt(at)] + VALUES[letters.charCodeAt(at + 1)];
+    if (pair < SHORT) add(13, pair);
+    else add(14, pair + SHORT);
   }
   // A last letter alone is six bits.
-  if (isOdd) add(6, VALUES[letters.charCodeAt(2 * pairs)]);
-  return bytes;
+  if (letters.length % 2 === 1) add(6, VALUES[letters.charCodeAt(letters.length - 1)]);
+  return bytes.subarray(0, to);
 }
 
 /** What an element of the page holds by gzip, in letters. */

@@ -241,33 +241,40 @@ fn identifier(name: &str) -> String {
     name.replace('-', "_")
 }
 
-/// The 91 letters that stand for digits: from ! on, but for those that mean something in HTML.
+/// Letters that stand for digits: all of one byte, but for those that a page does not keep (NUL, and the return of a carriage), the
+/// one that ends an element, and the one that ended files once.
 fn alphabet() -> Vec<u8> {
-    (b'!'..=b'~').filter(|letter| !b"\"&<".contains(letter)).collect()
+    (1..=127).filter(|letter| !b"\r<\x1a".contains(letter)).collect()
 }
 
-/// Bytes in letters: each thirteen bits are two digits of base 91, and what is left of six bits or fewer is one. It is a thirteenth
-/// less than base64. `letters.js` undoes it.
+/// Pairs of letters that stand for thirteen bits: with them for these and fourteen for the others, every pair stands for some.
+const SHORT: u32 = (1 << 14) - 124 * 124;
+
+/// Bytes in letters: each thirteen bits below `SHORT`, and each fourteen of others, are two digits of base 124, and what is left of six
+/// bits or fewer is one. Base64 takes a sixth more. `letters.js` undoes it.
 fn letters(bytes: &[u8]) -> String {
     let alphabet = alphabet();
-    let letter = |digit: u32| char::from(alphabet[digit as usize]);
-    let mut letters = String::with_capacity(bytes.len() * 16 / 13 + 2);
-    let (mut held, mut count) = (0, 0);
-    for byte in bytes {
-        held = held << 8 | u32::from(*byte);
-        count += 8;
-        if count >= 13 {
-            count -= 13;
-            letters.extend([letter((held >> count) / 91), letter((held >> count) % 91)]);
-            held &= (1 << count) - 1;
+    let mut letters = String::with_capacity(bytes.len() * 8 / 6);
+    let (mut held, mut count) = (0_u32, 0_u32);
+    let mut more = bytes.iter();
+    loop {
+        while count < 14
+            && let Some(byte) = more.next()
+        {
+            held = held << 8 | u32::from(*byte);
+            count += 8;
         }
+        if count <= 6 {
+            letters.extend((count > 0).then(|| char::from(alphabet[(held << (6 - count)) as usize])));
+            return letters;
+        }
+        // With zeros behind the last bits, fewer than make a byte.
+        let next = if count < 14 { held << (14 - count) } else { held >> (count - 14) };
+        let (digits, taken) = if next >> 1 < SHORT { (next >> 1, 13) } else { (next - SHORT, 14) };
+        letters.extend([digits / 124, digits % 124].map(|digit| char::from(alphabet[digit as usize])));
+        count = count.saturating_sub(taken);
+        held &= (1 << count) - 1;
     }
-    match count {
-        0 => {}
-        1..=6 => letters.push(letter(held << (6 - count))),
-        _ => letters.extend([letter((held << (13 - count)) / 91), letter((held << (13 - count)) % 91)]),
-    }
-    letters
 }
 
 fn gzip(bytes: &[u8]) -> io::Result<Vec<u8>> {
@@ -301,17 +308,21 @@ mod tests {
     #[test]
     fn letters_are_the_bytes() {
         let alphabet = alphabet();
-        assert_eq!(alphabet.len(), 91);
-        for count in 0..60u32 {
-            let bytes: Vec<u8> = (0..count).map(|i| (i * 97 + count * 31) as u8 ^ 0xff).collect();
+        assert_eq!(alphabet.len(), 124);
+        let digit = |letter: u8| alphabet.iter().position(|known| *known == letter).unwrap();
+        for count in 0..500u32 {
+            let bytes: Vec<u8> =
+                (0..count).map(|i| (i * 97 + count * 31) as u8 & (0xff >> (count % 8))).collect();
             let letters = letters(&bytes);
-            let digit = |letter: u8| alphabet.iter().position(|known| *known == letter).unwrap();
             let bits: String = letters
                 .as_bytes()
                 .chunks(2)
                 .map(|group| match group {
                     [one] => format!("{:06b}", digit(*one)),
-                    [one, two] => format!("{:013b}", 91 * digit(*one) + digit(*two)),
+                    [one, two] => match 124 * digit(*one) + digit(*two) {
+                        short @ ..1008 => format!("{short:013b}"),
+                        long => format!("{:014b}", long + 1008),
+                    },
                     _ => unreachable!("chunks of two"),
                 })
                 .collect();
