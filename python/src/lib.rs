@@ -7,6 +7,7 @@ mod assess;
 mod contact;
 mod design;
 mod diagram;
+mod directions;
 mod errors;
 mod explain;
 mod figure;
@@ -115,6 +116,8 @@ mod _standfast {
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "Python's name for it")]
     const __commit__: Option<&str> = option_env!("STANDFAST_COMMIT");
+    #[pymodule_export]
+    use super::directions::directions;
     #[pymodule_export]
     use super::errors::{CaseError, NoSolution, StandfastError};
     #[pymodule_export]

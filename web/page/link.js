@@ -64,7 +64,7 @@ export async function connectLink(app) {
         const text = await unpacked(parts.get("c"));
         const [plate, tab, t] = (parts.get("v") ?? "").split(",");
         app.startAt = /^\d+(\.\d+)?$/.test(t) ? Number(t) : undefined;
-        app.plate = ["load", "k-mu", "time"].includes(plate) ? plate : "";
+        app.plate = ["load", "k-mu", "directions", "time"].includes(plate) ? plate : "";
         app.explorer.open(fileName(parts.get("n")), text);
         await readPinned(parts);
         app.showTab(tab);

@@ -7,7 +7,7 @@ import { kept, room } from "room";
 
 const STEP = 0.01;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
-const TITLES = { load: "How much of the load, at which friction", "k-mu": "Force and friction", time: "The motion in time" };
+const TITLES = { load: "How much of the load, at which friction", "k-mu": "Force and friction", directions: "Rest over all directions", time: "The motion in time" };
 
 export function connectPlate(app) {
   const map = byId("map");

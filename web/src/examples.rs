@@ -78,6 +78,10 @@ pub const SHELVES: [Shelf; 4] = [
         cases: cases! {
             "monument" "../../examples/monument.toml" "Statue on its pedestal"
                 "To begin to rock is not to overturn: the factor 0.68 is of the first instant alone.";
+            "statue-any-direction" "../../examples/directions/statue.toml" "Statue shaken from anywhere"
+                "Over a corner it bears 1.41 times what it does across a side.";
+            "device-on-three-feet" "../../examples/directions/device-on-three-feet.toml" "Device on three feet"
+                "Pushed square to the side between two feet it bears 13 % less than as it is pushed here.";
             "server-rack" "../../examples/server-rack.toml" "Server rack"
                 "It rests under the standard’s load, and misses the factor asked by three per cent.";
             "server-rack-earthquake" "../../examples/motion/server-rack-earthquake.toml" "Server rack in an earthquake"

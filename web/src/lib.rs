@@ -265,7 +265,7 @@ impl Explorer {
             .map_or(Vec::new(), |(_, pose)| vec![pose.pivot.0, pose.pivot.1, pose.shift, pose.turn])
     }
 
-    /// A plate of the right side, `width` by `height` units: `load`, `k-mu` or `time`.
+    /// A plate of the right side, `width` by `height` units: `load`, `k-mu`, `directions` or `time`.
     pub fn plate(&mut self, which: &str, width: f64, height: f64) -> String {
         self.page.plate(which, drawable(width, height))
     }
@@ -476,7 +476,7 @@ mod tests {
                         explorer.section(width, height, None);
                         explorer.free_body(width, height);
                         explorer.pose(width, height);
-                        for plate in ["load", "k-mu", "time"] {
+                        for plate in ["load", "k-mu", "directions", "time"] {
                             explorer.plate(plate, width, height);
                             explorer.plane_on_paper(plate, width, height);
                         }

@@ -7,6 +7,7 @@ use standfast_cases::assess::pinned::{self, share_of};
 use standfast_cases::assess::screen::{
     Pressures, SectionView, load_plane_on_screen_beside, section_as_fitted, section_on_screen,
 };
+use standfast_cases::directions::on_screen;
 use standfast_cases::motion::screen::MotionOnScreen;
 use standfast_cases::motion::screen::histories_on_paper;
 use standfast_cases::motion::{MotionView, Tried};
@@ -61,6 +62,8 @@ impl Drawn {
 pub const LOAD: &str = "load";
 /// Force and friction, the report's plane.
 pub const K_MU: &str = "k-mu";
+/// Rest over all horizontal directions.
+pub const DIRECTIONS: &str = "directions";
 /// Histories of the motion.
 pub const TIME: &str = "time";
 
@@ -184,6 +187,10 @@ impl Page {
         let in_air = answered.worst().is_some_and(|worst| worst.situation.in_air().is_some());
         let rises = answered.worst().is_some_and(standfast_cases::Assessed::rises);
         let mut plates = Vec::new();
+        if answered.worst().is_some_and(|worst| worst.outcome.plan.is_some()) {
+            plates.push(DIRECTIONS);
+            return plates;
+        }
         if answered.is_in_time() {
             plates.push(TIME);
         }
@@ -206,9 +213,18 @@ impl Page {
             _ => None,
         }
         .map_or((String::new(), None), |picture| (picture.figure.svg().to_owned(), Some(picture)));
+        let svg = if which == DIRECTIONS { self.directions(size) } else { svg };
         self.drawn.plane = plane;
         self.drawn.histories = if which == TIME { self.histories(size) } else { None };
         self.drawn.histories.as_ref().map_or(svg, |picture| picture.figure.svg().to_owned())
+    }
+
+    /// Rest over all horizontal directions; empty of a case in the plane of its section.
+    fn directions(&self, size: (f64, f64)) -> String {
+        let answered = self.answered();
+        let both = answered.rest.as_ref().zip(answered.worst());
+        let drawn = both.and_then(|(rest, worst)| on_screen(rest, worst, size));
+        drawn.map_or(String::new(), |figure| figure.svg().to_owned())
     }
 
     fn load_plane(&self, (width, height): (f64, f64)) -> Option<Picture> {
@@ -328,6 +344,7 @@ impl Page {
         };
         let figure = match which {
             LOAD => of_rest(|figure| figure.suffix.ends_with("-path")),
+            DIRECTIONS => of_rest(|figure| figure.suffix.ends_with("-directions")),
             // As the program draws it, with the point in its words; a part of it as it is seen.
             K_MU if self.view.is_none() => of_rest(|figure| figure.words.contains("iagram")),
             K_MU => answered.point().and_then(|reduced| {

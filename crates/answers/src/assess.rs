@@ -154,6 +154,8 @@ impl Assessment {
         let mut assessment = Assessment::following(&first.file, None, of_first)?;
         let criteria = file.motion_criteria()?;
         let plain = Follow::default();
+        // No motion is followed in space; whoever asks for one of its criteria is told so.
+        let follow = follow.filter(|_| assessment.case.plan.is_none());
         let motions = match follow.or((!criteria.is_empty()).then_some(&plain)) {
             Some(follow) => {
                 let all = FollowedMotion::of_all(file.motions()?, follow, of_motions);
@@ -288,7 +290,7 @@ impl Assessed {
     fn of(case: &Case, index: usize, acting: Acting) -> Result<Assessed, InputError> {
         let of = case.under(acting);
         let alone = |situation: Situation, trial: Trial, is_on_base: bool| {
-            let earthquake = trial.signs().and_then(|signs| of.shaken(signs));
+            let earthquake = trial.shaking.and_then(|shaking| of.shaken(shaking));
             let (outcome, ground) = match of.ground.as_ref().filter(|_| is_on_base) {
                 Some(foundation) => {
                     let (outcome, ground) = BaseResponse::of(of, foundation, &situation)?;
@@ -370,7 +372,10 @@ impl Assessed {
 
     /// True if a load of the situation varies.
     pub fn rises(&self) -> bool {
-        !self.outcome.path.is_empty()
+        match &self.outcome.plan {
+            Some(_) => self.situation.loads().iter().any(|load| !load.permanent),
+            None => !self.outcome.path.is_empty(),
+        }
     }
 
     /// The stages of the rising variable loads up to a load factor.

@@ -23,6 +23,7 @@
 pub mod assess;
 pub mod criteria;
 pub mod design;
+pub mod directions;
 pub mod motion;
 pub mod random;
 pub mod results;

@@ -23,6 +23,7 @@ mod joined;
 mod mechanics;
 mod outcome;
 mod overturn;
+mod plan;
 mod point;
 mod problem;
 mod quantity;

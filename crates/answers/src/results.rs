@@ -12,6 +12,7 @@ use standfast::{Bearing, Departure, Margins, Modes, Response, Verdict};
 
 use crate::assess::Assessed;
 use crate::assess::ground::{BaseResponse, Elastic};
+use crate::directions::{DirectionAnswer, SituationDirections};
 use crate::units::Dimension;
 use standfast_inputs::listed;
 use standfast_model::{Criterion, Key};
@@ -104,7 +105,7 @@ listed! {
     /// A result of a situation.
     ResultName: ResultInfo;
 
-    Mode = word("mode", &SYMBOLS, "the mode under the full load, applied at once; BF where the ground fails", |a| verdict(a.verdict().filter(|_| a.joints.is_none())));
+    Mode = word("mode", &SYMBOLS, "the mode under the full load, applied at once; BF where the ground fails", |a| verdict(a.verdict().filter(|_| a.joints.is_none() && a.outcome.plan.is_none())));
     Unique = ResultInfo {
         name: "unique",
         kind: ResultKind::Truth,
@@ -137,12 +138,12 @@ listed! {
     SfOverturningNet = number("SF_overturning_net", None, "net safety factor against overturning, water under the base taken off the weight; the lesser of both corners",
         |a| factor(&a.outcome.full, a.outcome.stability.overturning()));
     SfOverturningHeel = number("SF_overturning_heel", None, "the same about the heel, (W' t − M_U)/M_p",
-        |a| factor(&a.outcome.full, a.outcome.stability.overturning_about_heel));
+        |a| in_plane(a, factor(&a.outcome.full, a.outcome.stability.overturning_about_heel)));
     SfOverturningToe = number("SF_overturning_toe", None, "the same about the toe, (W'(B_c − t) − U B_c + M_U)/(−M_p)",
-        |a| factor(&a.outcome.full, a.outcome.stability.overturning_about_toe));
+        |a| in_plane(a, factor(&a.outcome.full, a.outcome.stability.overturning_about_toe)));
     SfOverturningGross = number("SF_overturning_gross", None,
         "safety factor against overturning by gross moments, (W' t + M_s)/(M_s + M_U + M_p) about the heel, the lesser of both corners: the whole weight against all water under the base and P",
-        |a| factor(&a.outcome.full, a.outcome.gross.overturning()));
+        |a| in_plane(a, factor(&a.outcome.full, a.outcome.gross.overturning())));
 
     SfUplift = number("SF_uplift", None,
         "safety factor against uplift: all that acts down over all that acts up; told where a criterion asks for it, else absent, and not of a `buoyant_weight`",
@@ -158,16 +159,17 @@ listed! {
         "the lesser of both corners' moments that press the body on its base: negative where the resultant misses the base, and where the body is lifted; with `margin_sliding` not negative, the body can rest on a rigid base; `ground_margin` is that of another",
         |a| ResultValue::Number(margins(a).overturning()));
     MarginOverturningHeel = number("margin_overturning_heel", Some(Dimension::Moment), "the same about the heel, W' t − M_U − M_p",
-        |a| ResultValue::Number(margins(a).overturning_about_heel));
+        |a| in_plane(a, ResultValue::Number(margins(a).overturning_about_heel)));
     MarginOverturningToe = number("margin_overturning_toe", Some(Dimension::Moment),
         "the same about the toe, W'(B_c − t) − U B_c + M_U + M_p",
-        |a| ResultValue::Number(margins(a).overturning_about_toe));
+        |a| in_plane(a, ResultValue::Number(margins(a).overturning_about_toe)));
 
-    Bearing = word("bearing", &["pressed", "outside-base", "lifted"],
-        "whether the base can carry the resultant: it does, the resultant misses the base, or nothing presses",
+    Bearing = word("bearing", &["pressed", "outside-base", "lifted", "plan"],
+        "whether the base can carry the resultant: it does, the resultant misses the base, or nothing presses; `plan` of a base seen from above, of which no pressure is told",
         |a| ResultValue::Word(match a.outcome.stability.bearing {
             Bearing::Pressed { .. } => "pressed",
             Bearing::Lifted => "lifted",
+            Bearing::OnPlan => "plan",
             _ => "outside-base",
         }));
     HeelPressure = number("heel_pressure", Some(Dimension::Pressure), "bearing pressure at the heel", |a| pressed(a, |heel, _, _| heel));
@@ -188,14 +190,14 @@ listed! {
         |a| pressed(a, |_, _, _| a.outcome.stability.eccentricity(a.situation.body().base_width()).unwrap_or_default()));
 
     Heel = word("heel", &["O", "O'"], "the corner that the classical checks call the heel",
-        |a| ResultValue::Word(a.outcome.actions.heel.letter()));
-    P = number("P", Some(Dimension::Force), "horizontal force, towards the heel", |a| ResultValue::Number(a.outcome.actions.force));
-    Mp = number("M_p", Some(Dimension::Moment), "its moment about the base", |a| ResultValue::Number(a.outcome.actions.force_moment));
-    U = number("U", Some(Dimension::Force), "uplift", |a| ResultValue::Number(a.outcome.actions.uplift));
-    Mu = number("M_U", Some(Dimension::Moment), "its moment about the heel", |a| ResultValue::Number(a.outcome.actions.uplift_moment));
+        |a| in_plane(a, ResultValue::Word(a.outcome.actions.heel.letter())));
+    P = number("P", Some(Dimension::Force), "horizontal force, towards the heel", |a| ResultValue::Number(a.outcome.plan.as_ref().map_or(a.outcome.actions.force, |plan| plan.full.horizontal())));
+    Mp = number("M_p", Some(Dimension::Moment), "its moment about the base", |a| in_plane(a, ResultValue::Number(a.outcome.actions.force_moment)));
+    U = number("U", Some(Dimension::Force), "uplift", |a| in_plane(a, ResultValue::Number(a.outcome.actions.uplift)));
+    Mu = number("M_U", Some(Dimension::Moment), "its moment about the heel", |a| in_plane(a, ResultValue::Number(a.outcome.actions.uplift_moment)));
     BuoyantWeight = number("buoyant_weight", Some(Dimension::Force), "W', weight less buoyancy",
         |a| ResultValue::Number(a.outcome.actions.buoyant_weight));
-    WeightArm = number("weight_arm", Some(Dimension::Length), "t, its arm to the heel", |a| ResultValue::Number(a.outcome.actions.weight_arm));
+    WeightArm = number("weight_arm", Some(Dimension::Length), "t, its arm to the heel", |a| in_plane(a, ResultValue::Number(a.outcome.actions.weight_arm)));
 
     Omega = number("omega", None, "ω, the share of the base that crushes under V alone, V/(2B q_u); from 1 on it cannot carry V",
         |a| ground(a, |g| g.omega));
@@ -243,6 +245,13 @@ listed! {
     FirstEvent = word("first_event", &["slip", "lift", "yield"], "what first ends the linear response of the elastic base: the base slips, an edge lifts, or it yields",
         |a| first_event(a).map_or(ResultValue::Nothing, |(event, _)| ResultValue::Word(event)));
     FirstEventTime = number("first_event_time", Some(Dimension::Time), "when that is", |a| perhaps(first_event(a).map(|(_, time)| time)));
+
+    WorstDirection = number("worst_direction_deg", None,
+        "the direction in which the variable loads would first end rest, were they turned: of their force on the body, seen from above, 0 to the left, 90 away from the viewer; the first of several",
+        |a| worst(a, |worst| worst.degrees));
+    LoadFactorWorst = number("load_factor_worst", None,
+        "where the body leaves rest in that direction, as a multiple of the variable loads",
+        |a| worst(a, DirectionAnswer::load_factor));
 
     KEff = number("k_eff", None, "k of the load in the report's diagram, where it has a point there",
         |a| a.outcome.full.effective.map_or(ResultValue::Nothing, |reduced| ResultValue::Number(reduced.point.k())));
@@ -354,6 +363,11 @@ impl ResultName {
         (ResultName::Omega..=ResultName::FirstEventTime).contains(&self)
     }
 
+    /// True if only a case with a base seen from above has it; it stands under `plan` in the JSON.
+    pub fn is_of_plan(self) -> bool {
+        matches!(self, ResultName::WorstDirection | ResultName::LoadFactorWorst)
+    }
+
     /// Its name under `ground` in the JSON; `None` if it stands with the others. Both periods are one list.
     pub fn in_ground(self) -> Option<&'static str> {
         match self {
@@ -410,6 +424,7 @@ fn perhaps(number: Option<f64>) -> ResultValue {
 fn on_base(assessed: &Assessed, of: fn(&Reaction) -> f64) -> ResultValue {
     let reaction = match &assessed.ground {
         Some(ground) => ground.reaction,
+        None if assessed.outcome.plan.is_some() => None,
         None => Reaction::of(&assessed.situation, 1.0).ok().flatten(),
     };
     perhaps(reaction.map(|reaction| of(&reaction)))
@@ -460,6 +475,18 @@ pub fn least_of_joints(assessed: &Assessed, of: fn(&Assessed) -> f64) -> ResultV
 /// A safety factor; one of a lifted body means nothing.
 fn factor(full: &Response, factor: f64) -> ResultValue {
     if full.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(factor) }
+}
+
+/// A number of the plane of the section; none on a base seen from above.
+fn in_plane(assessed: &Assessed, value: ResultValue) -> ResultValue {
+    if assessed.outcome.plan.is_some() { ResultValue::Nothing } else { value }
+}
+
+/// A number of the direction that bears least.
+fn worst(assessed: &Assessed, of: fn(&DirectionAnswer) -> f64) -> ResultValue {
+    let directions =
+        assessed.outcome.plan.as_ref().and_then(|_| SituationDirections::of(assessed, 90.0).ok());
+    perhaps(directions.and_then(|directions| directions.worst.as_ref().map(of)))
 }
 
 /// Margins of the inequalities of rest under the full load.

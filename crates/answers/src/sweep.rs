@@ -181,7 +181,8 @@ impl Sweep {
                     self.case.earthquake.is_some()
                 }
                 SweepResult::Met | SweepResult::Utilisation | SweepResult::Criterion => has_criteria,
-                SweepResult::Of(name) => !name.is_of_ground() || self.case.ground.is_some(),
+                SweepResult::Of(name) if name.is_of_ground() => self.case.ground.is_some(),
+                SweepResult::Of(name) => !name.is_of_plan() || self.case.plan.is_some(),
                 SweepResult::Sea(_) => self.case.goda().is_some(),
                 SweepResult::Warnings => true,
                 SweepResult::CriterionJoint => has_criteria && !self.case.joints.is_empty(),

@@ -13,6 +13,7 @@ mod loads;
 pub mod made;
 pub mod opening;
 pub mod pinned;
+pub mod plan;
 pub mod screen;
 mod sea;
 mod section;

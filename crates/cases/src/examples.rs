@@ -7,7 +7,7 @@ macro_rules! examples {
 }
 
 /// The examples: where each lies in their folder, and what it holds.
-pub const EXAMPLES: [(&str, &[u8]); 48] = examples! {
+pub const EXAMPLES: [(&str, &[u8]); 52] = examples! {
     "block-two-loads.toml"
     "block.toml"
     "breaking-wave.toml"
@@ -18,6 +18,10 @@ pub const EXAMPLES: [(&str, &[u8]); 48] = examples! {
     "crown-wall-by-pedersen.toml"
     "crown-wall.toml"
     "dam-with-drain.toml"
+    "directions/device-on-three-feet.toml"
+    "directions/marble-drum.toml"
+    "directions/rack.toml"
+    "directions/statue.toml"
     "eccentric-caisson.toml"
     "goda-2000-random.toml"
     "goda-2000-storm.toml"

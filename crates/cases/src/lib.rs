@@ -18,6 +18,7 @@
 //! | What do two cases differ in, and their answers? | [`CaseText::differences`], [`compare`] |
 //! | What to change for a case to be safe? | [`design`]; what goes with a change: [`couple`] |
 //! | What is the answer for many values of some numbers? | [`sweep`] |
+//! | Which direction of the loads is worst? | [`directions`] |
 //! | What becomes of a block in time? | [`motion`] |
 //! | How likely is each mode if some numbers are random? | [`random`] |
 //! | What is printed for one point? | [`point`] |
@@ -34,6 +35,7 @@ pub mod beginnings;
 pub mod compare;
 pub mod describe;
 pub mod design;
+pub mod directions;
 mod document;
 pub mod examples;
 mod interface;

@@ -23,7 +23,7 @@ fn file(text: &str) -> CaseFile {
 }
 
 /// Cases that have every number between them.
-const CASES: [&str; 24] = [
+const CASES: [&str; 26] = [
     "gravity = 9.8\n[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\nkinetic_friction = 0.35\nbase_left = 1.9\n\
      base_right = 1.8\ncentroid_offset = 0.1\ncentroid_height = 2.9\nmoment_of_inertia = 2e5\n[uplift]\nleft = 1e3\n\
      right = 2e3\n[[load]]\nforce = 60e3\nelevation = 4\n[[load]]\nname = \"crane\"\nforce = 9e3\ndirection = \"down\"\n\
@@ -32,6 +32,11 @@ const CASES: [&str; 24] = [
     "[body]\nfloor_deg = 3\nwidth = 1\nheight = 2\ndensity = 2400\nfriction = 0.4\n[[load]]\nforce = 6e3\nelevation = 1.5\n",
     "[body]\nwidth = 1\nheight = 2\nlength = 0.8\ndensity = 2400\nfriction = 0.4\n[earthquake]\nhorizontal = \"0.3 g\"\nvertical = \"0.1 g\"\n\
      [added_mass]\nmass = 300\nelevation = 0.5\n",
+    "[body]\nwidth = 1\nheight = 2\nlength = 0.8\ncentroid_z = 0.02\ndensity = 2400\nfriction = 0.4\n[base]\ncircle = 0.7\n\
+     [earthquake]\nhorizontal = \"0.2 g\"\nvertical = \"0.1 g\"\nhorizontal_z = \"0.1 g\"\n[[load]]\nforce = 900\nelevation = 1.5\n\
+     direction_deg = 50\nz = 0.1\n",
+    "[body]\nwidth = 1\nheight = 2\nlength = 0.8\ndensity = 2400\nfriction = 0.4\n[earthquake]\nhorizontal = \"0.2 g\"\n\
+     direction_deg = 20\n",
     "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\nbuoyant_weight = 2318640\nweight_arm = 7.4\n[wave]\n\
      deep_water_height = 6.3\nperiod = 11.4\nsea_bottom_slope = 0.01\nwater_depth = 10.1\ndepth_above_berm = 5.6\n\
      base_depth = 7.1\ncrest_height = 3.4\nberm_width = 8\nangle_deg = 15\nwater_density = 1030\nlambda = [1, 0.9, 0.95]\n\

@@ -15,6 +15,7 @@ use standfast::{InputError, Point};
 use standfast_cases::beginnings::{BEGINNINGS, Beginning};
 use standfast_cases::check_up_to;
 use standfast_cases::design::{Cost, Target};
+use standfast_cases::directions::{STEP, check_step};
 use standfast_cases::motion::{SpectrumKind, SpectrumSteps};
 use standfast_cases::random::{MethodAsked, ValueRange};
 use standfast_figures::FigureId;
@@ -114,6 +115,15 @@ pub enum Command {
     /// if asked, every point as CSV.
     #[command(after_help = include_str!("help/spectrum.txt"))]
     Spectrum(SpectrumArgs),
+
+    /// Turn the loads of a case through all horizontal directions
+    ///
+    /// The case has a base seen from above: one of its own, or a load or an earthquake of any direction. Prints the load factor at which the
+    /// body leaves rest in each direction, what ends rest there, and the worst direction. Of a record with two horizontal
+    /// components it says where rest ends first, and how strong the record may be. Draws the area of rest, with the polygon of
+    /// tipping, the circle of sliding, the load, and the orbit of the record.
+    #[command(after_help = include_str!("help/directions.txt"))]
+    Directions(DirectionsArgs),
 
     /// Find how likely each mode is if some numbers of a case are random
     ///
@@ -386,6 +396,38 @@ pub struct SpectrumArgs {
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+/// Arguments of `directions`.
+#[derive(Debug, Args)]
+pub struct DirectionsArgs {
+    /// The case file, with a base seen from above.
+    #[arg(
+        value_name = "CASE.toml",
+        help = "The case file (TOML), with a base seen from above; - reads standard input"
+    )]
+    pub case: PathBuf,
+    /// Step between the directions, in degrees; it divides 360
+    #[arg(long, value_name = "DEGREES", default_value_t = STEP, value_parser = step)]
+    pub step: f64,
+    /// Write every direction to a CSV file; - writes to standard output in place of the answer
+    #[arg(long, value_name = "OUT.csv")]
+    pub csv: Option<PathBuf>,
+    /// Where to put the figures; made if it is not there [default: beside the case file, or here if it is read from
+    /// standard input]
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Draw nothing: the answer alone
+    #[arg(long, conflicts_with = "output")]
+    pub no_figures: bool,
+    /// How to print the answer
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+fn step(text: &str) -> Result<f64, String> {
+    let step = text.parse().map_err(|_| "expected a number of degrees".to_owned())?;
+    check_step(step).map_err(|error| error.to_string())
 }
 
 /// Arguments of `design`.

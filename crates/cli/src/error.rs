@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use standfast::InputError;
 use standfast_cases::design::DesignError;
+use standfast_cases::directions::DirectionsError;
 use standfast_cases::motion::{MotionError, SpectrumError};
 use standfast_cases::random::ProbabilityError;
 use standfast_cases::{CaseError, Explained, Stopped};
@@ -40,6 +41,9 @@ pub enum CommandError {
     /// The case has no such spectrum.
     #[error(transparent)]
     Spectrum(#[from] SpectrumError),
+    /// The case has no directions.
+    #[error(transparent)]
+    Directions(#[from] DirectionsError),
     /// Whoever watches the work has stopped it.
     #[error(transparent)]
     Stopped(#[from] Stopped),
@@ -155,6 +159,7 @@ impl Explained for CommandError {
         Some(match self {
             CommandError::Case(error) => error,
             CommandError::Design(error) => error,
+            CommandError::Directions(error) => error,
             CommandError::Probability(error) => error,
             CommandError::Table(error) => error,
             CommandError::Sheet(error) => error,

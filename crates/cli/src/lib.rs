@@ -6,6 +6,7 @@
 //! | What does a case begin from? | [`mod@begin`] |
 //! | From which file to which is a table answered? | [`batch`] |
 //! | What becomes of a case file and its diagrams? | [`assess`], [`mod@design`] |
+//! | Which direction of the loads is worst? | [`mod@directions`] |
 //! | How is a calculation sheet written? | [`sheet`] |
 //! | What becomes of a block in time? | [`simulate`], [`mod@spectrum`] |
 //! | Which files may no answer be written over? | [`files_read`] |
@@ -23,6 +24,7 @@ pub mod batch;
 pub mod begin;
 pub mod case_file;
 pub mod design;
+pub mod directions;
 pub mod draw;
 pub mod error;
 pub mod features;
@@ -88,6 +90,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
         Command::Simulate(args) => {
             return ended(simulate::simulate(&args)?, args.check);
         }
+        Command::Directions(args) => print(&directions::directions(&args)?),
         Command::Spectrum(args) => print(&spectrum::spectrum(&args)?),
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu)?;

@@ -16,7 +16,7 @@
 //!
 //! | question | module |
 //! |---|---|
-//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `stack` (two numbers of a stack), `ground` (the k–μ plane where the base gives way), `rotation` (moment and rotation of an elastic base), `feasible` (two quantities of a design) |
+//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `stack` (two numbers of a stack), `ground` (the k–μ plane where the base gives way), `rotation` (moment and rotation of an elastic base), `feasible` (two quantities of a design), [`directions`](fn@directions) (all horizontal directions) |
 //! | What stands where, and what presses on it? | [`section`](fn@section) |
 //! | How likely is each mode? | `chances`: points with intervals, what matters, lines with intervals, clouds of draws |
 //! | What became of a body in time? | `motion`: histories, positions, a picture that moves |
@@ -39,6 +39,7 @@ mod caption;
 mod cases;
 mod chances;
 mod chart;
+mod directions;
 mod drawing;
 mod feasible;
 mod font;
@@ -86,6 +87,7 @@ pub use chances::{
     Chance, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, ChanceRow, ChanceRows, CloudPanel,
     Importance, LineLook, Tornado, chance_cloud, chance_lines, chance_rows, chance_tornado, draws_over,
 };
+pub use directions::{DirectionsChart, directions, directions_on_screen};
 pub use feasible::{
     FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set, feasible_set_on_screen,
 };
@@ -113,8 +115,8 @@ pub use scene::Rect;
 pub use screen::{Map, Picture, tint_on_screen};
 pub use section::{
     Arrow, Backfill, BaseReaction, FailureSketch, JointLine, Level, Material, Measure, Mound, Outline,
-    Pressed, Section, SectionArrow, SectionFit, SectionNumber, SectionPicture, Side, Stated, section,
-    section_as_fitted, section_beside, section_on_screen, section_on_screen_beside,
+    PlanPlace, PlanView, Pressed, Section, SectionArrow, SectionFit, SectionNumber, SectionPicture, Side,
+    Stated, section, section_as_fitted, section_beside, section_on_screen, section_on_screen_beside,
 };
 
 /// A drawing with its caption.

@@ -6,6 +6,7 @@
 //!   ───────┴────────┴───────────────────┴─O────────O'┴───────────────────┴───────
 //!                                  pressures under the base
 //!                                         widths
+//!                                     seen from above
 //!                                         legend
 //! ```
 //!
@@ -15,6 +16,7 @@
 
 mod columns;
 mod paint;
+mod plan;
 mod rows;
 mod surroundings;
 mod under;
@@ -26,6 +28,7 @@ use crate::axes::{COLUMN, NUMBER, PAGE};
 use crate::pinned::PinnedBody;
 use crate::scene::{Rect, Scene};
 use paint::Painter;
+pub use plan::{PlanPlace, PlanView};
 use surroundings::Room;
 
 /// A part of the body: a polygon, in metres from mid-width to the right and from the base upwards.
@@ -228,6 +231,8 @@ pub struct Section<'a> {
     pub friction: Option<Stated>,
     /// What the ground under it is known by.
     pub ground: Option<Stated>,
+    /// The base seen from above, where loads come from any direction.
+    pub plan: Option<PlanView>,
     /// Sentences below the legend; not markup.
     pub notes: Vec<String>,
 }
@@ -260,6 +265,7 @@ pub struct Section<'a> {
 ///     reaction: None,
 ///     friction: None,
 ///     ground: None,
+///     plan: None,
 ///     notes: vec!["1 m by 2 m".to_owned()],
 /// });
 /// assert_eq!(figure.title(), "Section: Block");

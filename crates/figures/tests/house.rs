@@ -215,6 +215,7 @@ fn sections() -> Vec<Figure> {
             reaction: None,
             friction: None,
             ground: None,
+            plan: None,
             notes: vec!["A note on all this, in a sentence that goes on for a while.".to_owned()],
         })
     };

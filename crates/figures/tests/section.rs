@@ -48,6 +48,7 @@ fn bare(parts: &[Outline], width: f64) -> Section<'_> {
         reaction: None,
         friction: None,
         ground: None,
+        plan: None,
         notes: Vec::new(),
     }
 }
@@ -135,6 +136,7 @@ fn random(dice: &mut Dice, parts: &[Outline], (width, height): (f64, f64)) -> Fi
         }),
         friction: (dice.roll() < 0.7).then(|| stated("friction $μ$", "0.6", "")),
         ground: (dice.roll() < 0.5).then(|| stated("strength $q_u$", "600", " kPa")),
+        plan: None,
         is_on_soil: dice.roll() < 0.5,
         wave_crest: (dice.roll() < 0.3).then(|| 2.0 * height * dice.roll()),
         centroid: (0.3 * width * (dice.roll() - 0.5), height * (0.2 + 0.6 * dice.roll())),

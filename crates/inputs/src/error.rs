@@ -4,6 +4,7 @@ mod cure;
 mod fault;
 mod help;
 
+use standfast::footprint::FootprintError;
 use standfast::number::{exact, reached};
 use standfast::section::{CutError, SectionError};
 use standfast::{HistoryError, InputError};
@@ -742,6 +743,33 @@ pub enum Problem {
     FilledSide {
         /// The side.
         side: &'static str,
+    },
+    /// Something that is not answered on a base seen from above.
+    #[error("a base seen from above is not for {what}")]
+    PlanNotFor {
+        /// What it is, in words.
+        what: &'static str,
+    },
+    /// A base seen from above of a body per metre run.
+    #[error("a base seen from above needs the `length` of the body")]
+    PlanNeedsLength,
+    /// Points on which no body stands.
+    #[error("{error}")]
+    PlanShape {
+        /// What is wrong with them.
+        error: FootprintError,
+    },
+    /// A centre of mass that is not over the base.
+    #[error("the centre of mass is {beside} m beside the base; expected one above it")]
+    CentroidBesideBase {
+        /// How far beside, m.
+        beside: f64,
+    },
+    /// Loads that turn the body about the vertical.
+    #[error("the loads turn the body about the vertical by {} N m; what a base bears of that is answered on a disc alone", reached(*moment))]
+    TorsionNotFor {
+        /// Moment about the centre of pressure, counter-clockwise from above, N·m.
+        moment: f64,
     },
     /// Joints beside something that has no place for them.
     #[error("[[joint]] is not for {what}")]

@@ -446,7 +446,7 @@ pub(crate) const SEA: [Key; 4] = [Key::StillWaterLevel, Key::Level, Key::WaterRi
 
 /// Dimension of the numbers under a key in a case with such units.
 pub fn dimension(id: Id, units: Option<Extent>) -> Option<Dimension> {
-    let of_base = matches!(id.table, Table::BaseHorizontal | Table::BaseVertical);
+    let of_base = matches!(id.table, Table::BaseHorizontal | Table::BaseVertical | Table::BaseHorizontalZ);
     let dimension = match id.key.info().kind {
         Kind::Reached => of_base.then_some(Dimension::Acceleration),
         _ => id.key.info().dimension(),

@@ -25,6 +25,8 @@ pub enum Table {
     Body,
     /// A part that the body is made of.
     Part,
+    /// The base seen from above.
+    Footprint,
     /// A joint that parts the body into two.
     Joint,
     /// The ground: strength and stiffness of the base.
@@ -71,6 +73,8 @@ pub enum Table {
     BaseHorizontal,
     /// Its acceleration upwards over time.
     BaseVertical,
+    /// Its acceleration away from the viewer of the section.
+    BaseHorizontalZ,
     /// Waves over time.
     WaveHistory,
     /// A force over time.
@@ -91,12 +95,13 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 36] = [
+    pub const ALL: [Table; 38] = [
         Table::Top,
         Table::Datum,
         Table::Output,
         Table::Body,
         Table::Part,
+        Table::Footprint,
         Table::Joint,
         Table::Ground,
         Table::Wave,
@@ -120,6 +125,7 @@ impl Table {
         Table::Base,
         Table::BaseHorizontal,
         Table::BaseVertical,
+        Table::BaseHorizontalZ,
         Table::WaveHistory,
         Table::LoadHistory,
         Table::Storm,
@@ -137,7 +143,7 @@ impl Table {
             Table::BackfillLayer => Some(Table::Backfill),
             Table::Drain => Some(Table::Water),
             Table::Impact | Table::Initial | Table::Base => Some(Table::Motion),
-            Table::BaseHorizontal | Table::BaseVertical => Some(Table::Base),
+            Table::BaseHorizontal | Table::BaseVertical | Table::BaseHorizontalZ => Some(Table::Base),
             Table::WaveHistory => Some(Table::Wave),
             Table::LoadHistory => Some(Table::Load),
             Table::BlockLoad => Some(Table::Block),
@@ -157,6 +163,7 @@ impl Table {
             self,
             Table::BaseHorizontal
                 | Table::BaseVertical
+                | Table::BaseHorizontalZ
                 | Table::WaveHistory
                 | Table::LoadHistory
                 | Table::BlockLoadHistory
@@ -173,6 +180,7 @@ impl Table {
                 | Table::Base
                 | Table::BaseHorizontal
                 | Table::BaseVertical
+                | Table::BaseHorizontalZ
         )
     }
 
@@ -195,6 +203,7 @@ impl Table {
             Table::Body => "body",
             Table::Part => "part",
             Table::Joint => "joint",
+            Table::Footprint => "base",
             Table::Ground => "ground",
             Table::Wave => "wave",
             Table::Water => "water",
@@ -217,6 +226,7 @@ impl Table {
             Table::Base => "base",
             Table::BaseHorizontal => "horizontal",
             Table::BaseVertical => "vertical",
+            Table::BaseHorizontalZ => "horizontal_z",
             Table::WaveHistory | Table::LoadHistory | Table::BlockLoadHistory | Table::History => "history",
             Table::Storm => "storm",
             Table::Point => "point",
@@ -275,6 +285,7 @@ impl Table {
             Table::Body => "[body]",
             Table::Part => "[[part]]",
             Table::Joint => "[[joint]]",
+            Table::Footprint => "[base]",
             Table::Ground => "[ground]",
             Table::Wave => "[wave]",
             Table::Water => "[water]",
@@ -297,6 +308,7 @@ impl Table {
             Table::Base => "[motion.base]",
             Table::BaseHorizontal => "`horizontal` of [motion.base]",
             Table::BaseVertical => "`vertical` of [motion.base]",
+            Table::BaseHorizontalZ => "`horizontal_z` of [motion.base]",
             Table::WaveHistory => "the history of the [wave]",
             Table::LoadHistory => "the history of a [[load]]",
             Table::Storm => "[storm]",
@@ -325,6 +337,9 @@ impl Table {
             }
             Table::Joint => {
                 "one such table for each level joint above the base, which is joint 1: what is above stands on what is below with friction of its own"
+            }
+            Table::Footprint => {
+                "where the body bears, seen from above, in place of its width by its length: with it loads may come from any direction"
             }
             Table::Ground => {
                 "what the base can bear, without which it is rigid and bears everything: a strength at which it crushes; or ground \
@@ -368,6 +383,9 @@ impl Table {
             Table::Base => "how the base moves: a history for each direction",
             Table::BaseHorizontal => "acceleration of the base to the right",
             Table::BaseVertical => "acceleration of the base upwards",
+            Table::BaseHorizontalZ => {
+                "acceleration of the base away from the viewer of the section, of a base seen from above"
+            }
             Table::WaveHistory => "how thrust and uplift of the waves go with time",
             Table::LoadHistory => "how the load goes with time",
             Table::Storm => {
@@ -426,6 +444,9 @@ impl Table {
                  density = \"2400 kg/m3\""
             }
             Table::Joint => "[[joint]]\nname = \"crown wall on cap\"\nelevation = \"8 m\"\nfriction = 0.7",
+            Table::Footprint => {
+                "[base]\nfeet = [[0, \"0.45 m\"], [\"-0.39 m\", \"-0.225 m\"], [\"0.39 m\", \"-0.225 m\"]]"
+            }
             Table::Ground => "[ground]\nfriction_angle_deg = 35\nunit_weight = \"10 kN/m3\"",
             Table::Water => "[water]\nlevel = \"7.1 m\"",
             Table::Drain => "drain = { distance = \"2.5 m\", efficiency = 0.5 }",
@@ -445,7 +466,11 @@ impl Table {
             }
             Table::Combination => "[[combination]]\nname = \"storm\"\nfactors = { weight = 0.9, wave = 1.3 }",
             Table::Criteria => "[criteria]\nSF_sliding = 1.2\nSF_overturning_net = 1.2",
-            Table::Motion | Table::Base | Table::BaseHorizontal | Table::BaseVertical => {
+            Table::Motion
+            | Table::Base
+            | Table::BaseHorizontal
+            | Table::BaseVertical
+            | Table::BaseHorizontalZ => {
                 "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" }"
             }
             Table::Impact => "[motion.impact]\nlaw = \"ratio\"\nratio = 0.9",
@@ -494,6 +519,8 @@ pub enum Range {
     Digits,
     /// Slope of a floor, degrees.
     Floor,
+    /// Direction seen from above, degrees.
+    Turn,
 }
 
 impl Range {
@@ -505,7 +532,12 @@ impl Range {
             Range::Positive => value > 0.0,
             Range::Share => value > 0.0 && value <= 1.0,
             Range::ZeroToOne => (0.0..=1.0).contains(&value),
-            Range::GroundAngle | Range::SoilAngle | Range::Batter | Range::Increment | Range::Floor => {
+            Range::GroundAngle
+            | Range::SoilAngle
+            | Range::Batter
+            | Range::Increment
+            | Range::Floor
+            | Range::Turn => {
                 let [low, high] = self.ends();
                 (low..=high).contains(&value)
             }
@@ -530,6 +562,7 @@ impl Range {
             Range::FromOne => "a finite number, 1 or more",
             Range::Digits => "a whole number from 3 to 12",
             Range::Floor => "an angle from -45 to 45 degrees",
+            Range::Turn => "an angle from -360 to 360 degrees",
         }
     }
 
@@ -546,6 +579,7 @@ impl Range {
             Range::FromOne => [1.0, f64::INFINITY],
             Range::Digits => [3.0, 12.0],
             Range::Floor => [-45.0, 45.0],
+            Range::Turn => [-360.0, 360.0],
         }
     }
 }
@@ -582,6 +616,8 @@ pub enum Kind {
     Unit(Dimension),
     /// Numbers with a unit, or without one in SI units, in a list.
     List(Dimension),
+    /// Pairs of numbers with a unit, or without one in SI units, in a list.
+    Pairs(Dimension),
     /// Names of loads, and the factor of each, or two of them that are tried in turn.
     Factors,
     /// Names of keys, and a value for each.
@@ -665,7 +701,7 @@ impl KeyInfo {
     /// plain numbers and for what is not a number.
     pub fn dimension(&self) -> Option<Dimension> {
         match self.kind {
-            Kind::Measured(dimension, _) | Kind::List(dimension) => Some(dimension),
+            Kind::Measured(dimension, _) | Kind::List(dimension) | Kind::Pairs(dimension) => Some(dimension),
             Kind::InGravity => Some(Dimension::Acceleration),
             _ => None,
         }
@@ -678,7 +714,7 @@ impl KeyInfo {
             Kind::InGravity | Kind::Reached => Some(Range::Finite),
             Kind::OneOf(_, range) => Some(range),
             Kind::Text | Kind::Truth | Kind::Choice { .. } | Kind::Unit(_) | Kind::File => None,
-            Kind::List(_) | Kind::Plains | Kind::Factors | Kind::ModeList => None,
+            Kind::List(_) | Kind::Pairs(_) | Kind::Plains | Kind::Factors | Kind::ModeList => None,
             Kind::Settings | Kind::Ratios | Kind::Bounds => None,
         }
     }
@@ -763,14 +799,14 @@ const fn time(range: Range) -> Kind {
 }
 
 use Kind::{
-    Bounds, Factors, File, InGravity, List, Measured, ModeList, OneOf, Plain, Plains, Ratios, Reached,
+    Bounds, Factors, File, InGravity, List, Measured, ModeList, OneOf, Pairs, Plain, Plains, Ratios, Reached,
     Settings, Text, Truth,
 };
-use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, ZeroToOne};
+use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, Turn, ZeroToOne};
 use Table::{
     AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Datum, Drain,
-    Earthquake, Ground, History, Impact, Initial, Joint, Load, Moment, Motion, Output, Part, Point, Pressure,
-    Resistance, Soil, Storm, Top, Uplift, Water, Wave,
+    Earthquake, Footprint, Ground, History, Impact, Initial, Joint, Load, Moment, Motion, Output, Part,
+    Point, Pressure, Resistance, Soil, Storm, Top, Uplift, Water, Wave,
 };
 
 listed! {
@@ -838,6 +874,9 @@ listed! {
     WidthScale = key(Body, "width_scale", Plain(Positive), "f_w", "factor on the lengths of all parts along the base", "1.1")
         .silent("lengths of parts along the base: as given").moves(Moves::Width).gives(&[Quantity::Width]);
 
+    CentroidZ = key(Body, "centroid_z", length(Finite), "z_C", "centre of mass away from the middle of the length, seen from above", "\"0.02 m\"")
+        .silent("centre of mass along the length: in its middle");
+
     FloorDeg = key(Body, "floor_deg", Plain(Range::Floor), "ε_f", "rise of the floor to the right, degrees; loads keep their directions in space", "6")
         .silent("floor: level");
 
@@ -865,6 +904,12 @@ listed! {
         .gives(&[Quantity::Density]);
     PartDensityBelow = key(Part, "density_below_water", Measured(Dimension::Density, NotNegative), "ρ_pw", "density under still water, its water with it", "\"2100 kg/m3\"")
         .silent("density under still water: the same as above it").gives(&[Quantity::Density]);
+
+    BasePolygon = key(Footprint, "polygon", Pairs(Dimension::Length), "", "corners of the base seen from above, each [x, z]: x to the right of mid-width, of parts of the origin of their section, z away from the middle of the length; the convex hull counts",
+        "[[\"-0.3 m\", \"-0.5 m\"], [\"0.3 m\", \"-0.5 m\"], [\"0.3 m\", \"0.5 m\"], [\"-0.3 m\", \"0.5 m\"]]");
+    BaseFeet = key(Footprint, "feet", Pairs(Dimension::Length), "", "feet in place of a polygon, each [x, z]; the convex hull counts",
+        "[[0, \"0.45 m\"], [\"-0.39 m\", \"-0.225 m\"], [\"0.39 m\", \"-0.225 m\"]]");
+    BaseCircle = key(Footprint, "circle", length(Positive), "D_b", "diameter of a disc in place of a polygon, about the middle of width and length", "\"0.9 m\"");
 
     JointName = key(Joint, "name", Text, "", "name of the joint", "\"crown wall on cap\"");
     JointElevation = key(Joint, "elevation", length(Positive), "h_j", "its height above the base", "\"8 m\"")
@@ -1007,6 +1052,10 @@ listed! {
         .gives(&[Quantity::Acceleration]);
     Vertical = key(Earthquake, "vertical", InGravity, "a_v", "vertical acceleration of the base, upwards", "\"-0.1 g\"    # or \"-1 m/s2\"")
         .silent("acceleration of the base, upwards: none").gives(&[Quantity::Acceleration]);
+    HorizontalZ = key(Earthquake, "horizontal_z", InGravity, "a_z", "horizontal acceleration of the base away from the viewer of the section", "\"0.2 g\"    # or \"2 m/s2\"")
+        .silent("acceleration of the base away from the viewer: none").gives(&[Quantity::Acceleration]);
+    EarthquakeDirection = key(Earthquake, "direction_deg", Plain(Turn), "φ_a", "direction in which `horizontal` pushes the body, seen from above: 0 to the left, 90 away from the viewer, 180 to the right; or \"worst\" of all", "30    # or \"worst\"")
+        .silent("direction of the earthquake: in the plane of the section");
     HorizontalFixed =
         key(Earthquake, "horizontal_fixed", Truth, "", "whether the base moves to the side given only", "true")
         .silent("horizontal acceleration: to both sides");
@@ -1079,6 +1128,10 @@ listed! {
         .silent("height: needed to the left and right; of a vertical force the crest").gives(&[Quantity::ForceElevation, Quantity::KPrime]);
     LoadDistance = key(Load, "distance", length(Finite), "x_F", "its distance to the right of the corner O", "\"3 m\"")
         .silent("distance: needed down and up; of a horizontal force mid-width");
+    LoadDirectionDeg = key(Load, "direction_deg", Plain(Turn), "φ_F", "where it points, seen from above, in place of `direction`: 0 to the left, 90 away from the viewer, 180 to the right", "30")
+        .silent("direction from above: in the plane of the section");
+    LoadZ = key(Load, "z", length(Finite), "z_F", "where it acts along the length, away from its middle", "\"0.5 m\"")
+        .silent("place along the length: its middle");
     LoadLever = key(Load, "lever", Text, "", "what it stands on, where that is above the crest or beside the body", "\"bollard hook\"")
         .silent("a force meets the body itself");
     LoadPermanent = key(Load, "permanent", Truth, "", "whether it is there all the time", "true")

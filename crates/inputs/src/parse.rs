@@ -567,11 +567,15 @@ pub fn plain_number(value: &DeValue<'_>) -> Option<f64> {
 /// The word for formulas of Shimosako and Takahashi by which the waves give the duration of an impulsive one.
 pub const BY_WAVES: &str = "shimosako-takahashi";
 
+/// The word for the direction in which a body bears least.
+pub const WORST: &str = "worst";
+
 /// Words that stand in place of the number under a key: the formulas by which waves give a duration, the heights that they have anyway.
 pub fn words_for(id: Id) -> &'static [&'static str] {
     match (id.table, id.key) {
         (Table::WaveHistory, Key::HistoryDuration) | (Table::Storm, Key::StormTau0) => &[BY_WAVES],
         (Table::Wave, Key::WaveHeight) => &["Hmax", "H13"],
+        (Table::Earthquake, Key::EarthquakeDirection) => &[WORST],
         _ => &[],
     }
 }
@@ -619,7 +623,9 @@ impl Field<'_> {
         let number = plain_number(self.value.get_ref());
         Ok(match kind {
             Kind::Text | Kind::File => Value::Text(self.words()?),
-            Kind::Measured(..) if self.word().is_some() => Value::Choice(self.word().unwrap_or_default()),
+            Kind::Measured(..) | Kind::Plain(_) if self.word().is_some() => {
+                Value::Choice(self.word().unwrap_or_default())
+            }
             Kind::Measured(_, range) => {
                 let number = number.map_or_else(|| self.measured(), Ok)?;
                 Value::Number(self.in_range(number, range)?)
@@ -676,6 +682,19 @@ impl Field<'_> {
                     field.in_range(number, Range::Finite)
                 });
                 Value::Numbers(numbers.collect::<Result<_, _>>()?)
+            }
+            Kind::Pairs(_) => {
+                let mut numbers = Vec::new();
+                for pair in self.elements(kind)? {
+                    let both = pair.value.get_ref().as_array().filter(|both| both.len() == 2);
+                    for value in both.ok_or_else(|| pair.wrong_type("a pair [x, z]"))? {
+                        let field = Field { value, ..pair };
+                        let number =
+                            plain_number(field.value.get_ref()).map_or_else(|| field.measured(), Ok)?;
+                        numbers.push(field.in_range(number, Range::Finite)?);
+                    }
+                }
+                Value::Numbers(numbers)
             }
             Kind::Plains => {
                 let numbers = self.elements(kind)?.map(|field| {
@@ -857,7 +876,14 @@ impl Field<'_> {
     /// The decimals of the numbers, by their places in a list, that have more digits than an f64 can say.
     fn long_decimals(&self) -> Vec<(usize, Ball)> {
         let values: Vec<&Spanned<DeValue<'_>>> = match self.value.get_ref() {
-            DeValue::Array(list) => list.iter().collect(),
+            // Pairs one after the other.
+            DeValue::Array(list) => list
+                .iter()
+                .flat_map(|value| match value.get_ref() {
+                    DeValue::Array(pair) => pair.iter().collect(),
+                    _ => vec![value],
+                })
+                .collect(),
             DeValue::Table(table) => in_order(table).into_iter().map(|(_, value)| value).collect(),
             _ => vec![self.value],
         };

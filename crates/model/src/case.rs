@@ -35,6 +35,7 @@ mod joint;
 mod loads;
 mod motion;
 mod office;
+mod plan;
 mod reader;
 mod resistance;
 mod section;
@@ -54,7 +55,7 @@ pub(crate) use backfill::tables_of_layers;
 pub use backfill::{Made, SoilFill, soil_of};
 pub use bias::{Bias, Biases, biased};
 pub use code::Code;
-pub use combination::{ChangeBy, Combination, InputChange, Trial};
+pub use combination::{ChangeBy, Combination, InputChange, Shaking, Trial};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub(crate) use history::HistoryOf;
 pub use history::{course, history_shapes};
@@ -62,6 +63,7 @@ pub use joint::{BASE, CaseJoint, JointWater, called};
 pub use loads::{Direction, FacePressure, PointForce};
 pub(crate) use loads::{SLACK, ends};
 pub use motion::CaseMotion;
+pub use plan::{CasePlan, PlanOf, Turned};
 pub(crate) use reader::{Reader, body_of, motion_fault};
 pub use reader::{blamed, check_ranges};
 pub use resistance::Resistance;
@@ -103,6 +105,8 @@ pub struct Case<T = f64> {
     pub part_groups: Vec<Option<String>>,
     /// The joints above its base, from there up.
     pub joints: Vec<CaseJoint<T>>,
+    /// Its base seen from above, where loads may come from any direction.
+    pub plan: Option<CasePlan<T>>,
     /// Coulomb friction μ between body and base, to stick.
     pub friction: T,
     /// Coulomb friction μ to slip.
@@ -191,6 +195,8 @@ impl Case {
     pub fn sharing(inputs: Arc<Inputs>) -> Result<Case, Fault> {
         let mut case = Case::in_scalars(inputs)?;
         case.changed = case.combined()?;
+        case.criteria_fit_plan()?;
+        case.no_torsion()?;
         Ok(case)
     }
 
@@ -303,6 +309,7 @@ impl<T: Scalar> Case<T> {
         }
         let gravity = given.scalar(Key::Gravity).unwrap_or_else(|| T::written(GRAVITY));
         let (body, section) = given.body::<T>()?;
+        let plan = given.footprint(&body, section.as_ref())?;
         let friction: T = given.needed(Key::Friction)?;
         let kinetic_friction = given.kinetic_friction(friction.clone())?;
         let weight = given.weight(&body, section.as_ref())?;
@@ -376,6 +383,7 @@ impl<T: Scalar> Case<T> {
             part_names: given.of_parts(Key::PartName),
             part_groups: given.of_parts(Key::PartGroup),
             joints: Vec::new(),
+            plan,
             friction,
             kinetic_friction,
             ground,
@@ -413,23 +421,44 @@ impl<T: Scalar> Case<T> {
     /// The accelerations of the base that are tried, whatever acts: as given, and to the other side and down for up unless that is fixed.
     pub(crate) fn accelerations(&self) -> Vec<Earthquake> {
         let Some(given) = self.earthquake.as_ref().map(Earthquake::rounded) else { return Vec::new() };
-        self.signs(&given, [false; 2]).into_iter().map(|[side, way]| given.turned(side, way)).collect()
+        let shaken = self.ways(&given, [false; 3]).into_iter().filter_map(|shaking| self.shaken(shaking));
+        shaken.map(|earthquake| earthquake.rounded()).collect()
     }
 
-    /// Signs of an acceleration of the base that are tried, to the sides and upwards: both, unless one is fixed, or it is zero and not `moved`
-    /// from that.
-    fn signs(&self, given: &Earthquake, moved: [bool; 2]) -> Vec<[f64; 2]> {
+    /// Ways in which the base is shaken that are tried: to both sides and both up and down, unless one is fixed, or it is zero and not `moved`
+    /// from that; seen from above across each edge, where the worst direction is asked for.
+    fn ways(&self, given: &Earthquake, moved: [bool; 3]) -> Vec<Shaking> {
         let signs = |both: bool, value: f64, moved: bool| {
-            if both && (moved || value != 0.0) { &[1.0, -1.0][..] } else { &[1.0] }
+            if both && (moved || value != 0.0) { &[1, -1][..] } else { &[1_i8] }
         };
-        let sides = signs(self.both_sides, given.horizontal(), moved[0]);
         let ways = signs(self.both_ways, given.vertical(), moved[1]);
-        sides.iter().flat_map(|side| ways.iter().map(move |way| [*side, *way])).collect()
+        if let Some(edges) = self.edges_to_shake() {
+            let across = (0..edges).flat_map(|edge| ways.iter().map(move |way| (edge, *way)));
+            return across.map(|(edge, way)| Shaking { signs: [1, way, 1], across: Some(edge) }).collect();
+        }
+        let along = self.plan.as_ref().is_some_and(|plan| plan.is_one_direction);
+        let sideways = if along { given.horizontal().hypot(given.away()) } else { given.horizontal() };
+        let sides = signs(self.both_sides, sideways, moved[0] || along && moved[2]);
+        // In one direction both components turn together.
+        let aways = |side: i8| {
+            if along { vec![side] } else { signs(self.both_sides, given.away(), moved[2]).to_vec() }
+        };
+        let all = sides.iter().flat_map(|side| aways(*side).into_iter().map(move |away| (*side, away)));
+        let all = all.flat_map(|(side, away)| ways.iter().map(move |way| [side, *way, away]));
+        all.map(|signs| Shaking { signs, across: None }).collect()
     }
 
-    /// The acceleration of the base times signs, to the sides and upwards.
-    pub fn shaken(&self, [side, way]: [f64; 2]) -> Option<Earthquake<T>> {
-        self.earthquake.as_ref().map(|given| given.turned(side, way))
+    /// The number of edges across which the base is shaken in turn, where the worst of all directions is asked for.
+    fn edges_to_shake(&self) -> Option<u16> {
+        let plan = self.plan.as_ref().filter(|plan| plan.is_worst)?;
+        Some(plan.base.footprint.vertices().len().max(1) as u16)
+    }
+
+    /// The acceleration of the base in one of the ways in which it is shaken.
+    pub fn shaken(&self, Shaking { signs, across }: Shaking) -> Option<Earthquake<T>> {
+        let given = self.earthquake.as_ref()?.turned(signs.map(f64::from));
+        let (Some(edge), Some(plan)) = (across, &self.plan) else { return Some(given) };
+        Some(plan.shaken_across(usize::from(edge), &given))
     }
 
     /// The body under the loads that act, the water under its base as if it did not open.
@@ -479,12 +508,16 @@ impl<T: Scalar> Case<T> {
     fn bare(&self) -> Result<Situation<T>, InputError> {
         let situation = Situation::new(self.body.clone(), self.friction.clone(), self.gravity.clone())?
             .with_kinetic_friction(self.kinetic_friction.clone())?;
-        Ok(situation.with_added_mass(self.added_mass.clone()))
+        let situation = situation.with_added_mass(self.added_mass.clone());
+        Ok(match &self.plan {
+            Some(plan) => situation.with_plan(plan.base.clone()),
+            None => situation,
+        })
     }
 
     /// All loads but for alternatives to the one that acts, in one of the ways in which they are tried, and what each is of.
     fn loads_tried(&self, acting: Acting, trial: Trial) -> Vec<(LoadOrigin, Load<T>)> {
-        let shaken = trial.signs().and_then(|signs| self.shaken(signs));
+        let shaken = trial.shaking.and_then(|shaking| self.shaken(shaking));
         self.loads(acting, shaken.or_else(|| self.earthquake.clone()))
     }
 
@@ -498,7 +531,11 @@ impl<T: Scalar> Case<T> {
         };
         add(LoadOrigin::Table(Table::Water), self.lift().into_iter().collect());
         if let Some(water) = &self.water {
-            add(LoadOrigin::Table(Table::Water), water.loads(&self.body, self.gravity.clone()));
+            let loads = water
+                .loads(&self.body, self.gravity.clone())
+                .into_iter()
+                .map(|load| self.at_mid_length(load));
+            add(LoadOrigin::Table(Table::Water), loads.collect());
             if let Some(section) = &self.section {
                 let (body, gravity) = (self.body.rounded(), self.gravity.value());
                 let on_sides = section.water_on_sides(&body, &water.rounded(), gravity).into_iter();
@@ -649,19 +686,18 @@ impl Case {
     /// The accelerations of the base that are tried: as given, and unless that is fixed to the other side, and down for up; none
     /// where no earthquake acts.
     pub fn earthquakes(&self, acting: Acting) -> Vec<Earthquake> {
-        let turned = self.shakings(acting).into_iter().map(|signs| self.shaken(signs));
-        turned.flatten().collect()
+        self.shakings(acting).into_iter().filter_map(|shaking| self.shaken(shaking)).collect()
     }
 
-    /// By what signs the acceleration of the base is multiplied in turn, to the sides and upwards; none where no earthquake acts.
-    pub fn shakings(&self, acting: Acting) -> Vec<[f64; 2]> {
-        self.shakings_if(acting, [false; 2])
+    /// The ways in which the base is shaken in turn; none where no earthquake acts.
+    pub fn shakings(&self, acting: Acting) -> Vec<Shaking> {
+        self.shakings_if(acting, [false; 3])
     }
 
-    /// Signs of the accelerations that are tried where the one to the sides, or upwards, may be another than the case's, which may be zero.
-    pub fn shakings_if(&self, acting: Acting, moved: [bool; 2]) -> Vec<[f64; 2]> {
+    /// The same where the acceleration to the sides, upwards or away may be another than the case's, which may be zero.
+    pub fn shakings_if(&self, acting: Acting, moved: [bool; 3]) -> Vec<Shaking> {
         let given = self.earthquake.filter(|_| self.is_shaken(acting));
-        given.map_or(Vec::new(), |given| self.signs(&given, moved))
+        given.map_or(Vec::new(), |given| self.ways(&given, moved))
     }
 
     /// Factor on the earthquake: that of a combination, which may be zero.

@@ -19,6 +19,9 @@ use crate::record::RecordFile;
 /// Ends the sentence of what is answered of the first instant.
 const FOLLOWED: &str = "; the motion in time is what `standfast simulate` follows";
 
+/// Ends the same sentence of a base seen from above.
+const IN_DIRECTIONS: &str = "; where rest ends along the records is what `standfast directions` says";
+
 /// Accelerations of the base that are given beside a case, in place of those it names: in their units, or where those are unnamed in
 /// m/s² or in the units of a `[block]`.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -41,7 +44,8 @@ pub struct FirstInstant {
 impl FirstInstant {
     /// The sentence without what follows the motion.
     pub fn of_instant(&self) -> &str {
-        self.note.strip_suffix(FOLLOWED).unwrap_or(&self.note)
+        let stripped = [FOLLOWED, IN_DIRECTIONS].iter().find_map(|end| self.note.strip_suffix(end));
+        stripped.unwrap_or(&self.note)
     }
 }
 
@@ -83,9 +87,10 @@ impl CaseFile {
         }
         let (inputs, peaks) = at_first_instant(self.inputs()).map_err(|fault| self.error(fault))?;
         let mut file = self.varied(inputs);
-        let mut note = format!(
-            "the loads are taken at their own values, all at once, as if at rest until then{FOLLOWED}"
-        );
+        let on_plan = self.case().is_ok_and(|case| case.plan.is_some());
+        let end = if on_plan { IN_DIRECTIONS } else { FOLLOWED };
+        let mut note =
+            format!("the loads are taken at their own values, all at once, as if at rest until then{end}");
         if !peaks.is_empty() {
             for (key, peak) in peaks {
                 file = file.with_entry(key.into(), format!("\"{} m/s2\"", plain(peak)));
@@ -123,9 +128,11 @@ impl CaseFile {
 /// # Errors
 /// If the case makes no sense.
 pub fn at_first_instant(inputs: &Inputs) -> Result<(Inputs, Vec<(Key, f64)>), Fault> {
-    let base = Case::of(inputs)?.motion.map(|motion| motion.base).unwrap_or_default();
-    let peaks = [(Key::Horizontal, base.horizontal), (Key::Vertical, base.vertical)].into_iter();
-    let peaks: Vec<_> = peaks.filter_map(|(key, history)| Some((key, history?.peak()))).collect();
+    let motion = Case::of(inputs)?.motion;
+    let (base, away) = motion.map(|motion| (motion.base, motion.away)).unwrap_or_default();
+    let peaks =
+        [(Key::Horizontal, base.horizontal), (Key::Vertical, base.vertical), (Key::HorizontalZ, away)];
+    let peaks: Vec<_> = peaks.into_iter().filter_map(|(key, history)| Some((key, history?.peak()))).collect();
     let mut still = without_time(inputs);
     if !peaks.is_empty() {
         still.add_table(Table::Earthquake);

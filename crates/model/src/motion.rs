@@ -85,6 +85,9 @@ pub fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
     }
     let given = Reader { inputs: &moving };
     let mut case = Case::of(&moving)?;
+    if let Some(plan) = &case.plan {
+        return Err(plan.not_for("a motion in time"));
+    }
     let motion = match case.motion.take() {
         Some(motion) => motion,
         None => given.motion(HistoryOf::Base)?,

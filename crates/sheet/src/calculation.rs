@@ -14,6 +14,7 @@ mod mode;
 mod motion;
 mod opening;
 mod path;
+mod plan;
 mod soil;
 mod waves;
 
@@ -126,6 +127,11 @@ fn situation(
     let components = assessed.components();
     acting::steps(steps, assessment, assessed);
     soil::increments(steps, case, assessed);
+    if let Some(answer) = &assessed.outcome.plan {
+        plan::steps(steps, case, assessed, answer, &components);
+        criteria::steps(steps, &assessment.case, assessed);
+        return Ok(());
+    }
     loads::steps(steps, case, assessed, &components);
     let held = classical::steps(steps, case, assessed, &components);
     ground::steps(steps, case, inputs, assessed, &components);

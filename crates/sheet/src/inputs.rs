@@ -107,7 +107,7 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
     let count = numbers.len();
     let written = file.written(entry);
     let written = match key.info().kind {
-        Kind::List(_) | Kind::ModeList | Kind::Plains => written.replace('"', ""),
+        Kind::List(_) | Kind::Pairs(_) | Kind::ModeList | Kind::Plains => written.replace('"', ""),
         _ => written.trim_matches('"').to_owned(),
     };
     let symbol = of_input(key.info().symbol, file.inputs(), entry.id);

@@ -40,8 +40,9 @@ pub fn words(case: &Case, moves: bool) -> Markup {
         p { "The following is not part of this calculation and has to be shown separately where it matters:" }
         ul { @for item in not_covered(case, &setting, moves) { li { (item) } } }
         p {
-            "Friction between body and base is the least certain input. It enters the factor against sliding in proportion; \
-             the modes on either side of the value used stand in the calculation and in the figures. Safety factors do not say how \
+            "Friction between body and base is the least certain input. It enters the factor against sliding in proportion"
+            @if case.plan.is_none() { "; the modes on either side of the value used stand in the calculation and in the figures" }
+            ". Safety factors do not say how \
              probable a failure is. Nothing here replaces an engineer’s judgement."
         }
     }
@@ -89,6 +90,9 @@ fn not_covered(case: &Case, setting: &Setting, moves: bool) -> Vec<String> {
     }
     items.push("strength of the body itself, and of its base where a corner alone carries it;".to_owned());
     items.push(match setting.structure {
+        _ if case.plan.is_some() => {
+            "how the body moves once it leaves rest: sliding, rolling and turning in space; neighbouring bodies;".to_owned()
+        }
         true => "three-dimensional effects: oblique loads along the structure, corners, joints, neighbouring bodies;".to_owned(),
         false => "three-dimensional effects: loads out of the plane, turning about a vertical axis, neighbouring bodies;".to_owned(),
     });

@@ -12,13 +12,23 @@ pub fn words(assessment: &Assessment) -> Markup {
     let case = &assessment.case;
     html! {
         ul {
-            li { (base(case)) " Friction is dry (Coulomb). Forces act in the plane of the cross-section." }
+            li { (base(case)) " Friction is dry (Coulomb)."
+                @if case.plan.is_none() { " Forces act in the plane of the cross-section." }
+                @else { " Forces come from any horizontal direction; the base is rigid and its pressure free, within its outline seen from above." }
+            }
+            @if case.plan.is_some() {
+                li {
+                    "It is answered whether the body rests, and where it leaves rest as the variable loads rise: by sliding, or by tipping about an \
+                     edge. How it then moves is not computed."
+                }
+            } @else {
             li {
                 "Sections 2 to 4 answer for the first instant after the load is applied to a body at rest: which mode begins, with which \
                  accelerations and reactions."
                 @if assessment.in_time.as_ref().is_some_and(|in_time| !in_time.motions.is_empty()) {
                     " Section 5 follows the motion in time."
                 } @else { " The motion after that is not computed." }
+            }
             }
             li {
                 "Signs: x to the right, y upwards, rotation counter-clockwise. O is the bottom left corner of the base, O′ the \
@@ -89,7 +99,7 @@ pub fn words(assessment: &Assessment) -> Markup {
                 li { "An acceleration of the base acts as a force of inertia; the motion is relative to the base." }
             }
             li {
-                "Classical factors are taken about both edges of the base; " span.sym { "W′" } ", t, U, "
+                "Classical factors are taken about " (if case.plan.is_some() { "every edge" } else { "both edges" }) " of the base; " span.sym { "W′" } ", t, U, "
                 span.sym { "M" sub { "U" } } ", P, " span.sym { "M" sub { "p" } } " are a designer’s symbols."
             }
         }

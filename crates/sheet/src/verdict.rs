@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use standfast::{Departure, Verdict};
-use standfast_cases::assess::{AnyCheck, joints, pair_words, verdict};
+use standfast_cases::assess::{AnyCheck, joints, pair_words, plan, verdict};
 use standfast_cases::design::{overturning, sliding};
 use standfast_cases::layout::percent;
 use standfast_cases::random::Probability;
@@ -208,9 +208,10 @@ pub fn table(assessment: &Assessment, most: usize) -> Markup {
                         }
                         td.n data-label=(COLUMNS[3]) { (departure(&assessed.departure())) }
                         td data-label=(COLUMNS[4]) {
-                            @match joints::first_words(assessed) {
-                                Some(joint) => (joint),
-                                None => (assessed.departure().verdict().map_or("–", Verdict::symbol)),
+                            @match (joints::first_words(assessed), &assessed.outcome.plan) {
+                                (Some(joint), _) => (joint),
+                                (None, Some(answer)) => (plan::symbols(&answer.departure)),
+                                (None, None) => (assessed.departure().verdict().map_or("–", Verdict::symbol)),
                             }
                         }
                         td data-label=(COLUMNS[5]) {
@@ -232,13 +233,21 @@ fn departure(departure: &Departure) -> Markup {
     }
 }
 
+/// The sentences on the full load and on the way there.
+fn sentences(assessment: &Assessment, assessed: &Assessed) -> Vec<String> {
+    match (&assessment.case_of(assessed).plan, &assessed.outcome.plan) {
+        (Some(of_case), Some(answer)) => plan::sentences(of_case, assessed, answer),
+        _ => verdict::full_load(assessed).into_iter().chain(verdict::path(assessed)).collect(),
+    }
+}
+
 /// The verdict in full.
 pub fn full(assessment: &Assessment, situations: &Situations<'_>) -> Markup {
     html! {
         @for assessed in situations.all() {
             p {
                 @if is_named(assessment) { strong { (name(assessment, assessed)) ":" } " " }
-                @for sentence in verdict::full_load(assessed).into_iter().chain(verdict::path(assessed)) { (sentence) " " }
+                @for sentence in sentences(assessment, assessed) { (sentence) " " }
             }
         }
         p.note { "The table of the summary has the factors of every situation; the margins of every inequality stand at its step in section 3." }

@@ -125,7 +125,19 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
             let parts = situation["components"].as_array().unwrap().iter();
             let parts: Vec<_> =
                 parts.flat_map(|part| ["x", "p", "m"].map(|key| number(&part[key]).unwrap())).collect();
-            if in_full {
+            let on_plan = situation["plan"].is_object();
+            if in_full && on_plan {
+                let table = outside(&format!("{scope} [data-table=plan-loads] data"));
+                let parts = situation["components"].as_array().unwrap().iter();
+                let parts: Vec<_> =
+                    parts.flat_map(|part| ["x", "z", "p"].map(|key| number(&part[key]).unwrap())).collect();
+                let shown =
+                    table.chunks(5).flat_map(|row| row[..3].iter().map(|data| 1e3 * attribute(*data)));
+                for (shown, json) in shown.zip(&parts) {
+                    assert!(same(shown, *json), "{name}: {shown} {json}");
+                }
+                assert_eq!(table.len(), 5 * (parts.len() / 3 + 1), "{name}");
+            } else if in_full {
                 let table = outside(&format!("{scope} [data-table=components] data"));
                 let units = units_of_loads(&html, &scope);
                 let shown = table.iter().enumerate().map(|(place, data)| units[place % 3] * attribute(*data));

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use common::{cases, document, html, is_of_joint, select, si};
 use scraper::{ElementRef, Html};
+use standfast::footprint::PlanLimit;
 use standfast::{Departure, Mode};
 use standfast_cases::assess::shown;
 use standfast_cases::case::Limit;
@@ -156,6 +157,10 @@ fn departure_and_friction_are_steps_with_formulas() {
             let departs = matches!(assessed.departure(), Departure::At { .. });
             // What holds a body beside friction is searched for, not solved for.
             let departs = departs && assessed.outcome.held.is_none();
+            // Nor is where a disc begins to turn.
+            let plan = assessed.outcome.plan.as_ref();
+            let turns = plan.is_some_and(|plan| plan.departure.limits.contains(&PlanLimit::Turns));
+            let departs = departs && !turns;
             assert_eq!(of("λ_d"), usize::from(departs), "{name}");
             departures += usize::from(departs);
             let slides_here = matches!(assessed.mode(), Some(Mode::SlideLeft | Mode::SlideRight))

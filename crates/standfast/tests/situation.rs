@@ -622,8 +622,8 @@ fn loads_are_named_and_multiplied() {
     assert_eq!(push.wrench(&body, G, Pose::UPRIGHT), Wrench { x: 9.0, p: 0.0, m: 9.0 });
     assert_eq!(Load::force(at, 0.0, 5.0).kind, LoadKind::Weight);
     let earthquake = Earthquake::new(2.0, -0.5).unwrap();
-    let turned = earthquake.turned(-1.0, 1.0);
+    let turned = earthquake.turned([-1.0, 1.0, 1.0]);
     assert_eq!((turned.horizontal(), turned.vertical()), (-2.0, -0.5));
-    let turned = earthquake.turned(3.0, -2.0);
+    let turned = earthquake.turned([3.0, -2.0, 1.0]);
     assert_eq!((turned.horizontal(), turned.vertical()), (6.0, 1.0));
 }

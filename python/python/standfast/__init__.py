@@ -12,6 +12,7 @@ a case to begin from: caisson, statue, rack, wall         :func:`new`
 a body with its loads: water, waves, earthquakes          :func:`assess`
 many of them: tables, sweeps, samples                     :func:`assess_table`
 the least width, the greatest force that is enough        :func:`design`
+which direction of the loads is the worst?                :func:`directions`
 what becomes of it in time: slide, rock, overturn         :func:`simulate`, :func:`spectrum`
 how likely is each mode, if numbers are random            :func:`probability`, :func:`draws`
 the calculation, to be filed and signed                   :func:`sheet`
@@ -29,6 +30,7 @@ from ._assess import Assessment, assess
 from ._contact import Contact, ContactArrays, contact, contact_conditions
 from ._design import Boundary, Design, Minimum, design
 from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
+from ._directions import Directions, directions
 from ._explain import Explanation, explain
 from ._figure import Figure
 from ._limits import LimitStates, LimitStatesArrays, limit_states
@@ -58,6 +60,7 @@ __all__ = [
     "Curve",
     "Design",
     "Diagram",
+    "Directions",
     "Explanation",
     "Figure",
     "Indeterminate",
@@ -89,6 +92,7 @@ __all__ = [
     "contact",
     "contact_conditions",
     "design",
+    "directions",
     "draws",
     "examples",
     "explain",

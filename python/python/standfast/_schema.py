@@ -25,10 +25,11 @@ MODULES = {
         "spectrum": ("SpectrumDocument", "what `spectrum` answers"),
     },
     "chances": {"probability": ("ProbabilityDocument", "what `probability` answers")},
+    "plans": {"directions": ("DirectionsDocument", "what `directions` answers")},
     "stacks": {"stack": ("StackDocument", "what `stack` answers")},
 }
 #: Keys of documents for which the package has something of its own.
-_OWN = {"Document": ("governing", "situations", "figures"), "SpectrumDocument": ("figures", "points")}
+_OWN = {"Document": ("governing", "situations", "figures"), "SpectrumDocument": ("figures", "points"), "DirectionsDocument": ("figures", "situations")}
 #: Definitions that are not classes.
 _PLAIN = {"number-or-infinite": "float", "mode": "Mode", "modes": "Modes"}
 #: Classes that are not called after their definitions.

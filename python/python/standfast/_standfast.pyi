@@ -31,6 +31,7 @@ __all__ = [
     "contact_names",
     "contact_rows",
     "design",
+    "directions",
     "draws",
     "diagram_numbers",
     "diagram_outlines",
@@ -365,6 +366,9 @@ class CaseAnswer:
         """Words, suffix and SVG of each figure, and what else a picture is made of."""
 
 def assess(name: str, text: str, up_to: float, all: bool) -> CaseAnswer: ...
+def directions(
+    name: str, text: str, step: float
+) -> tuple[str, str, str, list[tuple[str, str, str, _Kept]], list[tuple[str, str]]]: ...
 
 #: Name, how many rows have it, the index of the first, and what is said of that one.
 _Minded = tuple[str, int, list[int], str]

@@ -4,11 +4,13 @@ use std::path::Path;
 use std::{fs, io};
 
 /// Where errors stand that a user meets, and of what they are.
-const SOURCES: [(&str, &str); 13] = [
+const SOURCES: [(&str, &str); 15] = [
     ("Case files", "crates/inputs/src/error.rs"),
     ("Quantities and units", "crates/inputs/src/units.rs"),
     ("Records", "crates/motion/src/record.rs"),
     ("Sections of parts", "crates/standfast/src/section.rs"),
+    ("Bases seen from above", "crates/standfast/src/footprint.rs"),
+    ("Directions", "crates/answers/src/directions.rs"),
     ("Motions", "crates/motion/src/error.rs"),
     ("Random numbers", "crates/inputs/src/random.rs"),
     ("Probabilities", "crates/answers/src/random/error.rs"),

@@ -26,6 +26,8 @@ const EXACTNESS: &str = "crates/standfast/tests/exactness.rs";
 const ENUMERATION: &str = "crates/standfast/tests/enumeration.rs";
 const STACK: &str = "crates/standfast/tests/stack.rs";
 const JOINTS: &str = "crates/cases/tests/joints.rs";
+const FOOTPRINT: &str = "crates/standfast/tests/footprint.rs";
+const DIRECTIONS: &str = "crates/cases/tests/directions.rs";
 const JOINTS_DRAWN: &str = "crates/cases/tests/joints_random.rs";
 const COMMON: &str = "crates/standfast/tests/common/mod.rs";
 const WAVES: &str = "crates/standfast/tests/waves.rs";
@@ -131,6 +133,25 @@ const ROWS: &[Row] = &[
         places: &[
             ("150", JOINTS_DRAWN, "Draws::of(&text, None, 150, 3)"),
             ("0", JOINTS_DRAWN, "assert_eq!((first.joint, first.slides), (joint, slides)"),
+        ],
+    },
+    Row {
+        claim: "rest and departure on a plan: polygons, feet, discs under forces of any horizontal direction",
+        against: "rational arithmetic by another criterion; the plane problem; of cases, where a ray leaves the hull, and records by hand at 4000 places between two points",
+        independent: "yes: other criteria; the theorems are proven on the page of directions",
+        count: "100,000 random loads, on boundaries and beside them; 40 records",
+        result: "0 differ",
+        repeat: "`cargo test -p standfast --test footprint`, `cargo test -p standfast-cases --test directions`",
+        measured: false,
+        places: &[
+            ("100,000", FOOTPRINT, "let tries = tries(100_000);"),
+            ("40", DIRECTIONS, "for _ in 0..40 {"),
+            ("4000", DIRECTIONS, "(0..29 * 4000).find(|step| {"),
+            (
+                "0",
+                FOOTPRINT,
+                "assert_eq!(found.rests, expected, \"{points:?} {friction} {wrench:?} {found:?}\");",
+            ),
         ],
     },
     Row {

@@ -7,6 +7,7 @@ use standfast::Point;
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushMap;
 use standfast_cases::design::{BoundaryRequest, DesignBoundary, DesignRequest, Extreme, Spelling};
+use standfast_cases::directions::{Directions, STEP};
 use standfast_cases::motion::{Follow, FollowedMotion, MotionView, Spectrum, SpectrumKind, SpectrumRequest};
 use standfast_cases::{AnswerFigure, Assessment, AssessmentView, CaseFile, Document, Portion};
 use standfast_figures::{
@@ -82,6 +83,17 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
     }
     for (name, figures) in cases(root, "examples/joints")? {
         page.push_str(&format!("\n### {name}\n\n[The case file](../../examples/joints/{name}.toml)\n"));
+        for file in figures {
+            page.push_str(&format!("\n![{}](../{})\n", file.title(), file.path));
+            files.push(file);
+        }
+    }
+    page.push_str(
+        "\n## Any direction\n\nBodies on a plan: the section with the base seen from above, and rest over all horizontal directions, by\n\
+         `standfast directions`; see [how to](../how-to/directions.md) and [theory](../theory/direction.md).\n",
+    );
+    for (name, figures) in directions(root)? {
+        page.push_str(&format!("\n### {name}\n\n[The case file](../../examples/directions/{name}.toml)\n"));
         for file in figures {
             page.push_str(&format!("\n![{}](../{})\n", file.title(), file.path));
             files.push(file);
@@ -190,6 +202,31 @@ fn cases(root: &Path, folder: &str) -> io::Result<Vec<(String, Vec<File>)>> {
         cases.push((name, files));
     }
     Ok(cases)
+}
+
+/// The figures of cases with a base seen from above: the section, and all directions, with the orbit of a record where there is one.
+fn directions(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
+    let folder = root.join("examples/directions");
+    let read = |file: &str| {
+        let bytes = fs::read(folder.join(file)).map_err(|cause| cause.to_string())?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    };
+    let mut all = Vec::new();
+    for path in sorted(&folder, "toml")? {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let text = fs::read_to_string(&path)?;
+        let file = CaseFile::read(&name, &text, &read).map_err(io::Error::other)?;
+        let found = Directions::of_file(&file, STEP).map_err(io::Error::other)?;
+        let of_case = found.assessment.figures(&AssessmentView::default()).map_err(io::Error::other)?;
+        let section = of_case.into_iter().filter(AnswerFigure::is_section);
+        let directions = found.figures(&()).map_err(io::Error::other)?;
+        let files = section.chain(directions).map(|AnswerFigure { suffix, figure, .. }| {
+            File::drawn(format!("gallery/any-{name}{suffix}.svg"), figure)
+        });
+        let files = files.collect();
+        all.push((name, files));
+    }
+    Ok(all)
 }
 
 /// The figures of some motions, and spectra of one of them, by the names of their cases.

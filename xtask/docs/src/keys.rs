@@ -150,6 +150,9 @@ fn takes(kind: Kind) -> String {
             }
         }
         Kind::List(dimension) => format!("a list, each {} in {}", dimension.words(), dimension.understood()),
+        Kind::Pairs(dimension) => {
+            format!("a list of pairs, each number {} in {}", dimension.words(), dimension.understood())
+        }
         Kind::Factors => "names and factors, zero or more, or two factors in a list".to_owned(),
         Kind::Settings => "names of keys, in quotes, and their values".to_owned(),
         Kind::Ratios => "names and numbers above zero".to_owned(),
@@ -205,6 +208,7 @@ mod tests {
             let said = match result.in_ground() {
                 // Both periods are one list.
                 Some("periods") => continue,
+                None if result.is_of_plan() => &schema["$defs"]["plan"]["properties"][name]["description"],
                 Some(name) => &schema["$defs"]["ground"]["properties"][name]["description"],
                 None => &schema["$defs"]["situation"]["properties"][name]["description"],
             };

@@ -9,6 +9,7 @@ const LOADS: &str = "loads";
 const RISING: &str = "loads#a-load-that-rises";
 const WAVES: &str = "loads#waves-on-a-vertical-caisson";
 const FACTORS: &str = "loads#three-overturning-factors";
+const DIRECTION: &str = "direction";
 const EFFECTIVE: &str = "loads#the-reports-diagram-with-effective-coordinates";
 const CRUSHES: &str = "base#a-base-that-crushes";
 const FAILS: &str = "base#ground-that-fails";
@@ -75,6 +76,8 @@ fn told(name: &str) -> Option<Told> {
         ("k_prime_moved", ("", "(1 + k') D_m/D_s - 1", ELASTIC)),
         ("first_event", ("", "", ELASTIC)),
         ("first_event_time", ("", "", ELASTIC)),
+        ("worst_direction_deg", ("", "", DIRECTION)),
+        ("load_factor_worst", ("", "", DIRECTION)),
         ("k_eff", ("k_eff", "P/(W' - U)", EFFECTIVE)),
         ("k_prime_eff", ("k'_eff", "", EFFECTIVE)),
         ("H13", ("H_13", "", WAVES)),
@@ -131,8 +134,8 @@ pub fn page() -> String {
         page.push_str(&row(info.name, &unit(info.dimension), info.words));
     }
     page.push_str(
-        "\n## Of a motion, of probabilities\n\nThe JSON of `simulate`, `spectrum` and `probability` is told word by word in its schemas:\n\
-         [simulate](../simulate.schema.json), [spectrum](../spectrum.schema.json), [probability](../probability.schema.json); that of `assess`, `design`\n\
+        "\n## Of a motion, of probabilities\n\nThe JSON of `simulate`, `spectrum`, `directions` and `probability` is told word by word in its schemas:\n\
+         [simulate](../simulate.schema.json), [spectrum](../spectrum.schema.json), [directions](../directions.schema.json), [probability](../probability.schema.json); that of `assess`, `design`\n\
          and `classify` in [answer](../answer.schema.json), [design](../design.schema.json), [boundary](../boundary.schema.json),\n\
          [changes](../changes.schema.json) and [point](../point.schema.json).\n",
     );

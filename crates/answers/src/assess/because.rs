@@ -6,9 +6,10 @@ use super::Assessed;
 
 impl Assessed {
     /// The inequalities that decide the mode under the full load: the report's where the load has a point in its diagram,
-    /// otherwise the conditions of the contact problem. None where no mode is consistent, and of bodies on joints.
+    /// otherwise the conditions of the contact problem. None where no mode is consistent, of bodies on joints, and on a base seen
+    /// from above.
     pub fn because(&self) -> Vec<Relation> {
-        if self.joints.is_some() {
+        if self.joints.is_some() || self.outcome.plan.is_some() {
             return Vec::new();
         }
         let full = &self.outcome.full;

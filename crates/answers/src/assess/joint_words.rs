@@ -1,5 +1,6 @@
 //! The joints of a situation in words.
 
+use standfast::footprint::PlanLimit;
 use standfast::{Corner, Mode, Verdict};
 
 use super::{Assessed, Joints, predicate};
@@ -106,7 +107,10 @@ impl Assessed {
     pub fn at_once(&self) -> String {
         match &self.joints {
             Some(joints) => joints.at_once(self),
-            None => format!("the body {}", predicate(self.verdict())),
+            None => match self.on_plan() {
+                Some(_) if self.mode().is_none() => "the body does not rest".to_owned(),
+                _ => format!("the body {}", predicate(self.verdict())),
+            },
         }
     }
 
@@ -114,8 +118,20 @@ impl Assessed {
     pub fn departs(&self) -> String {
         match &self.joints {
             Some(joints) => joints.departs(self),
-            None => format!("the body {}", predicate(self.departure().verdict())),
+            None => match self.on_plan() {
+                Some(Some(PlanLimit::Slides)) => "the body slides".to_owned(),
+                Some(Some(PlanLimit::Turns)) => "the body slides and turns".to_owned(),
+                Some(Some(PlanLimit::Tips { .. })) => "the body tips about an edge".to_owned(),
+                Some(Some(PlanLimit::Lifts)) => "the body is lifted".to_owned(),
+                Some(None) => "the body rests".to_owned(),
+                None => format!("the body {}", predicate(self.departure().verdict())),
+            },
         }
+    }
+
+    /// What ends rest on a base seen from above, if anything does; `None` in the plane of the section.
+    pub fn on_plan(&self) -> Option<Option<PlanLimit>> {
+        self.outcome.plan.as_ref().map(|plan| plan.departure.limits.first().copied())
     }
 }
 

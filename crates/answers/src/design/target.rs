@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use standfast::contact::stack::RestLimit;
+use standfast::footprint::PlanLimit;
 use standfast::{Mode, Verdict};
 use thiserror::Error;
 
@@ -379,6 +380,11 @@ impl Target {
                 None => (assessed.mode() != Some(Mode::Rest)).then_some((1.0, None)),
             };
         }
+        if assessed.on_plan().is_some() {
+            // In which mode a body moves in space nobody knows.
+            let rests = assessed.mode() == Some(Mode::Rest);
+            return (!rests).then(|| (assessed.departure().load_factor().min(1.0), None));
+        }
         let stages = assessed.outcome.path.iter().filter(|stage| stage.from < 1.0);
         let mut candidates =
             stages.map(|stage| (stage.from, stage.verdict)).chain([(1.0, assessed.verdict())]);
@@ -432,6 +438,7 @@ impl Target {
                 let does = match &assessed.joints {
                     Some(joints) if at < 1.0 => joints.departs(assessed),
                     Some(joints) => joints.at_once(assessed),
+                    None if assessed.on_plan().is_some() => assessed.departs(),
                     None => format!("the body {}", predicate(verdict)),
                 };
                 Binding::of(motion(verdict), format!("{when}, {does}"))
@@ -477,7 +484,7 @@ fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
 /// Mode that ends rest under the full load.
 fn full_load(assessed: &Assessed) -> Binding {
     let brief = format!("under the full load {}", assessed.at_once());
-    match of_joint(assessed) {
+    match of_first(assessed) {
         Some(by) => Binding::of(by, brief),
         None => {
             let verdict = assessed.verdict();
@@ -499,11 +506,11 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
         Key::GreatestBearing => "bearing",
         Key::LeastContact => "contact",
         Key::GreatestEccentricity => "eccentricity",
-        Key::ModesNot => of_joint(assessed).unwrap_or_else(|| motion(assessed.verdict())),
+        Key::ModesNot => of_first(assessed).unwrap_or_else(|| motion(assessed.verdict())),
         Key::LeastGround | Key::GreatestEffective => GROUND,
         Key::GreatestRotation => "rotation",
         Key::GreatestNotRest => "probability",
-        _ => of_joint(assessed).unwrap_or_else(|| motion(verdict)),
+        _ => of_first(assessed).unwrap_or_else(|| motion(verdict)),
     };
     let words = match (check.met, target) {
         (true, Target::Utilisation(share)) => {
@@ -516,7 +523,8 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
         }
         _ if check.criterion.key == Key::LeastLoadFactor => {
             // Of joints it is told which leaves rest and how.
-            let why = condition(assessed, verdict).filter(|_| assessed.joints.is_none());
+            let is_one = assessed.joints.is_none() && assessed.on_plan().is_none();
+            let why = condition(assessed, verdict).filter(|_| is_one);
             let why = why.map_or(String::new(), |why| format!(": {why}"));
             format!("{}{place}: {}{why}", check.failure(assessed), assessed.departs())
         }
@@ -528,8 +536,16 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
 /// Word for a failure of the ground.
 const GROUND: &str = "ground";
 
-/// The motion with which the first joint leaves rest, in a word; `None` without joints.
-fn of_joint(assessed: &Assessed) -> Option<&'static str> {
+/// The motion with which the first joint, or a body on a plan, leaves rest, in a word; `None` of another body.
+fn of_first(assessed: &Assessed) -> Option<&'static str> {
+    if let Some(ended_by) = assessed.on_plan() {
+        return Some(match ended_by {
+            Some(PlanLimit::Slides | PlanLimit::Turns) => "sliding",
+            Some(PlanLimit::Tips { .. }) => "rocking",
+            Some(PlanLimit::Lifts) => "uplift",
+            None => "rest",
+        });
+    }
     let joints = assessed.joints.as_ref()?;
     Some(match joints.leaves.limits.first() {
         Some((_, Some(RestLimit::Slides(_)))) => "sliding",

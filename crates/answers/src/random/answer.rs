@@ -13,7 +13,7 @@ use super::criterion::{ChanceCriterion, bound};
 use super::error::ProbabilityError;
 use super::fragility::Fragility;
 use super::joined::{JoinedChance, joined};
-use super::outcome::{NOT_A_BODY, joint};
+use super::outcome::{NOT_A_BODY, PLAN_SLIDES, PLAN_TIPS, joint};
 use super::overturn::Overturning;
 use super::problem::ChanceProblem;
 use super::quantity::RandomInput;
@@ -178,6 +178,11 @@ pub enum Happening {
     Decided(Verdict),
     /// Of bodies on joints, this one leaves rest first.
     First(FirstJoint),
+    /// On a base seen from above, this ends rest as the loads rise: the body slides, or else it tips.
+    OnPlan {
+        /// True if it slides.
+        slides: bool,
+    },
     /// No mode is consistent.
     NoMode,
     /// The numbers drawn do not go together.
@@ -214,6 +219,8 @@ impl Happening {
     pub fn words(self) -> Option<&'static str> {
         match self {
             Happening::Decided(verdict) => Some(verdict.words()),
+            Happening::OnPlan { slides: true } => Some("leaves rest by sliding"),
+            Happening::OnPlan { slides: false } => Some("leaves rest by tipping about an edge"),
             Happening::First(_) | Happening::NoMode | Happening::NotABody => None,
         }
     }
@@ -223,6 +230,7 @@ impl Happening {
         match self {
             Happening::Decided(verdict) => verdict.to_string(),
             Happening::First(first) => first.to_string(),
+            Happening::OnPlan { slides } => if slides { "slides" } else { "tips" }.to_owned(),
             Happening::NoMode => "no mode".to_owned(),
             Happening::NotABody => "not a body".to_owned(),
         }
@@ -231,6 +239,9 @@ impl Happening {
     pub(super) fn of(outcome: usize) -> Happening {
         if let Some((joint, slides)) = joint(outcome) {
             return Happening::First(FirstJoint { joint, slides });
+        }
+        if let PLAN_SLIDES | PLAN_TIPS = outcome {
+            return Happening::OnPlan { slides: outcome == PLAN_SLIDES };
         }
         match Verdict::from_code(outcome as u8) {
             Some(verdict) => Happening::Decided(verdict),
@@ -317,6 +328,11 @@ impl Probability {
     /// True if the body stands on joints of its own, of which it is answered which leaves rest first.
     pub fn has_joints(&self) -> bool {
         self.problem.as_ref().is_some_and(|problem| problem.has_joints())
+    }
+
+    /// True if the base is seen from above, of which it is found whether the body rests and what ends rest.
+    pub fn is_on_plan(&self) -> bool {
+        self.problem.as_ref().is_some_and(|problem| problem.is_on_plan())
     }
 
     /// What leaves rest first, in a clause: `joint 3 (cap) slides first`.

@@ -66,12 +66,16 @@ pub(super) fn method(
     laws: &RandomVector,
     request: &ChanceRequest,
     points: &[FormPoint],
+    is_on_plan: bool,
 ) -> Result<Method, ProbabilityError> {
+    /// Over directions boundaries have a kink at every corner of the base, at each of which an integral is refined.
+    const ON_PLAN: usize = 2;
     let numbers = laws.laws().len();
     let few = numbers <= MOST_DIMENSIONS + 1;
     let too_many = |method, most| Err(ProbabilityError::TooMany { method, most, numbers });
     let far = points.first().is_some_and(|point| point.beta > FAR);
-    let method = request.method.unwrap_or(match (few, far) {
+    let suits = few && (!is_on_plan || numbers <= ON_PLAN);
+    let method = request.method.unwrap_or(match (suits, far) {
         (true, _) => Method::Integrate,
         (false, true) => Method::Importance,
         (false, false) => Method::Sobol,
@@ -134,7 +138,7 @@ fn sampled(
 ) -> Result<(Method, Sampled), ProbabilityError> {
     portion.check()?;
     let laws = problem.laws();
-    let method = method(laws, request, points)?;
+    let method = method(laws, request, points, problem.is_on_plan())?;
     let about =
         if method == Method::Importance { about(problem, points, request.effort.floor) } else { Vec::new() };
     let mut sampled = by(method, laws, problem, &sets(problem), &about, request.effort.within(portion));
@@ -205,7 +209,7 @@ pub(super) fn chances(
         precise: sampled.precise,
         modes: problem.exclusive().map(Happening::of).zip(modes.iter().copied()).collect(),
         not_rest: *not_rest,
-        not_unique: (!problem.has_joints()).then_some(*not_unique),
+        not_unique: (!problem.is_without_modes()).then_some(*not_unique),
         lifted: *lifted,
         known,
         first_departure: first_departure(problem, method, effort, sampled.points, of_departure)?,

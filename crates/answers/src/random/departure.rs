@@ -96,6 +96,9 @@ impl Outcomes for Departures<'_> {
         if self.0.has_joints() {
             return self.0.joints_along(values, Asked::Departure, pieces);
         }
+        if self.0.is_on_plan() {
+            return self.0.plan_along(values, Asked::Departure, pieces);
+        }
         let mut values = values.to_vec();
         match self.0.line {
             Line::Friction(place) => {
@@ -128,6 +131,9 @@ impl Outcomes for Departures<'_> {
     fn at(&self, values: &[f64]) -> u64 {
         if self.0.has_joints() {
             return self.0.of_joints(values, Asked::Departure);
+        }
+        if self.0.is_on_plan() {
+            return self.0.on_plan(values, Asked::Departure);
         }
         let departing = self.0.departing(values).and_then(|mechanics| mechanics.departure());
         1 << departing.map_or(NOT_A_BODY, outcome)

@@ -8,6 +8,7 @@ use super::error::ProbabilityError;
 use super::mechanics::Mechanics;
 use super::problem::ChanceProblem;
 use super::quantity::RandomInput;
+use super::stack::Asked;
 use super::subject::ChanceSubject;
 use crate::units::Dimension;
 use standfast_model::CaseFile;
@@ -22,7 +23,7 @@ pub struct Draws {
     pub values: Vec<Vec<f64>>,
     /// Outcome of each draw for the body.
     pub drawn: Vec<Draw>,
-    /// Outcomes that there are of bodies on joints; none of one body.
+    /// Outcomes that there are where no modes are told: of bodies on joints, and on a base seen from above.
     outcomes: Vec<Happening>,
 }
 
@@ -55,11 +56,12 @@ impl Draws {
             drawn.push(problem.drawn(draw));
         });
         let inputs = problem.random().iter().map(|input| (input.name.clone(), input.unit())).collect();
-        let outcomes = problem.exclusive().filter(|_| problem.has_joints()).map(Happening::of).collect();
+        let outcomes =
+            problem.exclusive().filter(|_| problem.is_without_modes()).map(Happening::of).collect();
         Ok(Draws { inputs, values, drawn, outcomes })
     }
 
-    /// The names of what may happen to bodies on joints; `None` of one body.
+    /// The names of what may happen to bodies on joints, or on a base seen from above; `None` of a body with modes.
     pub fn of_joints(&self) -> Option<Vec<String>> {
         (!self.outcomes.is_empty()).then(|| self.outcomes.iter().map(|outcome| outcome.name()).collect())
     }
@@ -137,6 +139,10 @@ fn one(problems: Vec<ChanceProblem>, situation: Option<&str>) -> Result<ChancePr
 impl ChanceProblem {
     /// Outcome for the body of one set of values.
     pub fn drawn(&self, values: &[f64]) -> Draw {
+        if self.is_on_plan() {
+            let happens = Happening::reported(self.on_plan(values, Asked::Full));
+            return Draw { effective: None, happens };
+        }
         let Some(mechanics) = self.mechanics(values) else {
             return Draw { effective: None, happens: Happening::NotABody };
         };
@@ -156,7 +162,7 @@ pub struct DrawInPlane {
 impl ChanceProblem {
     /// Place of a draw in the report's plane, where that is of the body.
     pub fn in_plane(&self, values: &[f64]) -> Option<DrawInPlane> {
-        let mechanics = self.mechanics(values)?;
+        let mechanics = self.mechanics(values).filter(|_| !self.is_on_plan())?;
         let [k, k_prime] = mechanics.effective()?;
         let block = &mechanics.block;
         Some(DrawInPlane { at: [block.d, k, k_prime, block.mu_s], right: mechanics.wrench().x > 0.0 })
@@ -183,6 +189,7 @@ impl Happening {
     fn reported(outcomes: u64) -> Happening {
         super::outcome::exclusive(true)
             .chain(super::outcome::of_joints(super::outcome::MOST_JOINTS, false))
+            .chain(super::outcome::on_plan())
             .find(|outcome| outcomes >> outcome & 1 == 1)
             .map_or(Happening::NotABody, Happening::of)
     }
@@ -191,7 +198,7 @@ impl Happening {
     pub fn mode(self) -> Option<Mode> {
         match self {
             Happening::Decided(verdict) => verdict.mode(),
-            Happening::First(_) | Happening::NoMode | Happening::NotABody => None,
+            Happening::First(_) | Happening::OnPlan { .. } | Happening::NoMode | Happening::NotABody => None,
         }
     }
 }

@@ -30,6 +30,9 @@ impl Outcomes for ChanceProblem {
         if self.has_joints() {
             return self.joints_along(values, Asked::Full, pieces);
         }
+        if self.is_on_plan() {
+            return self.plan_along(values, Asked::Full, pieces);
+        }
         let mut values = values.to_vec();
         let everywhere =
             |pieces: &mut Pieces, outcome| pieces.push(f64::NEG_INFINITY, f64::INFINITY, outcome);
@@ -82,6 +85,9 @@ impl Outcomes for ChanceProblem {
     fn at(&self, values: &[f64]) -> u64 {
         if self.has_joints() {
             return self.of_joints(values, Asked::Full);
+        }
+        if self.is_on_plan() {
+            return self.on_plan(values, Asked::Full);
         }
         match self.mechanics(values) {
             Some(mechanics) => mechanics.outcomes(),

@@ -99,7 +99,7 @@ pub(super) fn joined(
     let [first, _, ..] = problems else { return Ok(None) };
     let any = AnyOf(problems.to_vec());
     let points = local_design_points(first.laws(), &any, 1 << MOVES);
-    let method = chances::method(first.laws(), request, &points)?;
+    let method = chances::method(first.laws(), request, &points, first.is_on_plan())?;
     let about: Vec<Vec<f64>> = points.into_iter().map(|point| point.u).collect();
     let sampled =
         chances::by(method, first.laws(), &any, &[1 << MOVES], &about, request.effort.within(portion));

@@ -7,6 +7,12 @@ use standfast_probability::problem::Pieces;
 pub(super) const REST: usize = Mode::Rest as usize;
 /// The ground fails.
 pub(super) const BEARING_FAILURE: usize = Verdict::BEARING_FAILURE_CODE as usize;
+/// On a base seen from above: what ends rest as the loads rise is that the body slides, or that it tips. No mode has such a code.
+pub(super) const PLAN_SLIDES: usize = 14;
+/// The body tips first.
+pub(super) const PLAN_TIPS: usize = 15;
+/// The body is lifted.
+pub(super) const FLIGHT: usize = Mode::Flight as usize;
 /// The outcomes behind those of the modes, which have their codes: more than one mode is consistent.
 pub(super) const NOT_UNIQUE: usize = 16;
 /// Nothing presses the body on its base.
@@ -47,6 +53,11 @@ pub(super) fn exclusive(may_fail: bool) -> impl Iterator<Item = usize> {
     modes().chain(may_fail.then_some(BEARING_FAILURE)).chain([NO_MODE, NOT_A_BODY])
 }
 
+/// The outcomes that exclude each other and add up to one, on a base seen from above.
+pub(super) fn on_plan() -> impl Iterator<Item = usize> {
+    [REST, PLAN_SLIDES, PLAN_TIPS, FLIGHT, NOT_A_BODY].into_iter()
+}
+
 /// The codes of all modes.
 pub(super) fn modes() -> impl Iterator<Item = usize> {
     (0..16).filter(|code| Mode::from_code(*code as u8).is_some())
@@ -56,6 +67,7 @@ pub(super) fn modes() -> impl Iterator<Item = usize> {
 pub(super) fn not_rest() -> u64 {
     exclusive(true)
         .chain(of_joints(MOST_JOINTS, false))
+        .chain(on_plan())
         .filter(|outcome| *outcome != REST)
         .fold(0, |set, outcome| set | 1 << outcome)
 }

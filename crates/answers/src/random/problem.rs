@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use standfast::contact::Block;
 use standfast::loads::Earthquake;
 use standfast::wave::Heights;
-use standfast::{Point, Wrench};
+use standfast::{Point, Situation, Wrench};
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::RandomVector;
 
@@ -14,7 +14,7 @@ use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
 use super::quantity::{Bias, Coordinate, FrictionOf, Quantity, RandomInput};
 use super::resolve::{Names, Resolve};
-use crate::case::{Acting, Case, ChangeBy, Trial, Waves};
+use crate::case::{Acting, Case, ChangeBy, Shaking, Trial, Waves};
 use crate::couple::{Variable, vary};
 use crate::digits::digits;
 use crate::error::{CaseError, Fault, Problem};
@@ -47,7 +47,7 @@ enum Model {
         case: Box<Case>,
         acting: Acting,
         /// By what its acceleration of the base is multiplied; none where no earthquake acts.
-        shaking: Option<[f64; 2]>,
+        shaking: Option<Shaking>,
         /// Shortcut where of the case's numbers wave heights alone are random.
         quick: Option<Box<Quick>>,
     },
@@ -133,17 +133,20 @@ impl ChanceProblem {
         let wrong = |(problem, span)| file.random_error(problem, span);
         let (inputs, laws) = Resolve(Names::Case(file, &case, moving)).all(random).map_err(wrong)?;
         is_answerable(&case).map_err(|fault| file.error(fault))?;
+        if let Some(plan) = case.plan.as_ref().filter(|_| inputs.iter().any(RandomInput::is_bias)) {
+            return Err(file.error(plan.not_for("a bias that is random")));
+        }
         let lines = Lines::of(&inputs, Some(&case));
         let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
         let mut unnamed = file.inputs().clone();
         [Key::Title, Key::Note].into_iter().for_each(|key| unnamed.remove(key.into()));
         let is_random = |key| inputs.iter().any(|input| input.is_key(key));
-        let moved = [Key::Horizontal, Key::Vertical].map(is_random);
+        let moved = [Key::Horizontal, Key::Vertical, Key::HorizontalZ].map(is_random);
         let mut problems = Vec::new();
         for acting in case.acting() {
             by_chance(&case, acting, &inputs).map_err(|fault| file.error(fault))?;
             let shakings = case.under(acting).shakings_if(acting, moved);
-            let each: Vec<Option<[f64; 2]>> =
+            let each: Vec<Option<Shaking>> =
                 if shakings.is_empty() { vec![None] } else { shakings.into_iter().map(Some).collect() };
             for shaking in each {
                 let trial = Trial::shaken(shaking);
@@ -210,7 +213,8 @@ impl ChanceProblem {
         let [sideways, upwards] = [Key::Horizontal, Key::Vertical].map(is_random);
         // Of a case that is not shaken itself, the sign tells.
         let towards = |value: f64, sign: f64| if value == 0.0 { sign } else { value };
-        let turned = |(earthquake, [side, way]): (Earthquake, [f64; 2])| {
+        let turned = |(earthquake, shaking): (Earthquake, Shaking)| {
+            let [side, way, _] = shaking.signs.map(f64::from);
             if sideways || upwards {
                 let side = if towards(earthquake.horizontal(), side) < 0.0 { "left" } else { "right" };
                 let way = match towards(earthquake.vertical(), way) {
@@ -227,10 +231,11 @@ impl ChanceProblem {
             let parts = [
                 part(earthquake.horizontal(), ["to the left", "to the right"]),
                 part(earthquake.vertical(), ["downwards", "upwards"]),
+                part(earthquake.away(), ["towards the viewer", "away from the viewer"]),
             ];
             format!("base acceleration {}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
         };
-        let earthquake = shaking.and_then(|signs| Some((case.shaken(signs)?, signs)));
+        let earthquake = shaking.and_then(|shaking| Some((case.shaken(shaking)?, shaking)));
         match (name, earthquake.map(turned)) {
             (Some(name), Some(shaken)) => Some(format!("{name}, {shaken}")),
             (name, shaken) => name.or(shaken),
@@ -294,6 +299,16 @@ impl ChanceProblem {
         self.joints() > 0
     }
 
+    /// True if its base is seen from above: it is answered whether the body rests, and what ends rest, not in which mode it then moves.
+    pub fn is_on_plan(&self) -> bool {
+        self.case().is_some_and(|(case, _)| case.plan.is_some())
+    }
+
+    /// True if what happens is told without modes of the report's plane.
+    pub fn is_without_modes(&self) -> bool {
+        self.has_joints() || self.is_on_plan()
+    }
+
     /// True if the base may crush, or the ground fail: modes on it are not those of the report's plane.
     pub fn gives_way(&self) -> bool {
         self.case().is_some_and(|(case, _)| case.gives_way())
@@ -314,10 +329,15 @@ impl ChanceProblem {
 
     /// The outcomes that exclude each other and add up to one.
     pub(super) fn exclusive(&self) -> impl Iterator<Item = usize> + use<> {
-        let joints = self.joints();
+        let (joints, on_plan) = (self.joints(), self.is_on_plan());
         let of_joints = (joints > 0).then(|| outcome::of_joints(joints, self.gives_way()));
-        let of_one = (joints == 0).then(|| outcome::exclusive(self.gives_way()));
-        of_joints.into_iter().flatten().chain(of_one.into_iter().flatten())
+        let of_plan = on_plan.then(outcome::on_plan);
+        let of_one = (joints == 0 && !on_plan).then(|| outcome::exclusive(self.gives_way()));
+        of_joints
+            .into_iter()
+            .flatten()
+            .chain(of_plan.into_iter().flatten())
+            .chain(of_one.into_iter().flatten())
     }
 
     /// Those of them that are not rest.
@@ -423,6 +443,12 @@ impl ChanceProblem {
             Components::of(&situation, None, formulas).ok()
         });
         Some(Components { above: above.collect::<Option<_>>()?, ..whole })
+    }
+
+    /// The body with its loads with these values of all numbers; none if they do not go together.
+    pub(super) fn situation_with(&self, values: &[f64]) -> Option<Situation> {
+        let Model::Case { acting, shaking, .. } = &self.model else { return None };
+        self.case_with(values)?.situation(*acting, Trial::shaken(*shaking)).ok()
     }
 
     /// The case with these values of all numbers but friction; none if they do not go together.

@@ -131,6 +131,11 @@ impl RandomInput {
         self.is_key(Key::KineticFriction)
     }
 
+    /// True if it is a bias of some loads.
+    pub(super) fn is_bias(&self) -> bool {
+        matches!(self.quantity, Quantity::Bias(_))
+    }
+
     /// True if the wrench is linear in it.
     pub(super) fn is_linear(&self) -> bool {
         match &self.quantity {

@@ -320,7 +320,7 @@ fn roots([c0, c1, c2]: [f64; 3]) -> [f64; 2] {
 }
 
 /// The outcomes of a line that change at some of these values and nowhere else.
-fn between(mut at: Vec<f64>, pieces: &mut Pieces, mut outcomes: impl FnMut(f64) -> u64) {
+pub(super) fn between(mut at: Vec<f64>, pieces: &mut Pieces, mut outcomes: impl FnMut(f64) -> u64) {
     at.retain(|value| value.is_finite());
     at.sort_by(f64::total_cmp);
     at.dedup();

@@ -2,7 +2,7 @@
 
 use standfast::{Slip, Stability, Verdict};
 
-use super::{Assessed, Assessment, combination, joints, verdict};
+use super::{Assessed, Assessment, combination, joints, plan, verdict};
 use crate::case::{Acting, Case, Direction, PointForce};
 use crate::key::Table;
 use crate::layout::{columns, digits, paragraph, row};
@@ -68,7 +68,9 @@ fn results(assessed: &Assessed) -> Vec<String> {
         least(Stability::overturning),
         verdict::departure_word(&assessed.departure()),
         first.unwrap_or_else(|| {
-            assessed.departure().verdict().map_or(String::new(), |verdict| verdict.symbol().to_owned())
+            let on_plan = assessed.outcome.plan.as_ref().map(|answer| plan::symbols(&answer.departure));
+            let in_plane = || assessed.departure().verdict().map(|verdict| verdict.symbol().to_owned());
+            on_plan.or_else(in_plane).unwrap_or_default()
         }),
         match assessed.is_unique() {
             Some(true) => "yes",
@@ -129,7 +131,12 @@ fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
         "down" => ("↓", "downwards"),
         _ => ("↑", "upwards"),
     };
-    let mut rows = vec![row!["force F", format!("{} {arrow} {towards}", case.output.force(force.magnitude))]];
+    let turned = force.across.as_ref().and_then(|across| across.direction_deg);
+    let towards = match turned {
+        Some(degrees) => plan::direction_words(degrees.rem_euclid(360.0)),
+        None => format!("{arrow} {towards}"),
+    };
+    let mut rows = vec![row!["force F", format!("{} {towards}", case.output.force(force.magnitude))]];
     match (force.direction, force.distance) {
         (Direction::Sideways(_), _) | (_, None) => {
             let above = force.elevation - case.body.centroid_height();
@@ -143,6 +150,9 @@ fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
         (_, Some(distance)) => {
             rows.push(row!["distance", format!("{} right of O", case.output.length(distance))])
         }
+    }
+    if let Some(z) = force.across.as_ref().map(|across| across.z).filter(|z| *z != 0.0) {
+        rows.push(row!["along the length", format!("{} away from its middle", case.output.length(z))]);
     }
     if let Some(lever) = &force.lever {
         rows.push(row!["on", lever.clone()]);
@@ -174,6 +184,7 @@ pub(super) fn tried(case: &Case, assessed: &Assessed) -> String {
     let pairs = |assessed: &Assessed| combination::pairs(case, assessed.acting, assessed.trial);
     let of_pairs = pairs(assessed);
     let (is_shaken, under) = (assessed.earthquake.is_some(), case.under(assessed.acting));
+    let on_plan = assessed.outcome.plan.is_some();
     let mut rows = vec![Vec::new(), Vec::new()];
     for (name, _) in &of_pairs {
         rows[0].push((*name).to_owned());
@@ -182,6 +193,10 @@ pub(super) fn tried(case: &Case, assessed: &Assessed) -> String {
     if is_shaken {
         rows[0].extend(row!["right", "up"]);
         rows[1].extend(row!["of g", "of g"]);
+        if on_plan {
+            rows[0].extend(row!["away"]);
+            rows[1].extend(row!["of g"]);
+        }
     }
     let before = rows[0].len();
     rows[0].extend(row!["", "SF", "SF", "leaves", "", ""]);
@@ -190,7 +205,10 @@ pub(super) fn tried(case: &Case, assessed: &Assessed) -> String {
     rows.extend(assessed.tried().map(|assessed| {
         let mut row: Vec<String> = pairs(assessed).iter().map(|(_, factor)| digits(*factor)).collect();
         let earthquake = assessed.earthquake.iter();
-        row.extend(earthquake.flat_map(|given| [share(given.horizontal()), share(given.vertical())]));
+        row.extend(earthquake.flat_map(|given| {
+            let away = on_plan.then(|| share(given.away()));
+            [share(given.horizontal()), share(given.vertical())].into_iter().chain(away)
+        }));
         row.extend(results(assessed));
         row
     }));

@@ -12,6 +12,7 @@ use standfast_figures::{
 
 use super::{Assessed, Assessment, AssessmentView, section};
 use crate::case::Limit;
+use crate::directions;
 use crate::document::AnswerFigure;
 use crate::layout::digits;
 
@@ -78,12 +79,14 @@ pub(super) fn of(
         // Both are of one body.
         let bends = assessed.situation.opens_up_to(up_to)
             || assessed.outcome.held.is_some()
-            || assessed.joints.is_some();
+            || assessed.joints.is_some()
+            || assessed.outcome.plan.is_some();
         if assessed.rises() && assessed.situation.in_air().is_none() && !bends {
             figures.push(path(assessment, assessed, &suffix, up_to)?);
         }
         figures.extend(rotation(assessment, assessed, &suffix)?);
         figures.extend(of_joints(assessment, assessed, &suffix, up_to));
+        figures.extend(directions::of_assessed(assessment, assessed, &suffix));
     }
     figures.push(AnswerFigure {
         suffix: "-section".to_owned(),

@@ -15,6 +15,7 @@ use super::holding::{AdhesionEntry, ResistanceEntry};
 use super::joints::JointEntries;
 use super::made::{MadeLoad, made_loads};
 use super::opening::BaseOpeningEntry;
+use super::plan::{DirectionEntry, PlanEntry};
 use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck, combination};
 use crate::case::{Acting, Case, ChangeBy, Code, Direction, GodaWaves, PointForce};
 use crate::json::{CheckEntry, SCHEMA, number_or_word, written};
@@ -135,6 +136,11 @@ struct Situation<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     made_loads: Vec<MadeLoad>,
     path: Vec<PathStage>,
+    /// Of a base seen from above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    plan: Option<PlanEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    directions: Option<Vec<DirectionEntry>>,
     /// Of bodies on joints.
     #[serde(flatten)]
     joints: Option<JointEntries<'a>>,
@@ -163,7 +169,8 @@ struct Results<'a> {
 
 impl Serialize for Results<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let told = |result: &&ResultName| !result.is_of_ground() && result.is_told(self.criteria);
+        let is_apart = |result: &ResultName| result.is_of_ground() || result.is_of_plan();
+        let told = |result: &&ResultName| !is_apart(result) && result.is_told(self.criteria);
         let mut map = serializer.serialize_map(None)?;
         for result in ResultName::ALL.iter().filter(told) {
             map.serialize_entry(result.name(), &result.of(self.of))?;
@@ -312,6 +319,9 @@ struct Tried<'a> {
 struct Earthquake {
     horizontal: f64,
     vertical: f64,
+    /// Away from the viewer of the section, where it is not zero.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    horizontal_z: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -383,6 +393,9 @@ struct Component {
     factor: f64,
     #[serde(flatten)]
     wrench: Wrench,
+    /// Of a base seen from above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    z: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -490,7 +503,9 @@ impl<'a> Situation<'a> {
     fn of(assessment: &'a Assessment, assessed: &'a Assessed, view: &AssessmentView) -> Situation<'a> {
         let case = &assessment.case;
         let full = &assessed.outcome.full;
-        let one_body = assessed.joints.is_none();
+        let on_plan = assessed.outcome.plan.is_some();
+        let one_body = assessed.joints.is_none() && !on_plan;
+        let (plan, directions) = PlanEntry::of(assessed).unzip();
         Situation {
             load: match assessed.acting {
                 Acting::Alone(index) => Some(Force::of(&case.forces[index])),
@@ -528,6 +543,7 @@ impl<'a> Situation<'a> {
                     permanent: component.load.permanent,
                     factor: component.load.factor,
                     wrench: component.wrench,
+                    z: on_plan.then(|| assessed.situation.away(&component.load)),
                 })
                 .collect(),
             base_opening: BaseOpeningEntry::of(assessed),
@@ -538,6 +554,8 @@ impl<'a> Situation<'a> {
                 true => assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
                 false => Vec::new(),
             },
+            plan,
+            directions,
             joints: JointEntries::of(case, assessed, view),
             // The report's ground is rigid.
             report: full.effective.as_ref().filter(|_| one_body && !assessed.is_on_ground()).map(|reduced| {
@@ -547,6 +565,7 @@ impl<'a> Situation<'a> {
                 }
             }),
             no_report: match () {
+                () if on_plan => Some("plan"),
                 () if !one_body => Some("joints"),
                 () if assessed.is_on_ground() => Some("base-gives-way"),
                 () if full.effective.is_none() => Some("no-point"),
@@ -632,7 +651,12 @@ impl<'a> Tried<'a> {
 
 impl Earthquake {
     fn of(earthquake: &loads::Earthquake) -> Earthquake {
-        Earthquake { horizontal: earthquake.horizontal(), vertical: earthquake.vertical() }
+        let away = earthquake.away();
+        Earthquake {
+            horizontal: earthquake.horizontal(),
+            vertical: earthquake.vertical(),
+            horizontal_z: (away != 0.0).then_some(away),
+        }
     }
 }
 

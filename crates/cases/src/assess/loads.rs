@@ -3,7 +3,7 @@
 use standfast::loads::Load;
 use standfast::{Plan, Wrench};
 
-use super::{Assessed, Component};
+use super::{Assessed, Component, plan};
 use crate::case::{Case, Waves, Weight};
 use crate::layout::{columns, digits, paragraph, row};
 use crate::summary::listed;
@@ -25,7 +25,7 @@ const WOBBLE: &str = "The motion is computed in the plane of the loads. A cylind
 /// Notes on the effects that the answer to a case leaves out, in sentences.
 pub fn left_out(case: &Case) -> Vec<&'static str> {
     let mut notes = Vec::new();
-    if case.body.plan() == Plan::Circle {
+    if case.body.plan() == Plan::Circle && case.plan.is_none() {
         notes.push(WOBBLE);
     }
     if case.added_mass.mass() > 0.0 {
@@ -67,6 +67,9 @@ pub(super) fn body(case: &Case) -> String {
         rows.push(row!["centre of mass", place]);
         let inertia = format!("{} about it", output.inertia(body.moment_of_inertia()));
         rows.push(row!["moment of inertia", inertia]);
+    }
+    if let Some(base) = plan::base(case) {
+        rows.push(row!["base from above", base]);
     }
     if case.kinetic_friction == case.friction {
         rows.push(row!["friction μ", digits(case.friction)]);
@@ -156,6 +159,9 @@ pub fn share(load: &Load) -> String {
 /// The loads one by one, and their sum under the full load.
 pub(super) fn components(assessed: &Assessed) -> String {
     let output = assessed.output;
+    if assessed.outcome.plan.is_some() {
+        return plan::components(assessed);
+    }
     let [force, moment] = [Dimension::Force, Dimension::Moment].map(|dimension| output.symbol(dimension));
     let mut rows =
         vec![row!["", "", "left", "down", "moment at C"], row!["load", "", force.as_str(), force, moment]];

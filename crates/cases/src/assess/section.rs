@@ -1,5 +1,6 @@
 //! The section of a case: its body, levels and loads as the figure draws them.
 
+mod plan;
 mod under;
 
 use standfast::loads::{Action, Face, Load, LoadId, LoadSource, PressureAt};
@@ -13,6 +14,7 @@ use standfast_figures::{
 use standfast_model::load_words;
 
 use super::Assessment;
+use super::plan::direction_words;
 use super::{holding, joints};
 use crate::case::{
     Acting, Case, Direction, GodaWaves, Limit, Made, PointForce, Resistance, SoilFill, StandingWaves, Trial,
@@ -68,7 +70,9 @@ pub(super) fn with_section<T>(
     let worst = assessment.governing();
     let reaction = worst.ground.as_ref().and_then(|ground| under::reaction(case, worst, ground));
     // The line of thrust is that of the accelerations that govern.
-    let trial = if worst.joints.is_some() { worst.trial } else { Trial::AS_GIVEN };
+    // So is the force seen from above.
+    let is_of_worst = worst.joints.is_some() || worst.outcome.plan.is_some();
+    let trial = if is_of_worst { worst.trial } else { Trial::AS_GIVEN };
     let situation = case.situation(Acting::All, trial)?;
     let output = case.output;
     let look = Look { output, slope: case.floor_deg.to_radians() };
@@ -85,6 +89,7 @@ pub(super) fn with_section<T>(
     notes.extend(is_on_soil.then(|| SOIL.to_owned()));
     notes.extend(worst.ground.as_ref().map(|_| under::reaction_words(assessment, worst, reaction.as_ref())));
     notes.extend(worst.joints.as_ref().map(|joints| joints::thrust_words(assessment, worst, joints)));
+    notes.extend(plan::words(case, worst));
     let failure = reaction.as_ref().and_then(|reaction| reaction.failure.as_ref());
     notes.extend(failure.zip(worst.ground.as_ref()).map(|(_, ground)| under::failure_words(ground)));
     let (mut pressures, mut arrows, mut of) =
@@ -104,6 +109,7 @@ pub(super) fn with_section<T>(
     // Behind the loads, of which each arrow is one.
     arrows.extend(case.resistances.iter().map(|resistance| held(output, &case.body, resistance)));
     notes.extend(case.forces.iter().filter_map(|force| couple(output, force)));
+    notes.extend(situation.loads().iter().filter_map(|load| across(output, &situation, load)));
     let section = Section {
         title: case.title.as_deref().unwrap_or_default(),
         parts: &parts(case),
@@ -122,6 +128,7 @@ pub(super) fn with_section<T>(
         reaction,
         friction: Some(under::friction(case)),
         ground: under::ground(case),
+        plan: plan::view(assessment, worst),
         notes,
     };
     Ok(draw(&section, &of))
@@ -426,6 +433,12 @@ fn placed(look: Look, situation: &Situation, load: &Load, at: (f64, f64), is_ins
         };
         words += &place.replace(" -", " −");
     }
+    let away = situation.away(load);
+    if away != 0.0 {
+        let whole = standfast::footprint::degrees([wrench.x, away]);
+        let (force, towards) = (look.output.force(wrench.x.hypot(away)), direction_words(whole));
+        words += &format!(", the part in the section of {force} {towards}");
+    }
     (size != 0.0).then(|| Arrow {
         at,
         towards,
@@ -455,6 +468,15 @@ fn held(output: OutputUnits, body: &Body, resistance: &Resistance) -> Arrow {
         label: format!("≤ {most}"),
         words: format!("{}, holds up to {most} {}", resistance.name, holding::place(resistance, output)),
     }
+}
+
+/// A force square to the section in words, which is not drawn there.
+fn across(output: OutputUnits, situation: &Situation, load: &Load) -> Option<String> {
+    let (wrench, away) = (situation.wrench_of(load), situation.away(load));
+    let towards = direction_words(standfast::footprint::degrees([0.0, away]));
+    (wrench.x == 0.0 && away != 0.0).then(|| {
+        format!("Not drawn in the section: {}, {} {towards}.", load_words(load), output.force(away.abs()))
+    })
 }
 
 /// A couple in words, which is not drawn.
@@ -492,7 +514,8 @@ fn notes(case: &Case) -> Vec<String> {
         notes.push(SLOPES);
     }
     if case.earthquake.is_some() && (case.both_sides || case.both_ways) {
-        notes.push(if case.joints.is_empty() { SHAKEN } else { SHAKEN_WORST });
+        let is_given = case.joints.is_empty() && case.plan.is_none();
+        notes.push(if is_given { SHAKEN } else { SHAKEN_WORST });
     }
     notes.into_iter().map(str::to_owned).collect()
 }

@@ -2,7 +2,7 @@
 
 use standfast::{Boundary, Departure, Mode, Verdict};
 
-use super::{AnyCheck, Assessed, Assessment, Joints, ground, joints, predicate, verdict};
+use super::{AnyCheck, Assessed, Assessment, Joints, ground, joints, plan, predicate, verdict};
 use crate::json::CheckEntry;
 use crate::layout::percent;
 use crate::summary::{
@@ -86,6 +86,7 @@ pub(super) fn happens(assessment: &Assessment, who: &str, does: fn(Option<Verdic
     };
     let moves = |one: &Assessed| match &one.joints {
         Some(joints) => on_joints(joints.at_once(one)),
+        None if one.outcome.plan.is_some() => format!("{place} does not stay at rest"),
         None => format!("{place} {}", does(one.verdict())),
     };
     let stays = match assessment.case.joints.is_empty() {
@@ -129,7 +130,10 @@ fn near(assessment: &Assessment) -> Option<String> {
     let loads = verdict::risen_loads(assessed);
     let departs = match &assessed.joints {
         Some(joints) => near_on_joints(assessed, joints, &loads),
-        None => near_as_one(assessed, &loads),
+        None => match (&assessment.case_of(assessed).plan, &assessed.outcome.plan) {
+            (Some(plan), Some(answer)) => plan::near(plan, assessed, answer, &loads),
+            _ => near_as_one(assessed, &loads),
+        },
     };
     let least = assessment
         .least(|assessed| verdict::least_factor(assessed).map_or(f64::INFINITY, |(least, _)| least));
@@ -140,7 +144,8 @@ fn near(assessment: &Assessment) -> Option<String> {
     let factor = verdict::least_factor(least).map_or(String::new(), |(factor, against)| {
         format!(" The least safety factor is {}, against {against}{under}.", least.output.factor(factor))
     });
-    let is_followed = assessment.in_time.is_none() && assessed.joints.is_none();
+    let is_followed =
+        assessment.in_time.is_none() && assessed.joints.is_none() && assessed.outcome.plan.is_none();
     let points = match verdict::is_object(assessed) && is_followed {
         true => {
             " What it does after the onset, a shaking in time tells: [motion.base] with a record or a shape."

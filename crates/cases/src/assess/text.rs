@@ -6,7 +6,7 @@ use standfast::Mode;
 
 use super::{
     AnyCheck, Assessed, Assessment, AssessmentView, GOVERNING, acting, checks, combination, coordinates,
-    ground, holding, joints, loads, opening, sea, soil, verdict,
+    ground, holding, joints, loads, opening, plan, sea, soil, verdict,
 };
 use crate::case::Case;
 use crate::describe::{self, Scale};
@@ -138,7 +138,9 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     text += "Forces and moments\n";
     text += &loads::components(assessed);
     if first {
-        text += &paragraph("Moments are counter-clockwise about the centre of mass C.", 2);
+        if case.plan.is_none() {
+            text += &paragraph("Moments are counter-clockwise about the centre of mass C.", 2);
+        }
         for note in loads::left_out(under) {
             text += &paragraph(note, 2);
         }
@@ -146,6 +148,12 @@ fn details(case: &Case, assessed: &Assessed, view: &AssessmentView, first: bool)
     }
     if let Some(earthquake) = &assessed.earthquake {
         text += &soil::increments(under, earthquake);
+    }
+    if let Some(answer) = &assessed.outcome.plan {
+        text += &plan::factors(under, assessed, answer);
+        text += "\nVerdict\n";
+        text += &plan::verdict(under, assessed, answer);
+        return text + &acting::tried(case, assessed);
     }
     text += "\nActions\n";
     text += &checks::actions(assessed);

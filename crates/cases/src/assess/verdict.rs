@@ -113,10 +113,12 @@ fn risen(assessed: &Assessed, factor: f64) -> Option<String> {
     match variable[..] {
         [force] if force.source == LoadSource::Force => {
             let wrench = assessed.situation.wrench_of(force);
-            Some(assessed.output.force(factor * wrench.x.hypot(wrench.p)))
+            let away = force.across.as_ref().map_or(0.0, |across| across.away * force.factor);
+            Some(assessed.output.force(factor * wrench.x.hypot(wrench.p).hypot(away)))
         }
         [first, ..] if variable.iter().all(|load| is_shaken_sideways(load)) => {
-            let acceleration = first.factor * assessed.earthquake?.horizontal().abs();
+            let earthquake = assessed.earthquake?;
+            let acceleration = first.factor * earthquake.horizontal().hypot(earthquake.away());
             Some(format!("{} g", digits(factor * acceleration / assessed.situation.gravity())))
         }
         _ => None,

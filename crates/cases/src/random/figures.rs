@@ -136,7 +136,11 @@ fn bars(answer: &Probability, worst: &Chances, title: &str) -> Figure {
             digits(point.first_order())
         );
     }
-    let of = if answer.has_joints() { "Which joint leaves rest first" } else { "How likely each mode is" };
+    let of = match (answer.has_joints(), answer.is_on_plan()) {
+        (true, _) => "Which joint leaves rest first",
+        (_, true) => "How likely rest is, and what ends it",
+        _ => "How likely each mode is",
+    };
     let title = format!("{of}: {title}");
     chance_rows(&ChanceRows { title: &title, caption: &caption, groups: &groups })
 }

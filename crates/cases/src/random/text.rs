@@ -210,7 +210,11 @@ pub(super) fn how(answer: &Probability, chances: &Chances) -> String {
 
 fn chances(answer: &Probability, chances: &Chances) -> String {
     let how = how(answer, chances);
-    let of = if answer.has_joints() { "that each joint leaves rest first" } else { "of each mode" };
+    let of = match (answer.has_joints(), answer.is_on_plan()) {
+        (true, _) => "that each joint leaves rest first",
+        (_, true) => "of rest, and of what ends it,",
+        _ => "of each mode",
+    };
     let mut text = paragraph(&format!("Probability {of} {} ({how})", period(answer)), 0);
     if let Some(situation) = &chances.situation {
         let least = match answer.situations.len() {
@@ -250,12 +254,18 @@ fn paragraphs(sentences: &[String]) -> String {
 /// Note on what is not asked of bodies on joints.
 const FIRST_ALONE: &str = "Of joints it is found which leaves rest first as the loads rise, and how; not what all of them begin with.";
 
+/// Note on what is not asked on a base seen from above.
+const PLAN_ALONE: &str = "On a base seen from above it is found whether the body rests, and what ends rest as the loads rise; not how it then moves.";
+
 /// Sentences on an event: where it would first leave rest, its reliability index, precision, what was cut.
 pub(super) fn notes(answer: &Probability, chances: &Chances) -> Vec<String> {
     let mut notes: Vec<String> =
         [departures(answer, chances), index(chances)].into_iter().flatten().collect();
     if answer.has_joints() {
         notes.push(FIRST_ALONE.to_owned());
+    }
+    if answer.is_on_plan() {
+        notes.push(PLAN_ALONE.to_owned());
     }
     if !chances.precise {
         notes.push(imprecise(answer));
@@ -288,13 +298,17 @@ fn departures(answer: &Probability, chances: &Chances) -> Option<String> {
         modes.iter().map(|(happening, share)| (happening.name(), share.value)).collect();
     shares.retain(|(_, share)| *share >= floor(answer).max(1e-4));
     shares.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let joints = answer.has_joints();
+    let (joints, on_plan) = (answer.has_joints(), answer.is_on_plan());
     let mut parts = Vec::new();
     if !shares.is_empty() {
-        let first = if joints { " first" } else { "" };
+        let first = if joints || on_plan { " first" } else { "" };
         let shares: Vec<String> =
             shares.iter().map(|(name, share)| format!("{name}{first} in {}", of_all(*share))).collect();
-        let leaves = if joints { "" } else { "it would first leave rest into " };
+        let leaves = match (joints, on_plan) {
+            (true, _) => "",
+            (_, true) => "it ",
+            _ => "it would first leave rest into ",
+        };
         parts.push(format!("{leaves}{}", listed(&shares)));
     }
     let others = match joints {
@@ -448,6 +462,9 @@ pub(super) fn words(answer: &Probability, happening: Happening) -> String {
         return answer.first_words(first);
     }
     let name = happening.name();
+    if let Happening::OnPlan { .. } = happening {
+        return happening.words().unwrap_or_default().to_owned();
+    }
     happening.words().map_or(name.clone(), |words| format!("{words}, {name}"))
 }
 

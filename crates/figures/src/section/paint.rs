@@ -110,6 +110,7 @@ impl<'a> Painter<'a> {
         let bottom = self.below(left.bottom.max(right.bottom));
         self.widths(bottom);
         self.inside();
+        self.plan();
         self.labels();
         // On a screen the words stand beside the drawing, for people to choose.
         if !self.look.on_screen {

@@ -127,6 +127,17 @@ impl Problem {
                 "joint 1 is called base; give this one another name".into()
             }
             Problem::SameJoint { .. } => "give each a name of its own".into(),
+            Problem::PlanNotFor { .. } => {
+                "leave one of both out: without [base], `centroid_z`, `z`, `direction_deg` and `horizontal_z` the case lies in the plane of its section"
+                    .into()
+            }
+            Problem::PlanNeedsLength => "`length` of [body] makes it one thing, whose forces are whole: length = \"1.0 m\"".into(),
+            Problem::PlanShape { .. } | Problem::CentroidBesideBase { .. } => {
+                "x counts from mid-width, of parts from the origin of their section; z from the middle of the length, away from the viewer".into()
+            }
+            Problem::TorsionNotFor { .. } => {
+                "a load in the vertical plane through the centre of mass does not turn the body: `z` = `centroid_z`, and one direction at one height".into()
+            }
             Problem::JointsNotFor { .. } => {
                 "leave one of both out: without [[joint]] the parts are one body".into()
             }
@@ -546,6 +557,7 @@ pub fn expected_type(kind: Kind) -> &'static str {
         Kind::Choice { words, .. } => words,
         Kind::Unit(_) => "the name of a unit, in quotes",
         Kind::List(_) => "a list of numbers, each plain or in quotes with its unit",
+        Kind::Pairs(_) => "a list of pairs [x, z], each number plain or in quotes with its unit",
         Kind::Factors => "names of loads with their factors, in braces",
         Kind::Settings => "names of keys with their values, in braces",
         Kind::Ratios => "names with their numbers, in braces",

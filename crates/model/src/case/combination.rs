@@ -14,6 +14,7 @@ use standfast::{Body, Scalar};
 use super::backfill::of_all_layers;
 use super::code::{Code, CodeLoad, NamedLoad, filled};
 use super::loads::{FacePressure, PointForce};
+use super::plan;
 use super::reader::Reader;
 use super::waves::keys_of_others;
 use super::{Acting, Case, LoadOrigin, Made, Resistance, SoilFill};
@@ -76,10 +77,19 @@ pub enum ChangeBy {
 /// One of the ways in which a situation is tried: the signs of the acceleration of the base, and of every pair of factors one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Trial {
-    /// Signs by which the acceleration of the base is multiplied, to the sides and upwards; `None` as it is given.
-    pub signs: Option<[i8; 2]>,
+    /// The way in which the base is shaken; `None` as it is given.
+    pub shaking: Option<Shaking>,
     /// Places of the pairs of which the second factor is taken, as bits.
     pub second: u64,
+}
+
+/// One of the ways in which a base is shaken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shaking {
+    /// Signs by which its acceleration is multiplied, to the sides, upwards, and away from the viewer.
+    pub signs: [i8; 3],
+    /// The edge, from zero, across which the body is pushed, where the worst of all directions is asked for.
+    pub across: Option<u16>,
 }
 
 /// The most pairs of factors that a combination may have: 64 ways to try.
@@ -87,16 +97,11 @@ pub const PAIRS: usize = 6;
 
 impl Trial {
     /// The accelerations as they are given, the first of every pair of factors.
-    pub const AS_GIVEN: Trial = Trial { signs: None, second: 0 };
+    pub const AS_GIVEN: Trial = Trial { shaking: None, second: 0 };
 
-    /// With these signs of the acceleration of the base.
-    pub fn shaken(signs: Option<[f64; 2]>) -> Trial {
-        Trial { signs: signs.map(|signs| signs.map(|sign| if sign < 0.0 { -1 } else { 1 })), second: 0 }
-    }
-
-    /// The signs as factors.
-    pub fn signs(self) -> Option<[f64; 2]> {
-        self.signs.map(|signs| signs.map(f64::from))
+    /// With the base shaken in one of its ways.
+    pub fn shaken(shaking: Option<Shaking>) -> Trial {
+        Trial { shaking, second: 0 }
     }
 }
 
@@ -216,7 +221,7 @@ impl Case {
     /// True if a load acts in a combination, with any factor of a pair.
     pub(super) fn acts_in(&self, combination: &Combination, of: LoadOrigin, load: &Load) -> bool {
         (0..1_u64 << combination.pairs())
-            .any(|second| self.factor(combination, of, load, Trial { signs: None, second }) != 0.0)
+            .any(|second| self.factor(combination, of, load, Trial { shaking: None, second }) != 0.0)
     }
 
     /// The criteria of a situation.
@@ -254,7 +259,7 @@ impl Case {
         let shakings =
             if shakings.is_empty() { vec![None] } else { shakings.into_iter().map(Some).collect() };
         let with = |Trial { second, .. }| {
-            shakings.iter().map(move |signs| Trial { second, ..Trial::shaken(*signs) })
+            shakings.iter().map(move |shaking| Trial { second, ..Trial::shaken(*shaking) })
         };
         self.trials_of_pairs(acting).flat_map(with).collect()
     }
@@ -529,8 +534,10 @@ impl Reader<'_> {
             combination.code = Some(filled.code);
             if combination.criteria.is_none() && !filled.criteria.is_empty() {
                 let buoyant = self.inputs.get(Key::BuoyantWeight).is_some();
+                let on_plan = self.seen_from_above().is_some();
                 let (answered, unanswered) =
                     filled.criteria.into_iter().partition(|criterion: &Criterion| match criterion.key {
+                        key if on_plan => plan::CRITERIA.contains(&key),
                         Key::LeastGround => has_bearing,
                         Key::LeastUplift | Key::GreatestTipping => !buoyant,
                         _ => true,

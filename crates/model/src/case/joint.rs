@@ -391,7 +391,8 @@ impl<T: Scalar> Case<T> {
             Situation::new(joint.above.body().clone(), joint.friction.clone(), case.gravity.clone())?
                 .with_kinetic_friction(joint.kinetic_friction.clone())?
                 .with_added_mass(joint.added_mass.clone());
-        let shaken = trial.signs().and_then(|signs| case.shaken(signs)).or_else(|| case.earthquake.clone());
+        let shaken =
+            trial.shaking.and_then(|shaking| case.shaken(shaking)).or_else(|| case.earthquake.clone());
         let loads = case.loads_above(joint, acting, shaken);
         Ok(situation.with_all(self.factored(loads, joint.above.body(), acting, trial)))
     }
@@ -551,7 +552,7 @@ impl Case {
         let case = self.under(acting);
         let joint = &case.joints[place];
         let situation = self.loaded_above(joint, acting, trial)?;
-        let shaken = trial.signs().and_then(|signs| case.shaken(signs)).or(case.earthquake);
+        let shaken = trial.shaking.and_then(|shaking| case.shaken(shaking)).or(case.earthquake);
         let loads = case.loads_above(joint, acting, shaken);
         Ok(match self.effects(&situation, loads, acting, trial) {
             Some(effects) => situation.with_effects(effects),

@@ -7,6 +7,7 @@ use standfast::{Body, History, InputError, Quantity, Scalar, Slip, Wrench};
 
 use super::history::HistoryOf;
 use super::motion::CaseMotion;
+use super::plan::Turned;
 use super::reader::Reader;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
@@ -43,6 +44,8 @@ pub struct PointForce<T = f64> {
     pub elevation: T,
     /// To the right of O, m; `None` at mid-width, and of a couple.
     pub distance: Option<T>,
+    /// Its direction and place seen from above; `None` in the plane of the section, and of a couple.
+    pub across: Option<Turned<T>>,
     /// What it stands on, where that may be beside or above the body.
     pub lever: Option<String>,
     /// True if it is there all the time.
@@ -105,10 +108,14 @@ impl<T: Scalar> PointForce<T> {
             Direction::Up => (zero(), magnitude),
         };
         let load = Load { permanent, is_fast, name: self.name.clone(), ..Load::force(at, right, up) };
-        match self.direction {
+        let load = match self.direction {
             // Without a magnitude it is still a push.
             Direction::Sideways(_) => Load { kind: LoadKind::Horizontal, ..load },
             _ => load,
+        };
+        match &self.across {
+            Some(turned) => turned.turn(load, self.magnitude.clone()),
+            None => load,
         }
     }
 }
@@ -181,6 +188,7 @@ impl Reader<'_> {
             direction,
             elevation,
             distance,
+            across: self.turned(index, direction)?,
             lever,
             permanent: truth(Key::LoadPermanent),
             together: truth(Key::Together),
@@ -208,6 +216,7 @@ impl Reader<'_> {
             direction: Direction::Turning(side),
             elevation: T::of(0.0),
             distance: None,
+            across: None,
             lever: None,
             permanent: truth(Key::MomentPermanent),
             together: truth(Key::MomentTogether),

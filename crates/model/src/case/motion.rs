@@ -1,5 +1,6 @@
 //! From typed inputs to the motion in time: how the base moves, how corners meet it, how the motion begins, what is asked of it.
 
+use standfast::History;
 use standfast_motion::{BaseMotion, Impact, Initial, MotionError};
 
 use super::Reader;
@@ -14,6 +15,8 @@ use crate::motion::MotionWarning;
 pub struct CaseMotion {
     /// Motion of the base, m/s².
     pub base: BaseMotion,
+    /// Acceleration of the base away from the viewer of the section, m/s².
+    pub away: Option<History>,
     /// Impact of a corner on the base.
     pub impact: Impact,
     /// State in which the motion begins.
@@ -30,7 +33,7 @@ pub struct CaseMotion {
 
 impl CaseMotion {
     /// Puts the warnings of a history beside the others, and passes on the history.
-    pub(crate) fn take(&mut self, read: ReadHistory) -> standfast::History {
+    pub(crate) fn take(&mut self, read: ReadHistory) -> History {
         self.warnings.extend(read.warnings);
         self.step = [self.step, read.step].into_iter().flatten().reduce(f64::max);
         read.history
@@ -42,6 +45,7 @@ impl Reader<'_> {
     pub(crate) fn motion(&self, of: HistoryOf<'_>) -> Result<CaseMotion, Fault> {
         let mut motion = CaseMotion {
             base: BaseMotion::default(),
+            away: None,
             impact: self.impact()?,
             initial: self.initial(),
             t_max: self.number(Key::TMax),
@@ -53,7 +57,11 @@ impl Reader<'_> {
         motion.base.horizontal = horizontal.map(|read| motion.take(read));
         let vertical = self.history(Table::BaseVertical, 0, of)?;
         motion.base.vertical = vertical.map(|read| motion.take(read));
-        if motion.base != BaseMotion::default() && self.inputs.has(Table::Earthquake) {
+        let away = self.history(Table::BaseHorizontalZ, 0, of)?;
+        motion.away = away.map(|read| motion.take(read));
+        if (motion.base != BaseMotion::default() || motion.away.is_some())
+            && self.inputs.has(Table::Earthquake)
+        {
             return Err(Fault::new(Problem::ShakenTwice, Table::Base).and(Table::Earthquake));
         }
         Ok(motion)

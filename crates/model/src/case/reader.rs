@@ -288,10 +288,11 @@ impl Reader<'_> {
         let horizontal: T = self.needed(Key::Horizontal)?;
         let sideways = horizontal.value();
         let vertical = self.scalar(Key::Vertical).unwrap_or_else(|| T::of(0.0));
-        Earthquake::new(horizontal, vertical).map_err(|error| {
+        let earthquake = Earthquake::new(horizontal, vertical).map_err(|error| {
             let key = if error.value == sideways { Key::Horizontal } else { Key::Vertical };
             Fault::new(Problem::Impossible { key, error }, key)
-        })
+        })?;
+        self.earthquake_across(earthquake)
     }
 
     pub(super) fn added_mass<T: Scalar>(

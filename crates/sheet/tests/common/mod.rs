@@ -13,11 +13,13 @@ use standfast_sheet::{Sheet, SheetOptions};
 /// Every example, the cases of validation/goda.toml, and a few that reach what these do not: name and text.
 pub fn cases() -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let mut paths: Vec<_> = ["examples", "examples/joints"]
+    let mut paths: Vec<_> = ["examples", "examples/joints", "examples/directions"]
         .iter()
         .flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap().map(|entry| entry.unwrap().path()))
         .collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    // Its records lie beside it.
+    paths.retain(|path| path.file_name().is_some_and(|name| name != "rack.toml"));
     paths.sort();
     let mut cases: Vec<_> = paths
         .iter()

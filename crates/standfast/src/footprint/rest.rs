@@ -97,7 +97,7 @@ pub(crate) struct Problem<T> {
 /// Limits whose load factors differ by no more than this share are reached together.
 const TIED: f64 = 1e-12;
 
-/// A moment about the centre of pressure that is no more than this share of force times base is none but for rounding.
+/// A moment about the centre of pressure that is no more than this share of the moments it is the difference of is none but for rounding.
 const NO_TORSION: f64 = 1e-9;
 
 impl Footprint {
@@ -208,8 +208,9 @@ impl Problem<Approx> {
         let terms = torsion(self);
         let reach = self.footprint.map(|x| x.value()).size();
         let size = |wrench: &BaseWrench<Approx>| {
-            let [x, z, p] = [&wrench.x, &wrench.z, &wrench.p].map(|part| part.value().abs());
-            [p * reach, x + z]
+            let parts = [&wrench.x, &wrench.z, &wrench.p, &wrench.q_x, &wrench.q_z];
+            let [x, z, p, q_x, q_z] = parts.map(|part| part.value().abs());
+            [p * reach + q_x + q_z, x + z]
         };
         let [[p0, x0], [p1, x1]] = [size(&self.permanent), size(&self.variable)];
         let sizes = [p0 * x0, p0 * x1 + p1 * x0, p1 * x1];
@@ -275,7 +276,7 @@ impl Footprint {
     }
 
     /// The horizontal force that friction has to hold, N: |X|, and on a disc √(|X|² + T_c²/(R² − |c|²)).
-    pub(crate) fn on_friction(&self, full: &BaseWrench) -> f64 {
+    pub fn on_friction(&self, full: &BaseWrench) -> f64 {
         let (Shape::Circle { centre, radius }, Some([x, z])) = (&self.0, full.centre_of_pressure()) else {
             return full.horizontal();
         };

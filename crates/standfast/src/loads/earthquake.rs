@@ -1,7 +1,7 @@
 //! A base that is shaken, and the water that moves with the body.
 
 use super::wave::added_mass_above;
-use super::{Action, Load, LoadKind, LoadSource};
+use super::{Across, Action, Load, LoadKind, LoadSource};
 use crate::ball::Scalar;
 use crate::error::InputError;
 use crate::quantity::Quantity;
@@ -11,6 +11,7 @@ use crate::quantity::Quantity;
 pub struct Earthquake<T = f64> {
     horizontal: T,
     vertical: T,
+    away: T,
 }
 
 /// Water that a horizontal motion carries along.
@@ -27,12 +28,25 @@ impl<T: Scalar> Earthquake<T> {
     /// If one of them is not finite.
     pub fn new(horizontal: T, vertical: T) -> Result<Earthquake<T>, InputError> {
         let acceleration = |value: T| InputError::finite(Quantity::Acceleration, value);
-        Ok(Earthquake { horizontal: acceleration(horizontal)?, vertical: acceleration(vertical)? })
+        let away = T::of(0.0);
+        Ok(Earthquake { horizontal: acceleration(horizontal)?, vertical: acceleration(vertical)?, away })
     }
 
-    /// Earthquake with its accelerations times 1 or −1: to the other side, downwards for upwards.
-    pub fn turned(&self, side: f64, way: f64) -> Earthquake<T> {
-        Earthquake { horizontal: self.horizontal() * T::of(side), vertical: self.vertical() * T::of(way) }
+    /// Earthquake with an acceleration away from the viewer of the section, too (m/s²), on a base [seen from above](crate::footprint).
+    ///
+    /// # Errors
+    /// If it is not finite.
+    pub fn with_away(self, away: T) -> Result<Earthquake<T>, InputError> {
+        Ok(Earthquake { away: InputError::finite(Quantity::Acceleration, away)?, ..self })
+    }
+
+    /// Earthquake with its accelerations times 1 or −1: to the other side, downwards for upwards, towards the viewer for away.
+    pub fn turned(&self, [side, way, away]: [f64; 3]) -> Earthquake<T> {
+        Earthquake {
+            horizontal: self.horizontal() * T::of(side),
+            vertical: self.vertical() * T::of(way),
+            away: self.away() * T::of(away),
+        }
     }
 
     /// To the right, m/s².
@@ -45,14 +59,21 @@ impl<T: Scalar> Earthquake<T> {
         self.vertical.clone()
     }
 
+    /// Away from the viewer of the section, m/s².
+    pub fn away(&self) -> T {
+        self.away.clone()
+    }
+
     /// Inertia of the body; against the shaken wall, water presses as if its mass were shaken, too.
     pub fn loads(&self, water: &AddedMass<T>) -> Vec<Load<T>> {
         use LoadKind::{Horizontal, Weight};
         let zero = || T::of(0.0);
         let mut loads = Vec::new();
-        if self.horizontal != zero() {
+        if self.horizontal != zero() || self.away != zero() {
             let inertia = Action::Inertia { right: self.horizontal(), up: zero() };
-            loads.push(Load::variable(LoadSource::HorizontalInertia, Horizontal, inertia));
+            let load = Load::variable(LoadSource::HorizontalInertia, Horizontal, inertia);
+            let across = || Across { away: self.away(), z: None };
+            loads.push(if self.away == zero() { load } else { load.across(across()) });
             if let Some(height) = water.height() {
                 let push = Action::horizontal(zero() - water.mass() * self.horizontal(), height);
                 loads.push(Load::variable(LoadSource::ShakenWater, Horizontal, push));
@@ -67,7 +88,8 @@ impl<T: Scalar> Earthquake<T> {
 
     /// Earthquake in f64.
     pub fn rounded(&self) -> Earthquake {
-        Earthquake { horizontal: self.horizontal.value(), vertical: self.vertical.value() }
+        let [horizontal, vertical, away] = [&self.horizontal, &self.vertical, &self.away].map(T::value);
+        Earthquake { horizontal, vertical, away }
     }
 }
 

@@ -9,10 +9,11 @@ use crate::departure::Departure;
 use crate::error::InputError;
 use crate::exact::Real;
 use crate::footprint::{BaseWrench, Footprint, PlanDeparture, Problem, Torsion};
-use crate::loads::{Across, Action, Load};
+use crate::loads::{Action, Load};
 use crate::mode::Modes;
 use crate::quantity::{Expected, Quantity};
 use crate::stability::{Bearing, GrossOverturning, Margins, Stability, ratio};
+use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
 use super::{Outcome, Response, SUMMED, Situation};
@@ -61,23 +62,34 @@ impl<T: Scalar> Situation<T> {
     fn at_base(&self, plan: &PlanBase<T>, load: &Load<T>) -> [BaseWrench<T>; 2] {
         let (body, wrench) = (&self.body, self.wrench_of(load));
         let zero = || T::of(0.0);
-        let Across { away, z } = load.across.clone().unwrap_or_else(|| Across { away: zero(), z: None });
+        let z = load.across.as_ref().and_then(|across| across.z.clone());
         let z = z.map_or_else(zero, |z| z - plan.centroid_z.clone());
         let (x, y) = match &load.action {
             Action::Force { at, .. } => (at.x.clone() - body.centroid_offset(), at.y.clone()),
             _ => (zero(), body.centroid_height()),
         };
-        let away = match &load.action {
-            Action::Inertia { .. } => zero() - body.mass() * away,
-            _ => away,
-        };
-        let away = away * load.factor.clone();
+        let away = self.away(load);
         // Of the section's moment about C the push has d X, and what remains is the vertical part's.
         let push = BaseWrench::force_at([wrench.x.clone(), away], zero(), [x, y, z.clone()]);
         let of_weight = body.centroid_height() * wrench.x - wrench.m - push.q_x.clone();
         let vertical =
             BaseWrench { q_x: of_weight, q_z: z * wrench.p.clone(), p: wrench.p, ..BaseWrench::zero() };
         [push, vertical]
+    }
+
+    /// The forces and moments of a load at the point of the base under the centre of mass, those of its vertical forces behind; `None` without a plan.
+    pub fn base_wrench_of(&self, load: &Load<T>) -> Option<[BaseWrench<T>; 2]> {
+        Some(self.at_base(self.plan.as_ref()?, load))
+    }
+
+    /// The force of a load away from the viewer of the section, N.
+    pub fn away(&self, load: &Load<T>) -> T {
+        let away = load.across.as_ref().map_or_else(|| T::of(0.0), |across| across.away.clone());
+        let away = match &load.action {
+            Action::Inertia { .. } => T::of(0.0) - self.body.mass() * away,
+            _ => away,
+        };
+        away * load.factor.clone()
     }
 
     /// The problem of rest on its base, with the sizes of what its sums are made of.
@@ -195,9 +207,10 @@ impl Situation {
             false => Departure::from_rest(departure.load_factor, None),
         };
         let edge = least.filter(|(_, edge)| edge.factor < f64::INFINITY).map(|(place, _)| place);
+        let verdict = departure.rests.then_some(Verdict::REST);
         let plan = PlanOutcome { departure, full, edge };
         Ok(Some(Outcome {
-            full: Response::unknown(wrench),
+            full: Response { verdict, ..Response::unknown(wrench) },
             departure: leaves,
             path: Vec::new(),
             actions,

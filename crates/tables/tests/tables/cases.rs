@@ -248,9 +248,11 @@ fn every_row_is_the_assessment_of_its_case() {
                 let read = |column: &str| read(&folder.path().join(&output), column);
                 // Those of the ground are there if the case has some.
                 let has_ground = file.case().unwrap().ground.is_some();
+                let on_plan = file.case().unwrap().plan.is_some();
                 for result in ResultName::ALL
                     .iter()
                     .filter(|result| result.asked_by().is_none() && (has_ground || !result.is_of_ground()))
+                    .filter(|result| on_plan || !result.is_of_plan())
                 {
                     let of_all =
                         expected.iter().map(|answer| in_file(*result, result.of(answer.governing()), to));
