@@ -178,9 +178,6 @@ impl DirectionAnswer {
     }
 }
 
-/// Friction at which no body slides.
-const HELD: f64 = 1e30;
-
 impl SituationDirections {
     /// The directions of a situation at even steps of so many degrees.
     ///
@@ -244,8 +241,8 @@ fn answer(
     [permanent, turned]: [&BaseWrench; 2],
     degrees: f64,
 ) -> Result<DirectionAnswer, DirectionsError> {
-    let departure = |friction: f64| {
-        footprint.departure(friction, permanent, turned).map_err(|_| DirectionsError::Torsion { degrees })
-    };
-    Ok(DirectionAnswer { degrees, departure: departure(friction)?, tipping: departure(HELD)? })
+    let torsion = |_| DirectionsError::Torsion { degrees };
+    let departure = footprint.departure(friction, permanent, turned).map_err(torsion)?;
+    let tipping = footprint.departure_held(permanent, turned).map_err(torsion)?;
+    Ok(DirectionAnswer { degrees, departure, tipping })
 }

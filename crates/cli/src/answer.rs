@@ -4,10 +4,11 @@ use std::path::Path;
 
 use standfast_cases::Document;
 
-use crate::error::CommandError;
+use crate::error::{CommandError, Result};
 use crate::figures::{self, Figures};
 use crate::files_read::FilesRead;
 use crate::format::{Format, Shown};
+use crate::write;
 
 /// An answer to print, and why a figure of it could not be written, if it could not: the answer is not lost with it.
 #[derive(Debug)]
@@ -50,5 +51,29 @@ impl PrintedAnswer {
             text += &said;
         }
         PrintedAnswer { answer: text, undrawn, met: None }
+    }
+
+    /// The answer with its figures and a table beside it, which is written to a file, if one is asked for; `what` it has is said with its file.
+    ///
+    /// # Errors
+    /// If a figure or the table cannot be written.
+    pub fn with_table<D: Document<View = ()>>(
+        answer: &D,
+        (what, table, csv): (&str, Option<&Path>, fn(&D) -> String),
+        format: Format,
+        figures: Figures<'_>,
+        (case, read): (&Path, &FilesRead),
+    ) -> Result<String> {
+        let mut printed = PrintedAnswer::of(answer, &(), Shown::Whole(format), figures, (case, read));
+        if let Some(error) = printed.undrawn {
+            return Err(error);
+        }
+        if let Some(table) = table {
+            write::write_file(table, csv(answer).as_bytes(), read)?;
+            if format == Format::Text {
+                printed.answer += &format!("{what} written to {}\n", table.display());
+            }
+        }
+        Ok(printed.answer)
     }
 }

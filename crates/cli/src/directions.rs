@@ -8,8 +8,6 @@ use crate::case_file;
 use crate::error::Result;
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
-use crate::format::{Format, Shown};
-use crate::write;
 
 /// Turns the loads of a case file through all directions, draws its figures, and returns what to print.
 ///
@@ -26,16 +24,6 @@ pub fn directions(args: &DirectionsArgs) -> Result<String> {
         read.refuse(csv)?;
     }
     let figures = Figures::asked(args.output.as_deref(), args.no_figures);
-    let mut printed =
-        PrintedAnswer::of(&directions, &(), Shown::Whole(args.format), figures, (&args.case, &read));
-    if let Some(error) = printed.undrawn {
-        return Err(error);
-    }
-    if let Some(out) = &args.csv {
-        write::write_file(out, csv(&directions).as_bytes(), &read)?;
-        if args.format == Format::Text {
-            printed.answer += &format!("Directions written to {}\n", out.display());
-        }
-    }
-    Ok(printed.answer)
+    let table = ("Directions", args.csv.as_deref(), csv as fn(&Directions) -> String);
+    PrintedAnswer::with_table(&directions, table, args.format, figures, (&args.case, &read))
 }

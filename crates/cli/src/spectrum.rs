@@ -8,9 +8,7 @@ use crate::case_file;
 use crate::error::Result;
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
-use crate::format::{Format, Shown};
 use crate::progress::watched;
-use crate::write;
 
 /// Finds the spectrum of a case file, draws it, and returns what to print.
 ///
@@ -40,16 +38,6 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String> {
         return Ok(spectrum_csv(&spectrum));
     }
     let figures = Figures::asked(args.output.as_deref(), false);
-    let mut printed =
-        PrintedAnswer::of(&spectrum, &(), Shown::Whole(args.format), figures, (&args.case, &read));
-    if let Some(error) = printed.undrawn {
-        return Err(error);
-    }
-    if let Some(csv) = &args.csv {
-        write::write_file(csv, spectrum_csv(&spectrum).as_bytes(), &read)?;
-        if args.format == Format::Text {
-            printed.answer += &format!("Points written to {}\n", csv.display());
-        }
-    }
-    Ok(printed.answer)
+    let table = ("Points", args.csv.as_deref(), spectrum_csv as fn(&Spectrum) -> String);
+    PrintedAnswer::with_table(&spectrum, table, args.format, figures, (&args.case, &read))
 }

@@ -760,7 +760,7 @@ pub enum Problem {
         error: FootprintError,
     },
     /// A centre of mass that is not over the base.
-    #[error("the centre of mass is {beside} m beside the base; expected one above it")]
+    #[error("the centre of mass is {} m beside the base; expected one above it", reached(*beside))]
     CentroidBesideBase {
         /// How far beside, m.
         beside: f64,

@@ -47,9 +47,8 @@ impl OnPlan {
     /// The outcomes along friction: what it takes to hold the body rises or falls with λ but has no greatest value between, so that it counts
     /// under no and under all variable loads, under endless ones, and where the body tips or is lifted.
     fn along_friction(&self, asked: Asked, pieces: &mut Pieces) {
-        /// A friction on which nothing slides.
-        const HELD: f64 = 1e30;
-        let Some(held) = self.departure(HELD) else { return nothing(pieces) };
+        let held = self.footprint.departure_held(&self.permanent, &self.variable);
+        let Ok(held) = held else { return nothing(pieces) };
         let needed = |wrench: &BaseWrench| self.footprint.on_friction(wrench) / wrench.p;
         let factors = [0.0, 1.0, held.load_factor];
         let at = factors.map(|factor| needed(&self.at(factor))).into_iter().chain([needed(&self.variable)]);

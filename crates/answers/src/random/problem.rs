@@ -215,13 +215,20 @@ impl ChanceProblem {
         let towards = |value: f64, sign: f64| if value == 0.0 { sign } else { value };
         let turned = |(earthquake, shaking): (Earthquake, Shaking)| {
             let [side, way, _] = shaking.signs.map(f64::from);
-            if sideways || upwards {
-                let side = if towards(earthquake.horizontal(), side) < 0.0 { "left" } else { "right" };
+            let is_turned = case.plan.as_ref().is_some_and(|plan| plan.is_one_direction);
+            let is_drawn = sideways || is_turned && is_random(Key::EarthquakeDirection);
+            if is_drawn || upwards {
                 let way = match towards(earthquake.vertical(), way) {
                     _ if earthquake.vertical() == 0.0 && !upwards => "",
                     down if down < 0.0 => " and downwards",
                     _ => " and upwards",
                 };
+                // The side that a direction has in the case would mislead.
+                if is_turned {
+                    let side = if side < 0.0 { "against" } else { "in" };
+                    return format!("body pushed {side} the direction given{way}");
+                }
+                let side = if towards(earthquake.horizontal(), side) < 0.0 { "left" } else { "right" };
                 return format!("base shaken to the {side}{way}");
             }
             let part = |value: f64, [below, above]: [&str; 2]| {

@@ -4,11 +4,12 @@ use serde::Serialize;
 use standfast::footprint::{BaseWrench, PlanDeparture, PlanLimit};
 use standfast::{Bearing, Departure, Mode, PlanOutcome};
 
-use standfast_answers::directions::SituationDirections;
-use standfast_answers::results::{ResultName, ResultValue, number_or_word};
+use standfast_answers::directions::{DirectionAnswer, SituationDirections};
+use standfast_answers::results::number_or_word;
 
 use super::{Assessed, Component, verdict};
 use crate::case::{Case, CasePlan, PlanOf};
+use crate::json::optional_number_or_word;
 use crate::layout::{columns, digits, paragraph, percent, row};
 use crate::summary::listed;
 use crate::units::Dimension;
@@ -46,13 +47,22 @@ pub fn direction_words(degrees: f64) -> String {
     }
 }
 
-/// The edges about which a body tips, as they stand in a sentence.
-pub(crate) fn edges(plan: &CasePlan, limits: &[PlanLimit]) -> Vec<String> {
-    let edge = |limit: &PlanLimit| match limit {
-        PlanLimit::Tips { edge } => Some(edge_words(plan, *edge)),
+/// The edges about which a body tips, from zero.
+fn tipped(limits: &[PlanLimit]) -> impl Iterator<Item = usize> + '_ {
+    limits.iter().filter_map(|limit| match limit {
+        PlanLimit::Tips { edge } => Some(*edge),
         _ => None,
-    };
-    limits.iter().filter_map(edge).collect()
+    })
+}
+
+/// The same as they stand in a sentence.
+pub(crate) fn edges(plan: &CasePlan, limits: &[PlanLimit]) -> Vec<String> {
+    tipped(limits).map(|edge| edge_words(plan, edge)).collect()
+}
+
+/// The same from one.
+pub(crate) fn edge_numbers(limits: &[PlanLimit]) -> Vec<usize> {
+    tipped(limits).map(|edge| edge + 1).collect()
 }
 
 /// What a body does that leaves rest, as a predicate with its symbol: "tips about its left edge (RO)".
@@ -261,8 +271,9 @@ pub(super) struct PlanEntry {
     slip_deg: Option<f64>,
     /// The direction of the horizontal force where rest ends, degrees.
     direction_deg: Option<f64>,
-    worst_direction_deg: ResultValue,
-    load_factor_worst: ResultValue,
+    worst_direction_deg: Option<f64>,
+    #[serde(serialize_with = "optional_number_or_word")]
+    load_factor_worst: Option<f64>,
     /// False if another direction bears as little.
     unique_in_direction: Option<bool>,
     /// Angular acceleration, which is not found.
@@ -315,6 +326,7 @@ impl PlanEntry {
             mode: modes(&answer.departure).first().copied(),
         });
         let all = all.collect();
+        let worst = directions.as_ref().and_then(|directions| directions.worst.as_ref());
         let entry = PlanEntry {
             rests: departure.rests,
             load_factor,
@@ -326,10 +338,9 @@ impl PlanEntry {
             edges,
             slip_deg: direction_deg.filter(|_| mode == Some("SL")),
             direction_deg,
-            worst_direction_deg: ResultName::WorstDirection.of(assessed),
-            load_factor_worst: ResultName::LoadFactorWorst.of(assessed),
-            unique_in_direction: directions
-                .and_then(|directions| directions.worst.as_ref().map(|_| directions.is_only_worst)),
+            worst_direction_deg: worst.map(|worst| worst.degrees),
+            load_factor_worst: worst.map(DirectionAnswer::load_factor),
+            unique_in_direction: worst.and(directions.as_ref()).map(|directions| directions.is_only_worst),
             alpha: None,
             centre_of_pressure: full.centre_of_pressure(),
             moment_about_it: full.torsion(),
@@ -340,15 +351,6 @@ impl PlanEntry {
         };
         Some((entry, all))
     }
-}
-
-/// The edges among limits, from one.
-pub(crate) fn edge_numbers(limits: &[PlanLimit]) -> Vec<usize> {
-    let edge = |limit: &PlanLimit| match limit {
-        PlanLimit::Tips { edge } => Some(edge + 1),
-        _ => None,
-    };
-    limits.iter().filter_map(edge).collect()
 }
 
 fn symbol(limit: &PlanLimit) -> &'static str {

@@ -389,24 +389,24 @@ fn departure(
         return steps.add(&about, "", [name, formula], factor, FACTOR, KEY);
     }
     // |U_P + λ U_V| = L (V_P + λ V_V), a quadratic in λ.
-    let (limit, slides) = match disc {
+    let (symbol, most) = match disc {
         Some((_, radius)) if across == 3 => {
             steps.told("Radius of the disc", "R_b", radius, METRE, "of the case file's numbers", "");
             ("R_b", radius)
         }
         _ => ("μ", friction),
     };
-    let [whole, grown] = [slides * permanent.p, slides * variable.p];
+    let [whole, grown] = [most * permanent.p, most * variable.p];
     let square = |x: f64, z: f64| x * x + z * z;
     let [u, w] = [[p[across], p[along]], [v[across], v[along]]];
     let a = (square(w[0], w[1]) - grown * grown) / (whole * whole);
     let b = (u[0] * w[0] + u[1] * w[1] - whole * grown) / (whole * whole);
     let c = square(u[0], u[1]) / (whole * whole) - 1.0;
-    let of = format!("({limit} V_P)^2");
+    let of = format!("({symbol} V_P)^2");
     let words = "Quadratic in λ of the condition of rest: of its square, of twice it, alone";
     let formulas = [
-        format!("(U_xV^2 + U_zV^2 − ({limit} V_V)^2)/{of}"),
-        format!("(U_xP U_xV + U_zP U_zV − {limit} V_P {limit} V_V)/{of}"),
+        format!("(U_xV^2 + U_zV^2 − ({symbol} V_V)^2)/{of}"),
+        format!("(U_xP U_xV + U_zP U_zV − {symbol} V_P {symbol} V_V)/{of}"),
         format!("(U_xP^2 + U_zP^2)/{of} − 1"),
     ];
     steps.add(words, "", ["A_λ", &formulas[0]], a, NONE, "");

@@ -115,6 +115,20 @@ impl Footprint {
             Problem { footprint: self.clone(), friction, permanent: *permanent, variable: *variable };
         as_given.map(|x| Approx::of(*x)).departure(&|| as_given.map(|x| Ball::of(*x)))
     }
+
+    /// Where a body that never slides leaves rest as its variable loads rise: it tips, or is lifted.
+    ///
+    /// # Errors
+    /// As [`departure`](Footprint::departure).
+    pub fn departure_held(
+        &self,
+        permanent: &BaseWrench,
+        variable: &BaseWrench,
+    ) -> Result<PlanDeparture, Torsion> {
+        /// A friction on which nothing slides.
+        const HELD: f64 = 1e30;
+        self.departure(HELD, permanent, variable)
+    }
 }
 
 impl<T> Problem<T> {
@@ -290,8 +304,8 @@ impl Footprint {
         if arm > 0.0 { full.horizontal().hypot(moment / arm.sqrt()) } else { f64::INFINITY }
     }
 
-    /// A length that nothing of it is farther away than.
-    pub(crate) fn size(&self) -> f64 {
+    /// A length, m, that nothing of it is farther away than from the point under the centre of mass.
+    pub fn size(&self) -> f64 {
         match &self.0 {
             Shape::Polygon(vertices, _) => vertices.iter().map(|[x, z]| x.hypot(*z)).fold(0.0, f64::max),
             Shape::Circle { centre: [x, z], radius } => x.hypot(*z) + radius,

@@ -1,7 +1,6 @@
 //! The base of a case seen from above, as the section's figure draws it.
 
 use standfast::Plan;
-use standfast::footprint::Footprint;
 use standfast_figures::{PlanPlace, PlanView};
 
 use super::super::plan::edge_words;
@@ -41,7 +40,7 @@ pub(super) fn view(assessment: &Assessment, assessed: &Assessed) -> Option<PlanV
     let size = full.horizontal();
     let force = (size > 0.0).then(|| ((full.x / size, full.z / size), output.force(size)));
     // One far off would make the picture small.
-    let reach = size_of(footprint);
+    let reach = footprint.size();
     let pressure = full.centre_of_pressure().filter(|[x, z]| x.hypot(*z) < 2.0 * reach).map(placed);
     Some(PlanView {
         body: body(case),
@@ -70,11 +69,6 @@ pub(super) fn words(case: &Case, assessed: &Assessed) -> Option<String> {
         "Below, the base seen from above, the viewer of the section at its lower side; h is the distance from below C to the nearest edge, \
          the other dot the centre of pressure.{about}"
     ))
-}
-
-fn size_of(footprint: &Footprint) -> f64 {
-    let far = footprint.vertices().iter().map(|[x, z]| x.hypot(*z)).fold(0.0, f64::max);
-    footprint.disc().map_or(far, |([x, z], radius)| x.hypot(z) + radius)
 }
 
 fn round(centre: PlanPlace, radius: f64) -> Vec<PlanPlace> {
