@@ -76,12 +76,14 @@ def test_a_storm_is_told_while_it_lasts() -> None:
         storm(progress=until)
     assert told[-1] < 100 and told == sorted(told) and len(told) > 1
     assert time.monotonic() - began < 60 and threading.active_count() == threads
-    spent = time.process_time()
-    time.sleep(1.5)
-    # What had begun has ended too, and takes no processor any more.
-    spent = time.process_time()
-    time.sleep(0.5)
-    assert time.process_time() - spent < 0.25
+    # What had begun ends too, and then takes no processor any more: a busy machine may need longer for it.
+    until_idle = time.monotonic() + 60
+    while True:
+        spent = time.process_time()
+        time.sleep(0.5)
+        if time.process_time() - spent < 0.25:
+            break
+        assert time.monotonic() < until_idle
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a signal to oneself ends the process there")

@@ -6,7 +6,7 @@
 
 mod orbit;
 
-use standfast::footprint::{self, BaseWrench, Footprint, PlanDeparture};
+use standfast::footprint::{self, BaseWrench, Footprint, PlanDeparture, PlanLimit};
 
 use crate::assess::{Assessed, Assessment};
 use crate::error::CaseError;
@@ -53,7 +53,7 @@ pub struct SituationDirections {
     pub index: usize,
     /// From 0° up at even steps, below 360°; empty where no horizontal load varies.
     pub all: Vec<DirectionAnswer>,
-    /// Directions of the corners of the base, between which an edge decides.
+    /// Directions of the corners of the area of rest: of corners of the base, and both sides of where sliding gives way to tipping.
     pub corners: Vec<DirectionAnswer>,
     /// The direction that bears least; `None` where no horizontal load varies.
     pub worst: Option<DirectionAnswer>,
@@ -176,6 +176,11 @@ impl DirectionAnswer {
     pub fn load_factor(&self) -> f64 {
         self.departure.load_factor
     }
+
+    /// True if tipping ends rest.
+    pub fn tips(&self) -> bool {
+        matches!(self.departure.limits.first(), Some(PlanLimit::Tips { .. }))
+    }
 }
 
 impl SituationDirections {
@@ -230,9 +235,38 @@ impl SituationDirections {
         let start = permanent.centre_of_pressure().unwrap_or_default();
         let to_corner = |vertex: &[f64; 2]| footprint::degrees([vertex[0] - start[0], vertex[1] - start[1]]);
         let corners = footprint.vertices().iter().map(|vertex| at(to_corner(vertex)));
-        let corners = corners.collect::<Result<_, _>>()?;
+        let mut corners = corners.collect::<Result<Vec<_>, _>>()?;
+        corners.extend(changes(&all, &corners, at)?);
         Ok(SituationDirections { all, corners, worst, is_only_worst, ..none })
     }
+}
+
+/// Directions next to each other, nearer than is seen, of which the body slides in one and tips in the other; between these.
+fn changes(
+    all: &[DirectionAnswer],
+    corners: &[DirectionAnswer],
+    at: impl Fn(f64) -> Result<DirectionAnswer, DirectionsError>,
+) -> Result<Vec<DirectionAnswer>, DirectionsError> {
+    const NEAR: f64 = 1e-6;
+    let mut around: Vec<&DirectionAnswer> = all.iter().chain(corners).collect();
+    around.sort_by(|one, two| one.degrees.total_cmp(&two.degrees));
+    let mut found = Vec::new();
+    for (place, one) in around.iter().enumerate() {
+        let two = around[(place + 1) % around.len()];
+        if one.tips() == two.tips() {
+            continue;
+        }
+        let width = (two.degrees - one.degrees).rem_euclid(360.0);
+        let (mut low, mut high) = (0.0, width);
+        while high - low > NEAR {
+            let middle = 0.5 * (low + high);
+            if at((one.degrees + middle) % 360.0)?.tips() == one.tips() { low = middle } else { high = middle }
+        }
+        for by in [low, high] {
+            found.push(at((one.degrees + by) % 360.0)?);
+        }
+    }
+    Ok(found)
 }
 
 fn answer(

@@ -390,3 +390,28 @@ fn chance_on_a_plan_by_two_ways() {
         assert!((one.value - two.value).abs() < 5.0 * sigma && one.value > 0.02, "{slides}: {one:?} {two:?}");
     }
 }
+
+/// Where sliding gives way to tipping the area of rest has a corner, on the circle and on an edge: both sides of it are told.
+#[test]
+fn the_area_of_rest_has_its_corners() {
+    let text = block(
+        "[base]\nfeet = [[0, 1.2], [-0.9, -0.5], [0.9, -0.5]]\n[[load]]\nforce = 2000\nelevation = 3\ndirection_deg = 270\n",
+    )
+    .replace("friction = 0.7", "friction = 0.3");
+    let answer = Directions::of_file(&file(&text), 90.0).unwrap();
+    let mut corners = answer.all[0].corners.clone();
+    corners.sort_by(|one, two| one.degrees.total_cmp(&two.degrees));
+    // Of three feet, each farther than the circle: three corners of the base, and on both sides of each the end of an edge.
+    assert_eq!(corners.len(), 3 + 6 * 2);
+    let pairs = corners.windows(2).filter(|pair| pair[0].tips() != pair[1].tips());
+    let mut count = 0;
+    for pair in pairs {
+        count += 1;
+        assert!(pair[1].degrees - pair[0].degrees < 1e-5);
+        for one in pair {
+            let tips = one.tipping.load_factor;
+            assert!((one.load_factor() / tips - 1.0).abs() < 1e-6, "{one:?}");
+        }
+    }
+    assert!((5..=6).contains(&count), "{count}");
+}

@@ -11,15 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._answer import Rendered
 from ._arrow import ArrowTable
 from ._assess import case_text
-from ._figure import Figure
+from ._drawn import Drawn
 from ._warnings import mind
 from .plans import DirectionsDocument, SituationDirections
 
 
-class Directions(DirectionsDocument, Rendered):
+class Directions(DirectionsDocument, Drawn):
     """A case over all horizontal directions: :func:`directions`' answer.
 
     ``print`` shows the text of ``standfast directions``; the keys of its JSON document, which ``docs/directions.schema.json`` describes, are
@@ -28,12 +27,6 @@ class Directions(DirectionsDocument, Rendered):
     """
 
     _what = "this answer over directions"
-    _csv: str
-    _drawn: list[tuple[str, str, str, _standfast._Kept]]
-
-    def __init__(self, text: str, document: str, csv: str, drawn: list[tuple[str, str, str, _standfast._Kept]]) -> None:
-        super().__init__(text, document)
-        vars(self).update(_csv=csv, _drawn=drawn)
 
     @property
     def situations(self) -> list[SituationDirections]:
@@ -59,24 +52,6 @@ class Directions(DirectionsDocument, Rendered):
         }
         made = [_standfast.make_array(name, values, None, None, {}) for name, values in columns.items()]
         return ArrowTable(_standfast.make_table(made))
-
-    @property
-    def csv(self) -> str:
-        """The directions as a table in CSV, as ``standfast directions --csv`` writes it."""
-        return self._csv
-
-    @functools.cached_property
-    def figures(self) -> list[Figure]:
-        """The figure of each situation."""
-        return [Figure(words, svg, kept) for words, _, svg, kept in self._drawn]
-
-    @property
-    def svg(self) -> str:
-        """The first figure as an SVG document."""
-        return self.figures[0].svg
-
-    def _repr_svg_(self) -> str:
-        return self.svg
 
     def __getattr__(self, name: str) -> Any:
         situations = self._document["situations"] if not name.startswith("_") else []

@@ -11,10 +11,9 @@ import numpy as np
 
 from . import _standfast
 from ._advice import Advice
-from ._answer import Rendered
 from ._arrow import ArrowTable
 from ._assess import case_text
-from ._figure import Figure
+from ._drawn import Drawn
 from ._named import units_of
 from ._progress import shown
 from ._ranges import Range, values_of
@@ -32,7 +31,7 @@ _OVER = {"rocking": ("size", "slenderness"), "newmark": ("ratio",), "overturning
 _UNITS = {"size": "m", "left": "m", "right": "m", "max_slide": "m", "slide": "m", "max_theta": "rad"}
 
 
-class Spectrum(SpectrumDocument, Rendered):
+class Spectrum(SpectrumDocument, Drawn):
     """What many bodies do under one shaking: :func:`spectrum`'s answer.
 
     ``print`` shows the text of ``standfast spectrum``; the keys of its JSON document, which ``docs/spectrum.schema.json`` describes, are
@@ -40,13 +39,11 @@ class Spectrum(SpectrumDocument, Rendered):
     """
 
     _what = "this spectrum"
-    _csv: str
-    _drawn: list[tuple[str, str, str, _standfast._Kept]]
     _si: bool
 
     def __init__(self, text: str, document: str, csv: str, drawn: list[tuple[str, str, str, _standfast._Kept]], si: bool) -> None:
-        super().__init__(text, document)
-        vars(self).update(_csv=csv, _drawn=drawn, _si=si)
+        super().__init__(text, document, csv, drawn)
+        vars(self).update(_si=si)
 
     @functools.cached_property
     def points(self) -> ArrowTable:
@@ -60,24 +57,6 @@ class Spectrum(SpectrumDocument, Rendered):
             given = values if isinstance(values[0], str) else np.array(values)
             columns.append(_standfast.make_array(name, given, None, None, metadata))
         return ArrowTable(_standfast.make_table(columns))
-
-    @property
-    def csv(self) -> str:
-        """The points as a table in CSV."""
-        return self._csv
-
-    @functools.cached_property
-    def figures(self) -> list[Figure]:
-        """The figure of the spectrum, in a list as those of the other answers."""
-        return [Figure(words, svg, kept) for words, _, svg, kept in self._drawn]
-
-    @property
-    def svg(self) -> str:
-        """The figure as an SVG document."""
-        return self.figures[0].svg
-
-    def _repr_svg_(self) -> str:
-        return self.svg
 
     def __repr__(self) -> str:
         return f"<Spectrum {self.kind} of {self.title or 'a case'}: {len(self._document['points'])} motions>"

@@ -1,7 +1,7 @@
 //! The figures of a case over all directions.
 
 use standfast::Mode;
-use standfast::footprint::{BaseWrench, PlanDeparture, PlanLimit};
+use standfast::footprint::{BaseWrench, PlanDeparture};
 use standfast_answers::directions::{DirectionAnswer, Directions, Orbit, SituationDirections};
 use standfast_figures::{DirectionsChart, Figure, directions, directions_on_screen};
 
@@ -67,11 +67,8 @@ fn with_chart(
     let mut around: Vec<&DirectionAnswer> = of.all.iter().chain(&of.corners).collect();
     around.sort_by(|one, two| one.degrees.total_cmp(&two.degrees));
     let at = |departure: &PlanDeparture| departure.wrench.as_ref().map(place);
-    let mode = |departure: &PlanDeparture| match departure.limits.first() {
-        Some(PlanLimit::Tips { .. }) => Mode::RockO,
-        _ => Mode::SlideLeft,
-    };
-    let rest = around.iter().filter_map(|one| Some((at(&one.departure)?, mode(&one.departure))));
+    let mode = |one: &DirectionAnswer| if one.tips() { Mode::RockO } else { Mode::SlideLeft };
+    let rest = around.iter().filter_map(|one| Some((at(&one.departure)?, mode(one))));
     let rest: Vec<_> = rest.collect();
     let tipping: Vec<_> = around.iter().filter_map(|one| at(&one.tipping)).collect();
     let points: Vec<_> =
