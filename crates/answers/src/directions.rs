@@ -260,7 +260,11 @@ fn changes(
         let (mut low, mut high) = (0.0, width);
         while high - low > NEAR {
             let middle = 0.5 * (low + high);
-            if at((one.degrees + middle) % 360.0)?.tips() == one.tips() { low = middle } else { high = middle }
+            if at((one.degrees + middle) % 360.0)?.tips() == one.tips() {
+                low = middle
+            } else {
+                high = middle
+            }
         }
         for by in [low, high] {
             found.push(at((one.degrees + by) % 360.0)?);

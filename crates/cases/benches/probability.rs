@@ -8,7 +8,7 @@ use std::time::Instant;
 use standfast::Mode;
 use standfast_cases::CaseFile;
 use standfast_cases::random::{ChanceProblem, ChanceRequest, Effort, Probability};
-use standfast_probability::integrate::integrate;
+use standfast_probability::integrate::{Within, integrate};
 
 const PLANE: &str = "[point]\ngamma = 0.8\nk_prime = 0.9167\n[random]\nmu = { normal = { mean = 0.6, sd = 0.1 }, lower = 0 }\n\
                      k = { normal = { mean = 0.45, sd = 0.12 }, lower = 0 }\n";
@@ -39,7 +39,7 @@ fn main() {
         ChanceProblem::of_file(&CaseFile::parse("case", PLANE).expect("a point")).expect("a point").remove(0);
     let modes: Vec<u64> = Mode::ALL.into_iter().map(|mode| 1 << mode.code()).collect();
     let slide_rock = [1 << Mode::SlideRockOLeft.code()];
-    let of = |sets: &[u64]| drop(black_box(integrate(problem.laws(), &problem, sets)));
+    let of = |sets: &[u64]| drop(black_box(integrate(problem.laws(), &problem, sets, Within::ALL_DIGITS)));
     least("point of the plane, two normals: SRO- alone", 200, || of(&slide_rock));
     least("point of the plane: all modes", 200, || of(&modes));
     least("point of the plane: the whole answer, of its text", 200, || all(PLANE));

@@ -415,3 +415,45 @@ fn the_area_of_rest_has_its_corners() {
     }
     assert!((5..=6).contains(&count), "{count}");
 }
+
+/// Arcs of directions that are narrower than any scan: where an edge is reached by two thousandths more than it bears, and where friction
+/// ends rest at corners alone. By hand on a square; at a million directions on three feet, of which the way out is a ray.
+#[test]
+fn narrow_arcs_of_directions_are_not_missed() {
+    let chances = |text: &str| {
+        let answer = Probability::of(&file(text), ChanceRequest::default()).unwrap();
+        let chances = &answer.situations[0];
+        let slides = chances.first_departure.modes.iter().find(|(mode, _)| mode.name() == "slides");
+        (chances.not_rest.value, slides.map_or(0.0, |(_, share)| share.value))
+    };
+    let random = "[random]\n\"load[1].direction_deg\" = { uniform = { from = 0, to = 360 } }\n";
+    let load = |force: f64| format!("[[load]]\nforce = {force}\nelevation = 3\ndirection_deg = 30\n{random}");
+    for force in [3333.4_f64, 3340.0, 3400.0, 4000.0] {
+        let exact = 8.0 * (1e4 / 3.0 / force).acos().to_degrees() / 360.0;
+        let (found, _) = chances(&block(&load(force)));
+        assert!((found / exact - 1.0).abs() < 1e-9, "{force}: {found} {exact}");
+        // A second number, which hardly differs, keeps them.
+        let two = block(&load(force)) + "\"load[1].force\" = { normal = { mean = 3400, cov = 1e-9 } }\n";
+        let exact = 8.0 * (1e4 / 3.0 / 3400f64).acos().to_degrees() / 360.0;
+        assert!((chances(&two).0 / exact - 1.0).abs() < 1e-6);
+    }
+    let corners = [[0.0, 1.2], [-0.9, -0.5], [0.9, -0.5]];
+    let feet = "[base]\nfeet = [[0, 1.2], [-0.9, -0.5], [0.9, -0.5]]\n";
+    for (friction, force) in [(0.3, 1700.0), (0.33, 1668.0), (0.342, 1700.0)] {
+        let text = block(&format!("{feet}{}", load(force)))
+            .replace("friction = 0.7", &format!("friction = {friction}"));
+        let (found, slides) = chances(&text);
+        let all = 200_000;
+        let (mut moves, mut first) = (0, 0);
+        for place in 0..all {
+            let (sin, cos) = ((f64::from(place) + 0.5) / f64::from(all) * std::f64::consts::TAU).sin_cos();
+            let tips = tips(&corners, [-cos, sin], 3.0);
+            moves += i32::from(force / 1e4 > tips.min(friction));
+            first += i32::from(friction < tips);
+        }
+        let [moves, first] = [moves, first].map(|count| f64::from(count) / f64::from(all));
+        assert!((found - moves).abs() < 3e-5, "{friction}: {found} {moves}");
+        assert!((slides - first).abs() < 3e-5, "{friction}: {slides} {first}");
+        assert!(first > 0.0 && moves > 0.0);
+    }
+}

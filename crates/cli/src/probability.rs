@@ -15,7 +15,7 @@ use crate::error::{CommandError, Result};
 use crate::figures::Figures;
 use crate::files_read::FilesRead;
 use crate::format::{Format, Shown};
-use crate::progress::watched;
+use crate::progress::refined;
 use crate::write::{self, ExtensionError, Pending};
 
 /// A file of draws, whose extension says how it is written.
@@ -67,7 +67,7 @@ pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer> {
     let plainly = ChanceRequest { effort, years: args.years, follow, ..ChanceRequest::default() };
     let request = args.method.map_or(plainly, |method| plainly.with(method));
     let over = args.over.as_ref();
-    let answer = &watched(|portion| Probability::under(&case, request, over, &[], portion))?;
+    let answer = &refined(|portion| Probability::under(&case, request, over, &[], portion))?;
     if args.check && answer.criterion.is_none() {
         return Err(CommandError::NothingToCheck {
             path: args.case.clone(),

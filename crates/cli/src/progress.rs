@@ -1,7 +1,7 @@
 //! Progress of a run, on a terminal and for who interrupts it.
 
 use std::io::{self, Write};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Once};
 use std::time::{Duration, Instant};
 
@@ -64,6 +64,8 @@ struct Work {
     start: Instant,
     bar: ProgressBar,
     shown: Once,
+    /// True once an answer is wanted as good as it has become.
+    is_enough: AtomicBool,
 }
 
 /// Parts of the bar of [`Work`].
@@ -78,20 +80,51 @@ impl Watch for Work {
         }
         self.bar.set_position(((share * PARTS as f64) as u64).max(self.bar.position()));
     }
+
+    fn is_enough(&self) -> bool {
+        self.is_enough.load(Ordering::Relaxed)
+    }
+}
+
+/// Outcome of an interrupt.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Interrupt {
+    /// The program ends.
+    Ends,
+    /// The first is answered with what there is by then.
+    Answers,
 }
 
 /// Does long work, with a bar on standard error if that is a terminal. An interrupt ends the program and says how far the work was: it
 /// writes nothing before it is done.
 pub fn watched<T>(work: impl FnOnce(Portion<'_>) -> T) -> T {
+    with_bar(Interrupt::Ends, work)
+}
+
+/// Does long work, as [`watched`] does, whose answer becomes better the longer it takes: an interrupt has it answered as it is, another one
+/// ends the program.
+pub fn refined<T>(work: impl FnOnce(Portion<'_>) -> T) -> T {
+    with_bar(Interrupt::Answers, work)
+}
+
+fn with_bar<T>(interrupt: Interrupt, work: impl FnOnce(Portion<'_>) -> T) -> T {
     let bar = ProgressBar::with_draw_target(Some(PARTS), ProgressDrawTarget::hidden());
     let bar = bar.with_style(style("{bar:40} {percent}%  {eta} left"));
-    let watch = Arc::new(Work { start: Instant::now(), bar, shown: Once::new() });
+    let is_enough = AtomicBool::new(false);
+    let watch = Arc::new(Work { start: Instant::now(), bar, shown: Once::new(), is_enough });
     let interrupted = Arc::clone(&watch);
     // Without a handler the program ends all the same.
     let _ = ctrlc::set_handler(move || {
+        let percent = 100 * interrupted.bar.position() / PARTS;
+        if interrupt == Interrupt::Answers && !interrupted.is_enough.swap(true, Ordering::Relaxed) {
+            let words = "the answer follows as precise as it is; interrupt again to end without one";
+            interrupted.bar.suspend(|| {
+                let _ = writeln!(io::stderr(), "interrupted at {percent} %: {words}");
+            });
+            return;
+        }
         // What is done may be being written.
         if !interrupted.bar.is_finished() {
-            let percent = 100 * interrupted.bar.position() / PARTS;
             interrupted.bar.finish_and_clear();
             let _ = writeln!(io::stderr(), "interrupted at {percent} %; nothing was written");
         }

@@ -425,10 +425,9 @@ impl Table {
 
     /// Its keys, in their order.
     pub fn keys(self) -> impl Iterator<Item = Key> {
-        Key::ALL.iter().copied().filter(move |key| {
-            let of = key.info().table;
-            of == self.listed() || of == Table::Soil && self.is_of_soil()
-        })
+        let (listed, is_of_soil) = (self.listed(), self.is_of_soil());
+        let is_among = move |of: Table| of == listed || of == Table::Soil && is_of_soil;
+        Key::ALL.iter().zip(&TABLES).filter(move |(_, of)| is_among(**of)).map(|(key, _)| *key)
     }
 
     /// Lines of a file that have the table right.

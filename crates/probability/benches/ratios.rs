@@ -6,7 +6,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use standfast_probability::integrate::integrate;
+use standfast_probability::integrate::{Within, integrate};
 use standfast_probability::law::Law;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::{Effort, draws, monte_carlo, sobol};
@@ -57,7 +57,7 @@ fn main() {
     println!("two normals drawn alone      {:8.1} ns a sample", each(alone, count));
     println!("plain Monte Carlo            {:8.1} ns a sample", each(counted, taken));
     println!("    over drawing alone       {:8.2}", each(counted, taken) / each(alone, count));
-    let integral = least(50, || drop(black_box(integrate(&inputs, &Less, &[1]))));
+    let integral = least(50, || drop(black_box(integrate(&inputs, &Less, &[1], Within::ALL_DIGITS))));
     println!("integral to all digits       {:8.1} µs", 1e6 * integral);
     let points = Effort { points: 1 << 16, ..effort };
     let mut used = 0;

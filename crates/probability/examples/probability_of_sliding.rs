@@ -8,7 +8,7 @@ use std::error::Error;
 use standfast::contact::friction;
 use standfast::loads::{Action, Load, LoadKind, LoadSource};
 use standfast::{Body, Mode, Situation};
-use standfast_probability::integrate::integrate;
+use standfast_probability::integrate::{Within, integrate};
 use standfast_probability::law::Law;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 
@@ -60,7 +60,7 @@ fn sliding() -> Result<f64, Box<dyn Error>> {
         RandomVector::independent(vec![Law::normal(0.6, 0.06)?.into(), Law::normal(1.7e6, 0.2e6)?.into()]);
     let caisson = Caisson(Body::new(WIDTH, HEIGHT, MASS)?);
     let slides = 1 << Mode::SlideLeft.code();
-    Ok(integrate(&inputs, &caisson, &[slides]).probabilities[0])
+    Ok(integrate(&inputs, &caisson, &[slides], Within::ALL_DIGITS)?.probabilities[0])
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

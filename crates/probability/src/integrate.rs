@@ -6,6 +6,9 @@
 //! where the list of patterns along the inner one changes. Between the kinks panels are halved until Gauss's rule and Kronrod's about it
 //! agree: that difference is the error stated, far more than that of the finer rule, which is the answer, where the scan met every kink.
 
+use standfast_watch::Portion;
+use thiserror::Error;
+
 use crate::problem::{Frame, Outcomes, RandomVector, Scratch, mixed};
 use crate::{REACH, legendre, normal};
 
@@ -23,15 +26,51 @@ pub struct Integrated {
     pub evaluations: u64,
 }
 
+/// How far an integration goes.
+#[derive(Clone, Copy)]
+pub struct Within<'w> {
+    /// Probability below which a contribution is negligible, whatever the integral.
+    pub negligible: f64,
+    /// The most times that the pieces of a line may be asked for: then no panel is halved any more, and each error is what it is.
+    pub evaluations: u64,
+    /// The portion of longer work that it is; a share of it is done as the same share of the evaluations is.
+    pub portion: Portion<'w>,
+}
+
+impl Within<'static> {
+    /// All digits, whatever that takes.
+    pub const ALL_DIGITS: Within<'static> =
+        Within { negligible: 1e-18, evaluations: u64::MAX, portion: Portion::UNSEEN };
+}
+
+/// Reason why there is no integral: its bounds were reached, or it was stopped, before each panel was integrated once.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[error("{evaluations} evaluations do not reach over the whole of an integral")]
+pub struct OutOfBounds {
+    /// Number of evaluations that were allowed or, of one that was stopped, made.
+    pub evaluations: u64,
+}
+
 /// The probability of each set of outcomes (a bit for each outcome; outcomes of one set exclude each other).
+///
+/// # Errors
+/// If that is not within the bounds.
 ///
 /// # Panics
 /// For more than [`MOST_DIMENSIONS`] inputs beside the line.
-pub fn integrate<O: Outcomes>(inputs: &RandomVector, outcomes: &O, sets: &[u64]) -> Integrated {
-    Nest::of(&Frame::new(inputs, outcomes), sets, None)
+pub fn integrate<O: Outcomes>(
+    inputs: &RandomVector,
+    outcomes: &O,
+    sets: &[u64],
+    within: Within<'_>,
+) -> Result<Integrated, OutOfBounds> {
+    Nest::of(&Frame::new(inputs, outcomes), sets, None, within)
 }
 
 /// Probability of each set, as [`integrate`] has it, with the input of this number known to have its median.
+///
+/// # Errors
+/// As [`integrate`].
 ///
 /// # Panics
 /// For more than [`MOST_DIMENSIONS`] inputs beside the line and the known one.
@@ -40,8 +79,9 @@ pub fn integrate_known<O: Outcomes>(
     outcomes: &O,
     sets: &[u64],
     known: usize,
-) -> Integrated {
-    Nest::of(&Frame::holding(inputs, outcomes, known), sets, None)
+    within: Within<'_>,
+) -> Result<Integrated, OutOfBounds> {
+    Nest::of(&Frame::holding(inputs, outcomes, known), sets, None, within)
 }
 
 /// Inputs of which some are drawn anew each year, and the others once.
@@ -56,6 +96,9 @@ pub struct Life {
 /// The probability that each set of outcomes is met at least once in a life, E[1 − (1 − p)ⁿ] with the yearly probability p for what
 /// is drawn once. The line has to be drawn yearly.
 ///
+/// # Errors
+/// As [`integrate`].
+///
 /// # Panics
 /// For more than [`MOST_DIMENSIONS`] inputs beside the line, a line that is drawn once, or a list of another length.
 pub fn integrate_life<O: Outcomes>(
@@ -63,24 +106,29 @@ pub fn integrate_life<O: Outcomes>(
     outcomes: &O,
     sets: &[u64],
     life: &Life,
-) -> Integrated {
+    within: Within<'_>,
+) -> Result<Integrated, OutOfBounds> {
     assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
     assert!(life.yearly[outcomes.line()], "the line is drawn yearly");
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();
-    Nest::of(&Frame::last(inputs, outcomes, |input| life.yearly[input]), sets, Some((once, life.years)))
+    let frame = Frame::last(inputs, outcomes, |input| life.yearly[input]);
+    Nest::of(&frame, sets, Some((once, life.years)), within)
 }
 
 /// Integrals within integrals.
-struct Nest<'f, 'a, O> {
+struct Nest<'f, 'a, 'w, O> {
     frame: &'f Frame<'a, O>,
     sets: &'f [u64],
     /// From which depth on a year is integrated, and how many years follow each other.
     life: Option<(usize, f64)>,
-    /// Probability below which a contribution is negligible, whatever the integral.
-    negligible: f64,
+    within: Within<'w>,
     scratch: Scratch,
     point: Vec<f64>,
     evaluations: u64,
+    /// True if no more evaluations are allowed, or wanted.
+    is_spent: bool,
+    /// True once each panel of the outermost integral is integrated.
+    has_all: bool,
 }
 
 /// An integral for each set, and its error.
@@ -96,30 +144,15 @@ struct Panel {
     differs: Vec<f64>,
 }
 
-/// Probability of each set, as [`integrate`] has it, where those below `floor` need not be precise.
-///
-/// # Panics
-/// For more than [`MOST_DIMENSIONS`] inputs beside the line.
-pub fn integrate_above<O: Outcomes>(
-    inputs: &RandomVector,
-    outcomes: &O,
-    sets: &[u64],
-    floor: f64,
-) -> Integrated {
-    Nest::to(&Frame::new(inputs, outcomes), sets, None, NEGLIGIBLE.max(PRECISION * floor))
-}
-
 /// Relative to an integral, by what the rules of one panel may differ. What the finer leaves is far less.
 const PRECISION: f64 = 1e-9;
-/// Probability below which a contribution is negligible, whatever the integral.
-const NEGLIGIBLE: f64 = 1e-18;
 /// The share of it that may be left out beyond the ends of one integral, so that an answer of 1e-16 has its digits.
 const LEFT_OUT: f64 = 1e-10;
 /// Steps in u of the search for kinks: of the outermost integral, and of those inside.
 const SCAN: f64 = 0.1875;
 const INNER_SCAN: f64 = 0.375;
-/// So many kinks within one step are none: rounding makes the pattern change from one value to the next, in the tails, where a boundary is the
-/// small difference of large terms. Halving has to do there, and has nothing to do.
+/// So many kinks within one step are a crowd: rounding makes the pattern change from one value to the next, in the tails, where a boundary is
+/// the small difference of large terms, or where boundaries meet at the end of a law. Its ends are kinks, and between them is nothing to be seen.
 const CROWDED: usize = 8;
 /// Distance in u up to which kinks are listed: beyond lies 2e-21.
 const LISTED: f64 = 9.375;
@@ -137,30 +170,51 @@ const WIDEST: f64 = 3.0;
 /// Largest number of halvings of a panel.
 const HALVINGS: u32 = 14;
 
-impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
-    fn of(frame: &'f Frame<'a, O>, sets: &'f [u64], life: Option<(usize, f64)>) -> Integrated {
-        Nest::to(frame, sets, life, NEGLIGIBLE)
-    }
-
-    fn to(
+impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
+    fn of(
         frame: &'f Frame<'a, O>,
         sets: &'f [u64],
         life: Option<(usize, f64)>,
-        negligible: f64,
-    ) -> Integrated {
+        within: Within<'w>,
+    ) -> Result<Integrated, OutOfBounds> {
         let n = frame.dimensions();
         assert!(n <= MOST_DIMENSIONS, "{n} inputs beside the line, at most {MOST_DIMENSIONS} are integrated");
         let mut nest = Nest {
             frame,
             sets,
             life,
-            negligible,
+            within,
             scratch: frame.scratch(),
             point: vec![0.0; n],
             evaluations: 0,
+            is_spent: false,
+            has_all: n == 0,
         };
         let Sum { values, errors } = nest.from(0, 1.0);
-        Integrated { probabilities: values, errors, evaluations: nest.evaluations }
+        let evaluations = nest.evaluations;
+        let integrated = Integrated { probabilities: values, errors, evaluations };
+        if nest.is_lost() { Err(OutOfBounds { evaluations }) } else { Ok(integrated) }
+    }
+
+    /// True if there will be no integral: what is evaluated then is not used.
+    fn is_lost(&self) -> bool {
+        self.is_spent && !self.has_all
+    }
+
+    /// One evaluation more.
+    fn count(&mut self) {
+        /// So many evaluations are told at once.
+        const TOLD: u64 = 256;
+        if self.is_lost() {
+            return;
+        }
+        self.evaluations += 1;
+        if self.evaluations.is_multiple_of(TOLD) {
+            let Within { evaluations, portion, .. } = self.within;
+            portion.reached(self.evaluations as f64 / evaluations as f64);
+            self.is_spent |= portion.is_enough();
+        }
+        self.is_spent |= self.evaluations >= self.within.evaluations;
     }
 
     /// The integral over the normals from number `depth` on, those before being given; `weight` is the density already there.
@@ -177,7 +231,11 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
     }
 
     fn at_point(&mut self) -> Sum {
-        self.evaluations += 1;
+        self.count();
+        if self.is_lost() {
+            let nothing = vec![0.0; self.sets.len()];
+            return Sum { values: nothing.clone(), errors: nothing };
+        }
         self.frame.evaluate(&self.point, &mut self.scratch);
         let values: Vec<f64> = self.sets.iter().map(|set| self.scratch.of_set(*set)).collect();
         Sum { errors: vec![0.0; values.len()], values }
@@ -185,7 +243,7 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
 
     /// Distance to which an integral has to go where the density is already `weight`: the rest is seen in no answer.
     fn reach(&self, weight: f64) -> f64 {
-        let beyond = LEFT_OUT * self.negligible / weight;
+        let beyond = LEFT_OUT * self.within.negligible / weight;
         if beyond >= 0.5 { 0.0 } else { normal::quantile_above(beyond).min(REACH) }
     }
 
@@ -201,22 +259,27 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
             let parts = ((pair[1] - pair[0]) / WIDEST).ceil().max(1.0);
             let width = (pair[1] - pair[0]) / parts;
             for i in 0..parts as u32 {
+                if self.is_lost() {
+                    break;
+                }
                 let a = pair[0] + f64::from(i) * width;
                 let panel = self.panel(depth, weight, a, a + width);
                 panels.push((a, a + width, 0, panel));
             }
         }
+        self.has_all |= depth == 0 && !self.is_lost();
         let count = self.sets.len();
         let scale: Vec<f64> = (0..count)
             .map(|k| PRECISION * panels.iter().map(|(.., panel)| panel.sum.values[k]).sum::<f64>())
             .collect();
-        let floor = self.negligible / weight;
+        let floor = self.within.negligible / weight;
         let mut total = Sum { values: vec![0.0; count], errors: vec![0.0; count] };
         // From left to right, so that sums are added in one order.
         panels.reverse();
         while let Some((a, b, halvings, panel)) = panels.pop() {
             let done = (0..count).all(|k| panel.differs[k] <= scale[k].max(floor))
                 || halvings == HALVINGS
+                || self.is_spent
                 || normal::between(a, b) <= floor;
             if done {
                 for k in 0..count {
@@ -256,25 +319,14 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
     /// Values at which the pattern changes along the normal with number `depth`, with the ends of its range. At a kink
     /// that is not quite met nothing is lost but the square of what it is missed by; a step is found to the last bit.
     fn kinks(&mut self, depth: usize, weight: f64, reach: f64) -> Vec<f64> {
-        let (mut ends, mut last) = (vec![-reach], self.pattern(depth, -reach));
-        for (a, b) in steps(reach, SCAN) {
-            let here = self.pattern(depth, b);
-            let mut found = Vec::new();
-            self.part(depth, COARSE, (a, last), (b, here), &mut |kink, _| {
-                found.push(kink);
-                found.len() < CROWDED
-            });
-            if found.len() == CROWDED {
-                found.clear();
-            }
-            for kink in found {
+        let (mut ends, mut last) = (vec![-reach], (-reach, self.pattern(depth, -reach)));
+        for (_, b) in steps(reach, SCAN) {
+            let here = (b, self.pattern(depth, b));
+            for kink in self.changes(depth, COARSE, last, here) {
                 let before = kink - COARSE * kink.abs().max(1.0);
                 if self.is_step(depth, weight, before, kink) {
-                    let sides = [before, kink].map(|u| (u, self.pattern(depth, u)));
-                    self.part(depth, LAST_BIT, sides[0], sides[1], &mut |kink, _| {
-                        ends.push(kink);
-                        true
-                    });
+                    let [below, above] = [before, kink].map(|u| (u, self.pattern(depth, u)));
+                    ends.extend(self.changes(depth, LAST_BIT, below, above));
                 } else {
                     ends.push(kink);
                 }
@@ -282,7 +334,31 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
             last = here;
         }
         ends.push(reach);
+        // Changes that lie closer than the resolution are found in any order.
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
         ends
+    }
+
+    /// Every change of the pattern between two values, from left to right; of a crowd of them its two ends.
+    fn changes(&mut self, depth: usize, resolution: f64, below: (f64, u64), above: (f64, u64)) -> Vec<f64> {
+        let mut found = Vec::new();
+        let is_all = self.part(depth, resolution, below, above, &mut |at, _| {
+            found.push(at);
+            found.len() < CROWDED
+        });
+        if is_all {
+            return found;
+        }
+        let (mut from, mut to) = (found[0], above.0);
+        while to - from >= resolution * from.abs().max(1.0) {
+            let middle = 0.5 * (from + to);
+            if middle <= from || middle >= to {
+                break;
+            }
+            if self.pattern(depth, middle) == above.1 { to = middle } else { from = middle }
+        }
+        vec![found[0], to]
     }
 
     /// True if probabilities differ between two values that are next to each other.
@@ -292,7 +368,8 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
             self.from(depth + 1, normal::density(u).max(f64::MIN_POSITIVE)).values
         });
         // Of a rare outcome a small step is all there is: what is lost at it counts as far as an answer sees it.
-        let seen = UNSEEN * self.negligible / (weight * normal::density(b) * (b - a)).max(f64::MIN_POSITIVE);
+        let seen =
+            UNSEEN * self.within.negligible / (weight * normal::density(b) * (b - a)).max(f64::MIN_POSITIVE);
         one.iter().zip(&other).any(|(one, other)| {
             let change = (one - other).abs();
             change > STEP || change > seen.max(RARE_STEP * one.max(*other))
@@ -326,7 +403,10 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
     fn pattern(&mut self, depth: usize, u: f64) -> u64 {
         self.point[depth] = u;
         if depth + 1 == self.point.len() {
-            self.evaluations += 1;
+            self.count();
+            if self.is_lost() {
+                return 0;
+            }
             return self.frame.evaluate(&self.point, &mut self.scratch);
         }
         let mut last = self.pattern(depth + 1, -LISTED);

@@ -21,7 +21,7 @@
 //! ```
 //! use standfast_probability::law::Law;
 //! use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
-//! use standfast_probability::{form, integrate::integrate};
+//! use standfast_probability::{form, integrate::{Within, integrate}};
 //!
 //! /// Fails where the first input, a resistance, is below the second, a load.
 //! struct Fails;
@@ -37,7 +37,7 @@
 //!
 //! let inputs = RandomVector::independent(vec![Law::normal(0.6, 0.06)?.into(), Law::normal(0.3, 0.08)?.into()]);
 //! let failing = 1; // the set of outcome 0
-//! let p = integrate(&inputs, &Fails, &[failing]).probabilities[0];
+//! let p = integrate(&inputs, &Fails, &[failing], Within::ALL_DIGITS)?.probabilities[0];
 //! assert!((p - 0.00135).abs() < 1e-5); // Φ(−3)
 //! let point = form::design_point(&inputs, &Fails, failing).unwrap();
 //! assert!((point.beta - 3.0).abs() < 1e-9);

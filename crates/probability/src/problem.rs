@@ -90,13 +90,18 @@ impl Pieces {
     }
 
     /// Finds the intervals of a line by its law: a scan, and where the outcomes change from one value to the next, bisection
-    /// to the last bit. For lines whose boundaries have no closed form. `at` gives the outcomes that hold, a bit for each.
-    pub fn scan(&mut self, law: &Distribution, at: impl Fn(f64) -> u64) {
+    /// to the last bit. For lines whose boundaries have no closed form. `marks` are values that are looked at beside those of the scan, in any
+    /// order: those on both sides of outcomes that hold on less than its step. `at` gives the outcomes that hold, a bit for each.
+    pub fn scan(&mut self, law: &Distribution, marks: &[f64], at: impl Fn(f64) -> u64) {
         let value = |i: u32| law.value(crate::REACH * (2.0 * f64::from(i) / f64::from(SCAN) - 1.0));
+        let (first, last) = (value(0), value(SCAN));
+        let marks = marks.iter().copied().filter(|mark| first < *mark && *mark < last);
+        let mut ends: Vec<f64> = (1..=SCAN).map(value).chain(marks).collect();
+        ends.sort_by(f64::total_cmp);
         let mut from = f64::NEG_INFINITY;
-        let (mut x, mut holds) = (value(0), at(value(0)));
-        for i in 1..=SCAN {
-            let (end, then) = (value(i), at(value(i)));
+        let (mut x, mut holds) = (first, at(first));
+        for end in ends {
+            let then = at(end);
             while holds != then {
                 // The first change: what follows it may change again before the end.
                 let (mut low, mut high, mut beyond) = (x, end, then);

@@ -39,7 +39,8 @@ impl Default for Effort {
     }
 }
 
-/// An effort, and the portion of longer work that it is. A sampling that is stopped returns what it has, which is no answer.
+/// An effort, and the portion of longer work that it is. A sampling that is stopped returns what it has, which is no answer; one that has
+/// given enough, the answer before its points were last doubled.
 #[derive(Clone, Copy)]
 pub struct Work<'w> {
     /// The effort.
@@ -208,7 +209,7 @@ impl Averages {
         let first = first.min(1 << each.ilog2());
         let mut sums = vec![vec![0.0; count]; SCRAMBLES];
         let mut taken = 0;
-        let mut course = Vec::new();
+        let mut course: Vec<(u64, Vec<Estimate>)> = Vec::new();
         let pace = Pace::of(portion, effort.points / cost);
         loop {
             let next = if taken == 0 { first } else { 2 * taken };
@@ -227,7 +228,7 @@ impl Averages {
                 move |run: usize| {
                     let (scramble, from, to) = runs[run];
                     let mut sums = vec![0.0; count];
-                    for index in (from..to).take_while(|_| !portion.is_stopped()) {
+                    for index in (from..to).take_while(|_| !is_over(portion, taken)) {
                         point.iter_mut().zip(sequences[scramble].point(index)).for_each(|(x, p)| *x = p);
                         work(scramble, index, &point, &mut sums);
                     }
@@ -235,6 +236,9 @@ impl Averages {
                     sums
                 }
             });
+            if let Some((points, estimates)) = course.last().filter(|_| is_over(portion, taken)) {
+                return Sampled { estimates: estimates.clone(), points: *points, precise: false, course };
+            }
             for ((scramble, ..), result) in runs.iter().zip(results) {
                 sums[*scramble].iter_mut().zip(result).for_each(|(sum, part)| *sum += part);
             }
@@ -255,6 +259,11 @@ impl Averages {
             }
         }
     }
+}
+
+/// True if no more points are to be taken: of work that is stopped, and where what was taken already is enough.
+fn is_over(portion: Portion<'_>, taken: u64) -> bool {
+    if taken == 0 { portion.is_stopped() } else { portion.is_enough() }
 }
 
 /// Progress of points that are taken until they are enough: how many that will be is reckoned anew at each doubling.
@@ -313,7 +322,7 @@ pub fn monte_carlo<'w, O: Outcomes>(
     let Work { effort, portion } = work.into();
     let mut hits = vec![0u64; sets.len()];
     let mut blocks = 0;
-    let mut course = Vec::new();
+    let mut course: Vec<(u64, Vec<Estimate>)> = Vec::new();
     let pace = Pace::of(portion, effort.points);
     loop {
         let next = if blocks == 0 { (effort.points / BLOCK).clamp(1, 4) } else { 2 * blocks };
@@ -321,7 +330,7 @@ pub fn monte_carlo<'w, O: Outcomes>(
             let pace = &pace;
             move |block: usize| {
                 let mut hits = vec![0u64; sets.len()];
-                if portion.is_stopped() {
+                if is_over(portion, blocks) {
                     return hits;
                 }
                 draw_block(inputs, effort.seed, blocks + block as u64, |values| {
@@ -332,6 +341,9 @@ pub fn monte_carlo<'w, O: Outcomes>(
                 hits
             }
         });
+        if let Some((points, estimates)) = course.last().filter(|_| is_over(portion, blocks)) {
+            return Sampled { estimates: estimates.clone(), points: *points, precise: false, course };
+        }
         for result in results {
             hits.iter_mut().zip(result).for_each(|(sum, part)| *sum += part);
         }

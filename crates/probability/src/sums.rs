@@ -187,8 +187,10 @@ pub fn lives<'w, S: Sums>(
     let sequences: Vec<Sobol> =
         (0..SCRAMBLES as u64).map(|scramble| Sobol::new(once, effort.seed, scramble)).collect();
     const RUN: u64 = 64;
-    let runs: Vec<(usize, u64)> = (0..SCRAMBLES)
-        .flat_map(|scramble| (0..each).step_by(RUN as usize).map(move |from| (scramble, from)))
+    // A round has a run of every scramble, so that whole rounds are as good as all, but fewer.
+    let runs: Vec<(usize, u64)> = (0..each)
+        .step_by(RUN as usize)
+        .flat_map(|from| (0..SCRAMBLES).map(move |scramble| (scramble, from)))
         .collect();
     let steps = portion.steps(runs.len());
     let results = shared_out(effort.threads, runs.len(), || {
@@ -197,6 +199,9 @@ pub fn lives<'w, S: Sums>(
         let (runs, sequences, steps) = (&runs, &sequences, &steps);
         move |run: usize| {
             let (scramble, from) = runs[run];
+            if run >= SCRAMBLES && portion.is_enough() {
+                return None;
+            }
             let of_index = |index: u64| {
                 point.iter_mut().zip(sequences[scramble].point(index)).for_each(|(x, p)| *x = p);
                 values.begin(&point);
@@ -214,12 +219,14 @@ pub fn lives<'w, S: Sums>(
             };
             let lives = (from..each.min(from + RUN)).map(of_index).collect::<Vec<LifeSums>>();
             steps.advance();
-            lives
+            Some(lives)
         }
     });
+    let is_whole = |round: &&[Option<Vec<LifeSums>>]| round.iter().all(Option::is_some);
+    let rounds = results.chunks(SCRAMBLES).take_while(is_whole);
     let mut groups = vec![Vec::new(); SCRAMBLES];
-    for ((scramble, _), result) in runs.iter().zip(results) {
-        groups[*scramble].extend(result);
+    for round in rounds {
+        groups.iter_mut().zip(round).for_each(|(group, run)| group.extend(run.iter().flatten()));
     }
     Lives { groups }
 }

@@ -3,11 +3,14 @@
 
 use standfast_probability::copula::{Copula, Correlation, CorrelationMeasure};
 use standfast_probability::form::{design_point, local_design_points};
-use standfast_probability::integrate::{Life, integrate, integrate_known, integrate_life};
+use standfast_probability::integrate::{
+    Life, OutOfBounds, Within, integrate, integrate_known, integrate_life,
+};
 use standfast_probability::law::{Distribution, Law};
 use standfast_probability::normal;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::{Effort, importance, monte_carlo, sobol};
+use standfast_watch::{Portion, Watch};
 
 /// A function of the inputs.
 type Limit<'a> = dyn Fn(&[f64]) -> f64 + Sync + 'a;
@@ -86,7 +89,9 @@ fn omission_is_how_much_farther_the_limit_is_without_a_number() {
 #[test]
 fn integrals_are_those_of_the_benchmarks() {
     let inputs = standard(2);
-    let p = |g: fn(&[f64]) -> f64| integrate(&inputs, &event(&inputs, g), &[1]).probabilities[0];
+    let p = |g: fn(&[f64]) -> f64| {
+        integrate(&inputs, &event(&inputs, g), &[1], Within::ALL_DIGITS).unwrap().probabilities[0]
+    };
     let rp31 = mean(|x| normal::above(2.0 + 256.0 * x.powi(4)));
     assert_close("RP31", p(|x| 2.0 - x[1] + 256.0 * x[0].powi(4)), rp31, 1e-9);
     // In (x₁ + x₂)/√2 and (x₁ − x₂)/√2, which are as normal as x₁ and x₂: a > 2.5 + 0.2 b².
@@ -129,7 +134,12 @@ fn integrals_are_those_of_the_benchmarks() {
         if x1 > 0.0 { normal::below(limit(x1)) } else { normal::above(limit(x1)) }
     });
     let g = |x: &[f64]| x[0] * x[1] - 146.14;
-    assert_close("RP28", integrate(&inputs, &event(&inputs, g), &[1]).probabilities[0], rp28, 1e-7);
+    assert_close(
+        "RP28",
+        integrate(&inputs, &event(&inputs, g), &[1], Within::ALL_DIGITS).unwrap().probabilities[0],
+        rp28,
+        1e-7,
+    );
     assert_close("RP28, published", rp28, 1.46e-7, 2e-2);
 }
 
@@ -192,7 +202,7 @@ fn two_normals_are_a_closed_form() {
         let inputs = RandomVector::new(laws.clone(), copula);
         let deviation = (0.1f64.powi(2) + 0.05f64.powi(2) - 2.0 * rho * 0.1 * 0.05).sqrt();
         let beta = 0.35 / deviation;
-        let answer = integrate(&inputs, &Less, &[1, 2]);
+        let answer = integrate(&inputs, &Less, &[1, 2], Within::ALL_DIGITS).unwrap();
         assert_close("P", answer.probabilities[0], normal::above(beta), 1e-10);
         assert_close("the rest", answer.probabilities[1], normal::below(beta), 1e-10);
         let point = design_point(&inputs, &Less, 1).unwrap();
@@ -204,14 +214,14 @@ fn two_normals_are_a_closed_form() {
         }
         assert_close("on the line", point.values[0], point.values[1], 1e-9);
         // Known to be 0.6: what is left of the second is a normal of deviation 0.05 √(1−ρ²).
-        let known = integrate_known(&inputs, &Less, &[1], 0);
+        let known = integrate_known(&inputs, &Less, &[1], 0, Within::ALL_DIGITS).unwrap();
         assert_close(
             "known friction",
             known.probabilities[0],
             normal::above(0.35 / (0.05 * (1.0 - rho * rho).sqrt())),
             1e-9,
         );
-        let known = integrate_known(&inputs, &Less, &[1], 1);
+        let known = integrate_known(&inputs, &Less, &[1], 1, Within::ALL_DIGITS).unwrap();
         assert_close(
             "known load",
             known.probabilities[0],
@@ -245,11 +255,11 @@ fn what_is_drawn_once_is_not_drawn_yearly() {
     let inputs =
         RandomVector::independent(vec![resistance.clone(), Law::gumbel(mode, scale).unwrap().into()]);
     let life = |yearly| Life { years: 50.0, yearly };
-    let once = integrate_life(&inputs, &Above, &[1], &life(vec![false, true]));
+    let once = integrate_life(&inputs, &Above, &[1], &life(vec![false, true]), Within::ALL_DIGITS).unwrap();
     let tail = |x: f64, n: f64| -libm::expm1(-n * (-(x - mode) / scale).exp());
     let exact = mean(|z| tail(resistance.value(z), 50.0));
     assert_close("drawn once", once.probabilities[0], exact, 1e-9);
-    let yearly = integrate_life(&inputs, &Above, &[1], &life(vec![true, true]));
+    let yearly = integrate_life(&inputs, &Above, &[1], &life(vec![true, true]), Within::ALL_DIGITS).unwrap();
     let exact = -libm::expm1(50.0 * libm::log1p(-mean(|z| tail(resistance.value(z), 1.0))));
     assert_close("drawn yearly", yearly.probabilities[0], exact, 1e-9);
     assert!(yearly.probabilities[0] > 1.2 * once.probabilities[0]);
@@ -326,7 +336,7 @@ fn intervals_hold_what_they_promise() {
     let pair = Correlation { first: 0, second: 1, measure: CorrelationMeasure::Rank(0.4) };
     let copula = Copula::new(&laws, &[pair]).unwrap();
     let inputs = RandomVector::new(laws, copula);
-    let exact = integrate(&inputs, &Bands, &[1, 2, 4]);
+    let exact = integrate(&inputs, &Bands, &[1, 2, 4], Within::ALL_DIGITS).unwrap();
     assert!((exact.probabilities.iter().sum::<f64>() - 1.0).abs() < 1e-10, "{exact:?}");
     let about: Vec<Vec<f64>> =
         local_design_points(&inputs, &Bands, 4).into_iter().map(|point| point.u).collect();
@@ -363,4 +373,59 @@ fn threads_change_nothing() {
     };
     assert_eq!(on(1), on(2));
     assert_eq!(on(1), on(3));
+}
+
+/// Fails below a fold, of which it tells or not.
+struct Fold {
+    is_told: bool,
+}
+
+impl Outcomes for Fold {
+    fn count(&self) -> usize {
+        1
+    }
+    fn line(&self) -> usize {
+        1
+    }
+    fn along(&self, values: &[f64], pieces: &mut Pieces) {
+        pieces.push(f64::NEG_INFINITY, (values[0] - 0.3).abs() + 0.1 * values[2] - 2.0, 0);
+        pieces.branch(u64::from(self.is_told && values[0] > 0.3));
+    }
+    fn at(&self, values: &[f64]) -> u64 {
+        u64::from(values[1] < (values[0] - 0.3).abs() + 0.1 * values[2] - 2.0)
+    }
+}
+
+/// An integral keeps to its bounds: with too few evaluations there is none; with some, and a kink that it has to find by halving, its error
+/// is honest; and who has enough waits no longer.
+#[test]
+fn an_integral_keeps_to_its_bounds() {
+    struct Enough;
+    impl Watch for Enough {
+        fn reached(&self, _: f64) {}
+        fn is_enough(&self) -> bool {
+            true
+        }
+    }
+    let normal = || Law::normal(0.0, 1.0).unwrap().into();
+    let inputs = RandomVector::independent(vec![normal(), normal(), normal()]);
+    let by = |is_told, within| integrate(&inputs, &Fold { is_told }, &[1], within);
+    let few = Within { evaluations: 1000, ..Within::ALL_DIGITS };
+    assert_eq!(by(true, few), Err(OutOfBounds { evaluations: 1000 }));
+    let enough = Within { portion: Portion::whole(&Enough), ..Within::ALL_DIGITS };
+    assert!(by(true, enough).unwrap_err().evaluations < 1000);
+    let exact = by(true, Within::ALL_DIGITS).unwrap().probabilities[0];
+    let all = by(false, Within::ALL_DIGITS).unwrap().evaluations;
+    let mut errors = Vec::new();
+    for share in 1..20 {
+        let most = all * share / 20;
+        let Ok(integrated) = by(false, Within { evaluations: most, ..Within::ALL_DIGITS }) else { continue };
+        // What had begun when they were spent is ended.
+        assert!(integrated.evaluations < most + all / 10, "{} of {most}", integrated.evaluations);
+        let (p, error) = (integrated.probabilities[0], integrated.errors[0]);
+        assert!((p - exact).abs() <= error, "{p} ± {error}, not {exact}");
+        errors.push(error);
+    }
+    let [first, .., last] = errors[..] else { panic!("{errors:?} within {all}") };
+    assert!(last < 0.1 * first, "{errors:?}");
 }

@@ -1,7 +1,7 @@
 //! Lives and sums over many events, against integrals written out here and against events drawn one by one.
 
 use standfast_probability::copula::{Copula, Correlation, CorrelationMeasure};
-use standfast_probability::integrate::{Life, integrate_life};
+use standfast_probability::integrate::{Life, Within, integrate_life};
 use standfast_probability::law::Law;
 use standfast_probability::life::lives;
 use standfast_probability::normal::below;
@@ -63,7 +63,9 @@ fn effort(points: u64) -> Effort {
 fn a_life_is_as_weak_as_its_worst_year() {
     let life = Life { years: YEARS, yearly: vec![false, true, true] };
     let by_hand = mean(|z| 1.0 - below((3.8 + 0.5 * z - 2.2) / 0.5).powf(YEARS));
-    let integrated = integrate_life(&inputs(0.0), &Fails { line: 1 }, &[1], &life).probabilities[0];
+    let integrated = integrate_life(&inputs(0.0), &Fails { line: 1 }, &[1], &life, Within::ALL_DIGITS)
+        .unwrap()
+        .probabilities[0];
     assert!((integrated / by_hand - 1.0).abs() < 1e-8, "{integrated} {by_hand}");
     for line in [0, 1] {
         let found = lives(&inputs(0.0), &Fails { line }, &[1], &life, &effort(1 << 22));

@@ -139,8 +139,8 @@ impl Point {
         self.others_beside(self.mode())
     }
 
-    /// As [`others`](Point::others), where the mode is known.
-    pub(crate) fn others_beside(&self, mode: Mode) -> Modes {
+    /// As [`others`](Point::others), where the [`mode`](Point::mode) is known, which it has to be.
+    pub fn others_beside(&self, mode: Mode) -> Modes {
         let mut others = Modes::NONE;
         if self.k_prime <= -1.0 || self.k_prime >= 0.0 {
             return others;

@@ -38,6 +38,11 @@ pub trait Watch: Sync {
     fn is_stopped(&self) -> bool {
         false
     }
+
+    /// True if an answer is wanted as good as it has become: what gets better the longer it takes ends at the next step that leaves one.
+    fn is_enough(&self) -> bool {
+        false
+    }
 }
 
 /// Reason why there is no answer: whoever watches has stopped the work.
@@ -96,6 +101,11 @@ impl<'w> Portion<'w> {
     /// True if the work is to stop: what comes of it then is no answer.
     pub fn is_stopped(self) -> bool {
         self.watch.is_some_and(Watch::is_stopped)
+    }
+
+    /// True if what gets better the longer it takes is to end with the answer it has; so is work that is stopped.
+    pub fn is_enough(self) -> bool {
+        self.watch.is_some_and(|watch| watch.is_enough() || watch.is_stopped())
     }
 
     /// Goes on unless the work is stopped.

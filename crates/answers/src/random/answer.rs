@@ -117,6 +117,8 @@ pub struct Chances {
     pub line: (String, bool),
     /// The method that was taken.
     pub method: Method,
+    /// True if an integration was begun, and given up for that method because it would have taken too long.
+    pub given_up: bool,
     /// Number of points drawn; of an integration, number of times the modes were asked for.
     pub points: u64,
     /// True if every probability above the floor is as precise as asked.

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use standfast_probability::form::{FormPoint, design_point, distance, local_design_points};
 use standfast_probability::integrate::{
-    Integrated, MOST_DIMENSIONS, integrate, integrate_above, integrate_known, integrate_life,
+    Integrated, MOST_DIMENSIONS, OutOfBounds, Within, integrate, integrate_known, integrate_life,
 };
 use standfast_probability::life::lives;
 use standfast_probability::points::MOST_COORDINATES;
@@ -43,7 +43,7 @@ pub(super) fn event(
     portion: Portion<'_>,
 ) -> Result<(Vec<(Happening, Estimate)>, Estimate), ProbabilityError> {
     let (problem, points) = placed(problem);
-    let (_, sampled) = sampled(&problem, &points, request, portion)?;
+    let sampled = sampled(&problem, &points, request, portion)?.sampled;
     let count = problem.exclusive().count();
     let modes = problem.exclusive().map(Happening::of).zip(sampled.estimates.iter().copied()).collect();
     Ok((modes, sampled.estimates[count]))
@@ -63,18 +63,15 @@ fn placed(problem: &ChanceProblem) -> (Cow<'_, ChanceProblem>, Vec<FormPoint>) {
 
 /// The method asked for, or the one that suits so many numbers and the nearest points at which the body does not rest.
 pub(super) fn method(
-    laws: &RandomVector,
+    problem: &ChanceProblem,
     request: &ChanceRequest,
     points: &[FormPoint],
-    is_on_plan: bool,
 ) -> Result<Method, ProbabilityError> {
-    /// Over directions boundaries have a kink at every corner of the base, at each of which an integral is refined.
-    const ON_PLAN: usize = 2;
-    let numbers = laws.laws().len();
+    let numbers = problem.laws().laws().len();
     let few = numbers <= MOST_DIMENSIONS + 1;
     let too_many = |method, most| Err(ProbabilityError::TooMany { method, most, numbers });
     let far = points.first().is_some_and(|point| point.beta > FAR);
-    let suits = few && (!is_on_plan || numbers <= ON_PLAN);
+    let suits = numbers <= problem.most_integrated();
     let method = request.method.unwrap_or(match (suits, far) {
         (true, _) => Method::Integrate,
         (false, true) => Method::Importance,
@@ -89,20 +86,66 @@ pub(super) fn method(
     }
 }
 
-/// The probabilities of sets of outcomes by a method; about these points where it takes any.
+/// Probabilities of sets of outcomes, and the method by which they were found.
+pub(super) struct Found {
+    /// Method that was taken.
+    pub(super) method: Method,
+    /// Its probabilities.
+    pub(super) sampled: Sampled,
+    /// True if an integration was begun and given up.
+    pub(super) given_up: bool,
+}
+
+/// The probabilities of sets of outcomes by a method; about these points where it takes any. An integration that its bounds do not leave as
+/// precise as asked is given up for Sobol' points.
 pub(super) fn by<O: Outcomes>(
     method: Method,
     laws: &RandomVector,
     outcomes: &O,
     sets: &[u64],
     about: &[Vec<f64>],
-    work: Work<'_>,
-) -> Sampled {
-    match method {
-        Method::Integrate => estimates(&integrate(laws, outcomes, sets)),
+    (work, cost): (Work<'_>, u64),
+) -> Found {
+    let sampled = match method {
+        Method::Integrate => {
+            let [integral, points] = work.portion.parts([1.0, 1.0]);
+            let within = within(&work.effort, cost, integral);
+            let integrated = integrate(laws, outcomes, sets, within);
+            return integral_or(integrated, &work.effort, || {
+                sobol(laws, outcomes, sets, work.effort.within(points))
+            });
+        }
         Method::Sobol => sobol(laws, outcomes, sets, work),
         Method::Importance => importance(laws, outcomes, sets, about, work),
         Method::MonteCarlo => monte_carlo(laws, outcomes, sets, work),
+    };
+    Found { method, sampled, given_up: false }
+}
+
+/// Bounds of an integration: a floor of a millionth leaves a probability of 1e-16 its digits.
+fn within<'w>(effort: &Effort, cost: u64, portion: Portion<'w>) -> Within<'w> {
+    /// The most evaluations of an integral of which each costs no more than one decision: seldom more than a second. What takes more is as
+    /// precise as it is asked to be by far fewer Sobol' points.
+    const MOST: u64 = 1 << 19;
+    /// Digits below the floor that are sought.
+    const BELOW_FLOOR: f64 = 1e-12;
+    let evaluations = (effort.points.min(MOST) / cost).max(1);
+    Within { negligible: BELOW_FLOOR * effort.floor, evaluations, portion }
+}
+
+/// An integral where it is as precise as asked, or what takes its place.
+fn integral_or(
+    integrated: Result<Integrated, OutOfBounds>,
+    effort: &Effort,
+    otherwise: impl FnOnce() -> Sampled,
+) -> Found {
+    let found = integrated.map(|integrated| estimates(&integrated)).ok();
+    let precise = |sampled: &Sampled| {
+        sampled.estimates.iter().all(|estimate| estimate.is_precise(effort.precision, effort.floor))
+    };
+    match found.filter(precise) {
+        Some(sampled) => Found { method: Method::Integrate, sampled, given_up: false },
+        None => Found { method: Method::Sobol, sampled: otherwise(), given_up: true },
     }
 }
 
@@ -135,14 +178,16 @@ fn sampled(
     points: &[FormPoint],
     request: &ChanceRequest,
     portion: Portion<'_>,
-) -> Result<(Method, Sampled), ProbabilityError> {
+) -> Result<Found, ProbabilityError> {
     portion.check()?;
     let laws = problem.laws();
-    let method = method(laws, request, points, problem.is_on_plan())?;
+    let method = method(problem, request, points)?;
     let about =
         if method == Method::Importance { about(problem, points, request.effort.floor) } else { Vec::new() };
-    let mut sampled = by(method, laws, problem, &sets(problem), &about, request.effort.within(portion));
+    let work = request.effort.within(portion);
+    let mut found = by(method, laws, problem, &sets(problem), &about, (work, problem.cost()));
     portion.check()?;
+    let sampled = &mut found.sampled;
     if method == Method::Importance {
         // Points that are weighed do not add up to one where nothing is looked for: rest is what is left.
         let of_moved = sampled.estimates[problem.exclusive().count()];
@@ -158,7 +203,7 @@ fn sampled(
             of_mode.high = of_mode.high.min(others[0].high);
         }
     }
-    Ok((method, sampled))
+    Ok(found)
 }
 
 /// The probabilities of one set of loads.
@@ -175,7 +220,7 @@ pub(super) fn chances(
     let effort = &request.effort;
     let of_life = if problem.life().is_some() { 2.0 } else { 0.0 };
     let [of_modes, each_known, of_departure, of_life] = portion.parts([2.0, numbers as f64, 2.0, of_life]);
-    let (method, sampled) = sampled(problem, &points, request, of_modes)?;
+    let Found { method, sampled, given_up } = sampled(problem, &points, request, of_modes)?;
     // Rare events are looked for about the points found, whatever else is known.
     let about: Vec<Vec<f64>> = match method {
         Method::Importance => points.iter().map(|point| point.u.clone()).collect(),
@@ -187,10 +232,12 @@ pub(super) fn chances(
         let portion = each_known.part(number, numbers);
         portion.check()?;
         let set = [not_rest()];
+        let drawn = || sampled_known(laws, problem, &set, number, &about, of_known.within(portion));
         let found = if few {
-            estimates(&integrate_known(laws, problem, &set, number))
+            let within = within(effort, problem.cost(), portion);
+            integral_or(integrate_known(laws, problem, &set, number, within), effort, drawn).sampled
         } else {
-            sampled_known(laws, problem, &set, number, &about, of_known.within(portion))
+            drawn()
         };
         portion.reached(1.0);
         Ok(found.estimates[0])
@@ -205,6 +252,7 @@ pub(super) fn chances(
         situation: problem.situation(),
         line: (line.to_owned(), exact),
         method,
+        given_up,
         points: sampled.points,
         precise: sampled.precise,
         modes: problem.exclusive().map(Happening::of).zip(modes.iter().copied()).collect(),
@@ -220,8 +268,6 @@ pub(super) fn chances(
     })
 }
 
-/// Departures that are less likely than this are rounding in the answer, not in the body.
-const UNLIKELY: f64 = 1e-9;
 /// Number of points that may be taken for departures at least, however few the modes need.
 const OF_DEPARTURES: u64 = 1 << 17;
 
@@ -236,19 +282,19 @@ fn first_departure(
     let (laws, departures) = (problem.laws(), Departures(problem));
     let codes: Vec<usize> = departures.exclusive().collect();
     let sets: Vec<u64> = codes.iter().map(|outcome| 1 << outcome).collect();
-    // A mode that is next to never the first is not worth more points than all that is asked of the full load.
-    let effort = Effort { points: points.max(OF_DEPARTURES).min(effort.points), ..*effort };
-    let work = effort.within(portion);
-    let found = match method {
+    // A mode that is next to never the first is not worth more points than all that is asked of the full load; and where everything is
+    // drawn, no more than tell a share.
+    let most = if method == Method::MonteCarlo { OF_DEPARTURES } else { points.max(OF_DEPARTURES) };
+    let effort = Effort { points: most.min(effort.points), ..*effort };
+    let method = match method {
         // The end of rest on a base that gives way has many kinks, and the departures of more numbers would take minutes.
-        Method::Integrate if problem.gives_way() && laws.laws().len() > MOST_DIMENSIONS => {
-            sobol(laws, &departures, &sets, work)
-        }
-        Method::Integrate => estimates(&integrate_above(laws, &departures, &sets, UNLIKELY)),
+        Method::Integrate if problem.gives_way() && laws.laws().len() > MOST_DIMENSIONS => Method::Sobol,
         // Which mode is first is seldom a rare event, and lies about no one point.
-        Method::Sobol | Method::Importance => sobol(laws, &departures, &sets, work),
-        Method::MonteCarlo => monte_carlo(laws, &departures, &sets, work),
+        Method::Importance => Method::Sobol,
+        method => method,
     };
+    let work = (effort.within(portion), problem.cost());
+    let found = by(method, laws, &departures, &sets, &[], work).sampled;
     portion.check()?;
     portion.reached(1.0);
     let precise = found.precise;
@@ -274,8 +320,13 @@ fn life(
         None => return Err(ProbabilityError::NothingYearly { years: life.years }),
         // A scan for each pair of the others would take minutes.
         Some(problem) if numbers <= MOST_DIMENSIONS + usize::from(!problem.is_scanned()) => {
-            let integrated = integrate_life(problem.laws(), &problem, &sets, &life);
-            (estimates(&integrated), Method::Integrate)
+            let is_whole = life.years.fract() == 0.0;
+            // Of part of a year there are no draws that could take the place of the integral.
+            let within = if is_whole { within(effort, problem.cost(), portion) } else { Within::ALL_DIGITS };
+            let integrated = integrate_life(problem.laws(), &problem, &sets, &life, within);
+            let drawn = || lives(problem.laws(), &problem, &sets, &life, effort.within(portion));
+            let Found { method, sampled, .. } = integral_or(integrated, effort, drawn);
+            (sampled, method)
         }
         Some(_) if life.years.fract() != 0.0 => {
             return Err(ProbabilityError::PartOfYear { years: life.years });

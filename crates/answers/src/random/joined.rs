@@ -99,12 +99,13 @@ pub(super) fn joined(
     let [first, _, ..] = problems else { return Ok(None) };
     let any = AnyOf(problems.to_vec());
     let points = local_design_points(first.laws(), &any, 1 << MOVES);
-    let method = chances::method(first.laws(), request, &points, first.is_on_plan())?;
+    let method = chances::method(first, request, &points)?;
     let about: Vec<Vec<f64>> = points.into_iter().map(|point| point.u).collect();
-    let sampled =
-        chances::by(method, first.laws(), &any, &[1 << MOVES], &about, request.effort.within(portion));
+    let work = (request.effort.within(portion), first.cost());
+    let found = chances::by(method, first.laws(), &any, &[1 << MOVES], &about, work);
     portion.check()?;
-    Ok(Some(JoinedChance { count: problems.len(), method, not_rest: sampled.estimates[0] }))
+    let not_rest = found.sampled.estimates[0];
+    Ok(Some(JoinedChance { count: problems.len(), method: found.method, not_rest }))
 }
 
 /// The chance that the body does not stay at rest, for each set of loads that act together; under any of the accelerations of the

@@ -7,7 +7,7 @@ use standfast::contact::Block;
 use standfast::loads::Earthquake;
 use standfast::wave::Heights;
 use standfast::{Point, Situation, Wrench};
-use standfast_probability::integrate::Life;
+use standfast_probability::integrate::{Life, MOST_DIMENSIONS};
 use standfast_probability::problem::RandomVector;
 
 use super::mechanics::{Components, Mechanics, Quick};
@@ -35,6 +35,8 @@ pub struct ChanceProblem {
     lines: Lines,
     /// Of each number a value that it has as good as never more than.
     reaches: Vec<f64>,
+    /// Number of problems of the same case, itself among them.
+    count: usize,
     pub(super) line: Line,
 }
 
@@ -62,6 +64,8 @@ pub(super) enum Line {
     Friction(usize),
     /// A number in which the wrench is linear.
     Load(usize),
+    /// Direction of a load seen from above: the boundaries of rest along it are known, all else is scanned.
+    Direction(usize),
     /// Any other, scanned.
     Scan(usize),
 }
@@ -163,10 +167,13 @@ impl ChanceProblem {
                     years: years.or(random.years),
                     lines,
                     reaches: reaches(&laws),
+                    count: 1,
                     line,
                 });
             }
         }
+        let count = problems.len();
+        problems.iter_mut().for_each(|problem| problem.count = count);
         Ok(problems)
     }
 
@@ -184,7 +191,7 @@ impl ChanceProblem {
         let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
         let (model, years) = (Model::Point(point), years.or(random.years));
         let reaches = reaches(&laws);
-        Ok(ChanceProblem { id: unique(), model, random: inputs, laws, years, lines, reaches, line })
+        Ok(ChanceProblem { id: unique(), model, random: inputs, laws, years, lines, reaches, count: 1, line })
     }
 
     /// Random numbers, in the order of the file.
@@ -269,7 +276,7 @@ impl ChanceProblem {
             Line::Friction(place) | Line::Load(place) if alpha[place].abs() < NEGLIGIBLE => {
                 alpha[place].abs()
             }
-            Line::Friction(_) | Line::Scan(_) => return None,
+            Line::Friction(_) | Line::Scan(_) | Line::Direction(_) => return None,
             Line::Load(place) => alpha[place].abs(),
         };
         if !self.lines.loads {
@@ -359,22 +366,33 @@ impl ChanceProblem {
 
     /// True if the number along which modes are known has to be scanned.
     pub(super) fn is_scanned(&self) -> bool {
-        matches!(self.line, Line::Scan(_))
+        matches!(self.line, Line::Scan(_) | Line::Direction(_))
+    }
+
+    /// The most random numbers over which is integrated unless it is asked for: over directions boundaries have a kink at every corner of the
+    /// base, at each of which an integral is refined, and of several sets of loads each has its own.
+    pub(super) fn most_integrated(&self) -> usize {
+        if self.is_on_plan() || self.count > 1 { MOST_DIMENSIONS } else { MOST_DIMENSIONS + 1 }
+    }
+
+    /// What the modes along its line cost, in decisions, in powers of ten or so.
+    pub(super) fn cost(&self) -> u64 {
+        if self.is_scanned() { 64 } else { 1 }
     }
 
     /// Name of the number that is integrated, and true if in closed form, as friction and loads are.
     pub(super) fn line_name(&self) -> (&str, bool) {
         let (place, exact) = match self.line {
             Line::Friction(place) | Line::Load(place) => (place, true),
-            Line::Scan(place) => (place, false),
+            Line::Scan(place) | Line::Direction(place) => (place, false),
         };
         (&self.random[place].name, exact)
     }
 
     /// The contact problem with these values, one for each random number; none if they do not go together.
     pub(super) fn mechanics(&self, values: &[f64]) -> Option<Mechanics> {
-        if let Model::Point(point) = &self.model {
-            return self.at_point(*point, values);
+        if self.is_of_plane() {
+            return self.at_point(values);
         }
         let mut mechanics = self.components(values)?.mechanics(&|bias| self.bias(bias, values));
         for place in (0..self.random.len()).filter(|place| self.is_apart(*place)) {
@@ -496,19 +514,31 @@ impl ChanceProblem {
         Some(heights)
     }
 
-    /// The report's problem with these values: X = −k, M = k k' γ.
-    fn at_point(&self, mut point: [f64; 4], values: &[f64]) -> Option<Mechanics> {
+    /// The point of the report's plane with these values; `None` of a case, or where they make no point.
+    pub(super) fn point_with(&self, values: &[f64]) -> Option<Point> {
+        let Model::Point(mut point) = self.model else { return None };
         for (input, value) in self.random.iter().zip(values) {
             if let Quantity::Point(coordinate) = input.quantity {
                 point[coordinate as usize] = *value;
             }
         }
         let [gamma, k_prime, k, mu] = point;
-        Point::new(gamma, k_prime, k, mu).ok()?;
+        Point::new(gamma, k_prime, k, mu).ok()
+    }
+
+    /// The report's problem with these values: X = −k, M = k k' γ.
+    fn at_point(&self, values: &[f64]) -> Option<Mechanics> {
+        let point = self.point_with(values)?;
+        let (gamma, k) = (point.gamma(), point.k());
         let permanent = Wrench { x: 0.0, p: 1.0, m: 0.0 };
-        let variable = Wrench { x: -k, p: 0.0, m: k * k_prime * gamma };
-        let block = Block::uniform(gamma, mu);
+        let variable = Wrench { x: -k, p: 0.0, m: k * point.k_prime() * gamma };
+        let block = Block::uniform(gamma, point.mu());
         Some(Mechanics { block, base: Base::Rigid, permanent, variable, formulas: 0, above: Vec::new() })
+    }
+
+    /// True if this is a point of the report's plane.
+    pub(super) fn is_of_plane(&self) -> bool {
+        matches!(self.model, Model::Point(_))
     }
 }
 
@@ -541,6 +571,8 @@ struct Lines {
     friction: bool,
     /// Numbers in which the wrench is linear; not on a base that gives way.
     loads: bool,
+    /// Directions: the body is seen from above.
+    directions: bool,
 }
 
 impl Lines {
@@ -553,7 +585,8 @@ impl Lines {
         // Of joints that change places each friction would have to be found again; on a base that gives way all joints are asked each time.
         let is_apart = !joints || !bends && !inputs.iter().any(RandomInput::is_joint_elevation);
         let kinetic = inputs.iter().any(RandomInput::is_kinetic_friction);
-        Lines { friction: !held && !kinetic && is_apart, loads: !bends }
+        let directions = case.is_some_and(|case| case.plan.is_some());
+        Lines { friction: !held && !kinetic && is_apart, loads: !bends, directions }
     }
 
     /// The first along which the modes are known, of those for which this holds.
@@ -561,11 +594,13 @@ impl Lines {
         let find = |of: &dyn Fn(&RandomInput) -> bool| {
             (0..inputs.len()).find(|place| among(*place) && of(&inputs[*place]))
         };
+        // Over directions a body rests, or not, on arcs that are too narrow to be seen from outside.
+        let direction = find(&RandomInput::is_direction).filter(|_| self.directions).map(Line::Direction);
         let is_friction = |input: &RandomInput| input.friction_of().is_some();
         let friction = find(&is_friction).filter(|_| self.friction).map(Line::Friction);
         // On a base that gives way, or opens, a load is scanned, which is quicker than another number.
         let load = || find(&RandomInput::is_linear).map(if self.loads { Line::Load } else { Line::Scan });
         let scan = || find(&|_| true).map(Line::Scan);
-        friction.or_else(load).or_else(scan)
+        direction.or(friction).or_else(load).or_else(scan)
     }
 }

@@ -131,6 +131,12 @@ impl RandomInput {
         self.is_key(Key::KineticFriction)
     }
 
+    /// True if it is a direction seen from above.
+    pub(super) fn is_direction(&self) -> bool {
+        let of_key = |key| matches!(key, Key::LoadDirectionDeg | Key::EarthquakeDirection);
+        self.variable().is_some_and(|variable| of_key(variable.id().key))
+    }
+
     /// True if it is a bias of some loads.
     pub(super) fn is_bias(&self) -> bool {
         matches!(self.quantity, Quantity::Bias(_))

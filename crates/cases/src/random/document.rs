@@ -204,6 +204,7 @@ struct RandomDocument<'a> {
 struct ChancesDocument<'a> {
     situation: Option<&'a str>,
     method: &'static str,
+    integration_given_up: bool,
     points: u64,
     precise: bool,
     modes: Vec<ModeDocument>,
@@ -348,6 +349,7 @@ fn document<'a>(answer: &'a Probability, chances: &'a Chances) -> ChancesDocumen
     ChancesDocument {
         situation: chances.situation.as_deref(),
         method: chances.method.name(),
+        integration_given_up: chances.given_up,
         points: chances.points,
         precise: chances.precise,
         modes: modes(&chances.modes),

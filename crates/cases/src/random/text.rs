@@ -267,6 +267,9 @@ pub(super) fn notes(answer: &Probability, chances: &Chances) -> Vec<String> {
     if answer.is_on_plan() {
         notes.push(PLAN_ALONE.to_owned());
     }
+    if chances.given_up {
+        notes.push(format!("An integral would take too long: {} points took its place.", chances.method));
+    }
     if !chances.precise {
         notes.push(imprecise(answer));
     }

@@ -61,7 +61,8 @@ impl Estimate {
     }
 
     /// True if half of the interval is within `precision` of the estimate, or the estimate not above the floor.
-    pub(super) fn is_precise(&self, precision: f64, floor: f64) -> bool {
+    /// True if the probability is not above a floor, or its interval is so narrow on either side, relative to it.
+    pub fn is_precise(&self, precision: f64, floor: f64) -> bool {
         self.value <= floor || 0.5 * (self.high - self.low) <= precision * self.value
     }
 }

@@ -194,6 +194,7 @@ impl PureStorm {
             situation: Some("any one wave of a storm".to_owned()),
             line: ("the height of waves".to_owned(), true),
             method: Method::Sobol,
+            given_up: false,
             points: sliding.lives * life.years as u64,
             precise: sliding.precise,
             modes: all(sliding.wave),
