@@ -760,7 +760,7 @@ pub enum Problem {
         error: FootprintError,
     },
     /// A centre of mass that is not over the base.
-    #[error("the centre of mass is {} m beside the base; expected one above it", reached(*beside))]
+    #[error("the centre of mass is {}; expected one above the base", beside_base(*beside))]
     CentroidBesideBase {
         /// How far beside, m.
         beside: f64,
@@ -967,6 +967,17 @@ fn without_body(table: Table) -> &'static str {
         Table::Block => "a [block] has no first instant to assess: its motion is followed in time",
         Table::Point => "a [point] has no body and no loads: it is answered with its random numbers",
         _ => "the case has a [storm] and no [body]: it is answered with its random numbers",
+    }
+}
+
+/// Place of a centre of mass that is not above the base, by how far it is beside it, m.
+fn beside_base(beside: f64) -> String {
+    /// Nearer than this it is on the edge, whatever rounding leaves.
+    const ON: f64 = 1e-9;
+    if beside > ON {
+        format!("{} m beside the base", reached(beside))
+    } else {
+        "on the edge of the base".to_owned()
     }
 }
 

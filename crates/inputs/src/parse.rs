@@ -644,7 +644,13 @@ impl Field<'_> {
                     None => Value::Number(self.in_range(self.measured()?, Range::Finite)?),
                 },
             },
-            Kind::Plain(range) => Value::Number(self.in_range(number.ok_or_else(wrong_type)?, range)?),
+            Kind::Plain(range) => {
+                let wrong = || match words_for(self.id) {
+                    [] => wrong_type(),
+                    _ => self.wrong_type("a number of degrees without unit or quotes, or \"worst\""),
+                };
+                Value::Number(self.in_range(number.ok_or_else(wrong)?, range)?)
+            }
             Kind::OneOf(..) => return Err(wrong_type()),
             Kind::Truth => Value::Truth(self.value.get_ref().as_bool().ok_or_else(wrong_type)?),
             // How many sides, as long as it is plain which.

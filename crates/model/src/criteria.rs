@@ -60,10 +60,6 @@ const AT_LEAST: [Key; 7] = [
 impl Criterion {
     /// The criteria of a case.
     pub(crate) fn all(inputs: &Inputs) -> Vec<Criterion> {
-        // A case without them is read by the million.
-        if !inputs.has(Table::Criteria) {
-            return Vec::new();
-        }
         Table::Criteria
             .keys()
             .filter_map(|key| Criterion::of(key, inputs.get(key)?, inputs.output()))

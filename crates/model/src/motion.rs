@@ -86,7 +86,9 @@ pub fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
     let given = Reader { inputs: &moving };
     let mut case = Case::of(&moving)?;
     if let Some(plan) = &case.plan {
-        return Err(plan.not_for("a motion in time"));
+        return Err(
+            plan.not_for("a motion in time; `standfast directions` follows the record as far as rest ends")
+        );
     }
     let motion = match case.motion.take() {
         Some(motion) => motion,

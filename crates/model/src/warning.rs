@@ -30,6 +30,13 @@ pub enum Warning {
         /// Reach of the base beyond the body, m.
         beyond: f64,
     },
+    /// The base seen from above is much larger than the body.
+    PlanBeyondBody {
+        /// Its extent, m, across or along the section.
+        base: f64,
+        /// That of the body, m.
+        body: f64,
+    },
     /// The buoyant weight acts beside the base.
     WeightBesideBase {
         /// Its arm, m.
@@ -425,6 +432,7 @@ impl Warning {
     pub fn name(&self) -> &'static str {
         match self {
             Warning::BaseBeyondBody { .. } => "base-beyond-body",
+            Warning::PlanBeyondBody { .. } => "plan-beyond-body",
             Warning::WeightBesideBase { .. } => "weight-beside-base",
             Warning::MeanDensity { .. } => "mean-density",
             Warning::PartDensity { .. } => "part-density",
@@ -538,6 +546,12 @@ impl fmt::Display for Warning {
                 let (edge, beyond) = (digits(*edge), digits(*beyond));
                 write!(f, "{key} = {edge} m: the base reaches {beyond} m beyond the body's {side} side")
             }
+            Warning::PlanBeyondBody { base, body } => write!(
+                f,
+                "the base is {} m across, the body {} m: lengths without a unit are in m",
+                digits(*base),
+                digits(*body)
+            ),
             Warning::WeightBesideBase { arm, base } => write!(
                 f,
                 "weight_arm = {} m is more than the base is wide, {} m: the body does not stand under its own weight",

@@ -111,7 +111,7 @@ pub fn render(
                         h2 { "1 Inputs" }
                         (inputs)
                         @for (i, figure) in section.iter().enumerate() { (drawing(i, figure)) }
-                        @if let Some((file, first)) = source.in_time { (in_time::inputs(file, first)) }
+                        @if let Some((file, first)) = source.in_time { (in_time::inputs(file, first, case.plan.is_some())) }
                     }
                     section { h2 { "2 Assumptions and method" } (method::words(assessment)) }
                     section {

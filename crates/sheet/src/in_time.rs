@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 use standfast::{InputError, Wrench};
 use standfast_cases::assess::MotionAssessment;
+use standfast_cases::directions::along_records;
 use standfast_cases::layout::digits;
 use standfast_cases::motion::{self, BlockCase, FirstInstant, FollowedMotion, LoadPeak, MotionView, Rows};
 use standfast_cases::units::Dimension;
@@ -12,12 +13,20 @@ use standfast_cases::{AnswerFigure, Case, CaseFile, Document};
 const SHOWN: usize = 8;
 
 /// The lines of the case file that belong to time.
-pub fn inputs(file: &CaseFile, first: &FirstInstant) -> Markup {
+///
+/// On a base seen from above no motion is followed; what is told there is where rest ends along the record.
+pub fn inputs(file: &CaseFile, first: &FirstInstant, is_on_plan: bool) -> Markup {
+    let along = if is_on_plan { along_records(file) } else { Vec::new() };
     html! {
         h3 { "In time" }
         p.note { "These lines of the case file give the course of the loads, the motion of the base, and the criteria on the motion:" }
         pre.written data-table="in-time" { @for line in file.lines_in_time() { (line) "\n" } }
-        p.note { "In sections 2 to 4, " (first.of_instant()) "; section 5 follows the motion in time." }
+        @if is_on_plan {
+            p.note { "In sections 2 to 4, " (first.of_instant()) "; no motion is followed." }
+            @for words in &along { p { (words) } }
+        } @else {
+            p.note { "In sections 2 to 4, " (first.of_instant()) "; section 5 follows the motion in time." }
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use crate::case::Case;
 use crate::couple::Variable;
 use crate::digits::digits;
 use crate::inputs::Inputs;
-use crate::key::{Range, Table};
+use crate::key::{Key, Range, Table};
 use crate::suggest::closest;
 use standfast_inputs::random::{Parameter, Random, RandomEntry, RandomProblem, ReadResult, Written, years};
 use standfast_model::CaseFile;
@@ -131,6 +131,13 @@ impl Resolve<'_> {
                 let biases = Bias::ALL.map(Bias::name);
                 let suggestion = unknown.suggestion.or_else(|| closest(name, biases).map(str::to_owned));
                 let known = match unknown.unwritten {
+                    Some((table, _))
+                        if file.inputs().choice(Key::EarthquakeDirection).is_some()
+                            && table == Table::Earthquake =>
+                    {
+                        "`direction_deg` is \"worst\", which is no number: leave it out, or give an angle"
+                            .to_owned()
+                    }
                     Some((table, line)) => {
                         format!(
                             "the case does not give it: write it first under {}, for example {line}",

@@ -227,7 +227,11 @@ struct Force<'a> {
     elevation: Option<f64>,
     /// To the right of O; null at mid-width.
     distance: Option<f64>,
-    direction: &'static str,
+    /// Null of one that has an angle.
+    direction: Option<&'static str>,
+    /// Seen from above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    direction_deg: Option<f64>,
     /// What it stands on.
     #[serde(skip_serializing_if = "Option::is_none")]
     lever: Option<&'a str>,
@@ -578,6 +582,7 @@ impl<'a> Situation<'a> {
 impl<'a> Force<'a> {
     fn of(force: &'a PointForce) -> Force<'a> {
         let couple = matches!(force.direction, Direction::Turning(_));
+        let direction_deg = force.across.as_ref().and_then(|across| across.direction_deg);
         let (magnitude, elevation) = (Some(force.magnitude), Some(force.elevation));
         Force {
             name: force.name.as_deref(),
@@ -585,7 +590,8 @@ impl<'a> Force<'a> {
             moment: magnitude.filter(|_| couple),
             elevation: elevation.filter(|_| !couple),
             distance: force.distance,
-            direction: force.direction.word(),
+            direction: direction_deg.is_none().then(|| force.direction.word()),
+            direction_deg,
             lever: force.lever.as_deref(),
         }
     }

@@ -22,12 +22,13 @@ pub(super) fn summary(directions: &Directions) -> Summary {
     let assessed = directions.assessed(governing);
     let plan = plan(directions);
     let warnings = directions.assessment.case.warnings();
+    let (answer, near) = sentences(plan, assessed, governing);
     Summary {
         criteria: None,
-        answer: worst(plan, assessed, governing),
+        answer,
         met: None,
         governing: None,
-        near: along_record(plan, governing),
+        near,
         warnings: warnings.iter().map(standfast_model::Warning::name).collect(),
         warned: warnings.iter().map(|warning| warning_words(warning.name(), warning)).collect(),
     }
@@ -35,6 +36,24 @@ pub(super) fn summary(directions: &Directions) -> Summary {
 
 fn plan(directions: &Directions) -> &CasePlan {
     directions.assessment.case.plan.as_ref().expect("directions are those of a base seen from above")
+}
+
+/// The answer and what stands beside it: of a record its course, which the peaks of both components, turned, are not.
+fn sentences(plan: &CasePlan, assessed: &Assessed, of: &SituationDirections) -> (String, Option<String>) {
+    let worst = worst(plan, assessed, of);
+    match along_record(plan, of) {
+        Some(along) => {
+            let worst = worst.replacen("In the", "in the", 1);
+            (along, Some(format!("Were the peaks of both components to act at once, and turned: {worst}")))
+        }
+        None => (worst, None),
+    }
+}
+
+/// The answer along the record of each situation of a case that has one.
+pub(super) fn along_records(directions: &Directions) -> Vec<String> {
+    let plan = plan(directions);
+    directions.all.iter().filter_map(|of| along_record(plan, of)).collect()
 }
 
 /// The sentence of the direction that bears least.
@@ -101,8 +120,9 @@ pub(super) fn text(directions: &Directions) -> String {
         if several {
             let name = directions.assessment.name(assessed).unwrap_or_default();
             let _ = writeln!(text, "{name}");
-            text += &paragraph(&worst(plan, assessed, of), 2);
-            text += &along_record(plan, of).map_or(String::new(), |words| paragraph(&words, 2));
+            let (answer, near) = sentences(plan, assessed, of);
+            text += &paragraph(&answer, 2);
+            text += &near.map_or(String::new(), |words| paragraph(&words, 2));
         }
         let _ = writeln!(text, "Load factor λ of {} in each direction", verdict::risen_loads(assessed));
         text += &table(plan, directions.step, of);

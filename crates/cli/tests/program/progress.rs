@@ -10,8 +10,7 @@ fn example(name: &str) -> PathBuf {
 }
 
 /// Every kind of work that takes far longer than a test, in a folder where it would write; `{}` is the case.
-const LONG: [(&str, &str); 3] = [
-    ("goda-2000-storm.toml", "probability {} --samples 500000000 --draws draws.csv -o figures"),
+const LONG: [(&str, &str); 2] = [
     (
         "motion/statue-earthquake.toml",
         "spectrum {} --size 1,9,2000 --slenderness 2,9,2000 --csv points.csv -o figures",
@@ -49,6 +48,44 @@ fn interrupted_work_leaves_nothing() {
         assert!(said.starts_with("interrupted at ") && said.ends_with(" %; nothing was written\n"), "{said}");
         assert!(!said.contains('\u{1b}') && said.lines().count() == 1, "{said}");
         assert_eq!(fs::read_dir(directory.path()).expect("a folder").count(), 0, "{words}");
+    }
+}
+
+/// A probability is answered as it is by then when it is interrupted, and what it is asked to write is written whole; interrupted again it leaves
+/// nothing.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_probability_is_answered() {
+    let words = "probability {} --samples 500000000 --precision 0.00001 --draws draws.csv --no-figures";
+    for times in [1, 2] {
+        let directory = tempfile::tempdir().expect("a directory");
+        let child = begun(directory.path(), "goda-2000-random.toml", words);
+        std::thread::sleep(Duration::from_secs(2));
+        for _ in 0..times {
+            let interrupt = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+            assert!(interrupt.expect("kill").success());
+            // Two that come at once are one.
+            std::thread::sleep(Duration::from_millis(if times == 1 { 0 } else { 5 }));
+        }
+        let began = Instant::now();
+        let output = child.wait_with_output().expect("an end");
+        assert!(began.elapsed() < Duration::from_secs(20), "{:?}", began.elapsed());
+        let [answer, said] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+        assert!(said.starts_with("interrupted at "), "{said}");
+        assert!(
+            said.contains("the answer follows as precise as it is; interrupt again to end without one"),
+            "{said}"
+        );
+        let written = fs::read_dir(directory.path()).expect("a folder").count();
+        match output.status.code() {
+            Some(0) => {
+                assert!(answer.contains("does not stay at rest in one event is 0.025"), "{answer}");
+                assert!(answer.contains("Not as precise as asked"), "{answer}");
+                assert_eq!(written, 1);
+            }
+            // It may have been answered before the second came.
+            code => assert!(times == 2 && code == Some(130) && written == 0 && answer.is_empty(), "{said}"),
+        }
     }
 }
 

@@ -97,6 +97,9 @@ impl Problem {
             Problem::Neither { one: Key::Mass, .. } => {
                 "add one of them, for example density = \"2.1 t/m3\"".into()
             }
+            Problem::Neither { one: Key::BasePolygon, .. } => {
+                "say where the body stands: polygon, feet or circle; without [base] it stands on its width and length".into()
+            }
             Problem::Neither { .. } => "add sides = \"right\" or \"both\" for a wall, or the mass of water, for example \"50 t/m\", or \"200 kg\" of a single object".into(),
             Problem::Syntax { message, line } => syntax(message, line)?,
             Problem::WaterTwice => "keep [water] to work with the total weight and explicit pressures, or \
@@ -136,7 +139,9 @@ impl Problem {
                 "x counts from mid-width, of parts from the origin of their section; z from the middle of the length, away from the viewer".into()
             }
             Problem::TorsionNotFor { .. } => {
-                "a load in the vertical plane through the centre of mass does not turn the body: `z` = `centroid_z`, and one direction at one height".into()
+                "loads that pass through the vertical of the centre of mass do not turn the body: `z` = `centroid_z`, or `distance` to it; and one direction at one \
+                 height"
+                    .into()
             }
             Problem::JointsNotFor { .. } => {
                 "leave one of both out: without [[joint]] the parts are one body".into()

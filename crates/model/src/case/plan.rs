@@ -234,6 +234,10 @@ impl Reader<'_> {
         }
         let direction = self.inputs.get(Key::EarthquakeDirection);
         let is_worst = self.inputs.choice(Key::EarthquakeDirection).is_some();
+        if is_worst && self.inputs.get(Key::HorizontalFixed).is_some() {
+            let problem = Problem::Both { one: Key::HorizontalFixed, two: Key::EarthquakeDirection };
+            return Err(Fault::new(problem, Id::from(Key::HorizontalFixed)));
+        }
         Ok(Some(CasePlan {
             said_by: place,
             base: PlanBase { footprint, centroid_z },

@@ -39,11 +39,9 @@ impl Reader<'_> {
 
     /// Nothing is asked of a motion where there is none.
     pub(super) fn of_motion(&self) -> Result<(), Fault> {
-        if !self.inputs.has(Table::Criteria) {
-            return Ok(());
-        }
-        let asked = Table::Criteria.keys().filter(|key| key.is_of_motion());
-        match asked.into_iter().find(|key| self.inputs.get(*key).is_some()) {
+        // A case is read by the million, and few keys are of a motion.
+        let asked = Table::Criteria.keys().filter(|key| self.inputs.get(*key).is_some());
+        match asked.into_iter().find(|key| key.is_of_motion()) {
             Some(key) if !self.inputs.is_in_time() => {
                 let of = match key {
                     Key::GreatestSlide => "how far the body slides",

@@ -6,12 +6,12 @@ use standfast::contact::opening::OpeningState;
 use standfast::loads::earth::EarthState;
 use standfast::loads::{Action, Face};
 use standfast::wave::Heights;
-use standfast::{BaseEdges, BaseOpening, Bearing, Outcome, Situation, Slip};
+use standfast::{BaseEdges, BaseOpening, Bearing, Outcome, Plan, Situation, Slip};
 
 use super::Warning;
 use crate::case::{
-    Acting, Case, CaseJoint, CrownWaves, Direction, FacePressure, GodaWaves, Made, Resistance, SoilFill,
-    Trial, WaveFormula, Weight, said_by, tables_of_layers,
+    Acting, Case, CaseJoint, CasePlan, CrownWaves, Direction, FacePressure, GodaWaves, Made, Resistance,
+    SoilFill, Trial, WaveFormula, Weight, said_by, tables_of_layers,
 };
 use crate::criteria::Bound;
 use crate::error::Place;
@@ -620,6 +620,27 @@ impl Case {
         warnings
     }
 
+    /// About a base seen from above that is so much larger than the body that its points may be in another unit.
+    fn beyond(&self, plan: &CasePlan) -> Option<Warning> {
+        /// Feet may stand on arms.
+        const TIMES: f64 = 4.0;
+        let footprint = plan.base.footprint.rounded();
+        let extent = |axis: usize| {
+            let values = || footprint.vertices().iter().map(|vertex| vertex[axis]);
+            let of_points =
+                values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
+            footprint.disc().map_or(of_points, |(_, radius)| 2.0 * radius)
+        };
+        let width = self.body.width();
+        let length = match self.body.plan() {
+            Plan::Rectangle { length } => length,
+            _ => width,
+        };
+        let both = [(extent(0), width), (extent(1), length)];
+        let beyond = both.into_iter().find(|(base, body)| *base > TIMES * body);
+        beyond.map(|(base, body)| Warning::PlanBeyondBody { base, body })
+    }
+
     /// About what the body stands on.
     fn base(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
@@ -631,6 +652,7 @@ impl Case {
                 warnings.push(Warning::BaseBeyondBody { side, edge, beyond: edge - half });
             }
         }
+        warnings.extend(self.plan.as_ref().and_then(|plan| self.beyond(plan)));
         let base = self.body.base_width();
         if let Weight::Buoyant { arm, .. } = self.weight
             && arm > base

@@ -184,6 +184,7 @@ pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &
                     @if assessed.earthquake.is_some() {
                         th.n { "To the right, m/s²" }
                         th.n { "Upwards, m/s²" }
+                        @if case.plan.is_some() { th.n { "Away, m/s²" } }
                     }
                     th { "Mode" }
                     th.n { "Safety against sliding" }
@@ -198,7 +199,7 @@ pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &
                         @for (_, factor) in pairs(case, tried.acting, tried.trial) {
                             td.n { data value=(factor) { (number(factor)) } }
                         }
-                        @if let Some(earthquake) = &tried.earthquake { (accelerations(earthquake)) }
+                        @if let Some(earthquake) = &tried.earthquake { (accelerations(earthquake, case.plan.is_some())) }
                         td { (tried.verdict().map_or("none", Verdict::symbol)) }
                         @for factor in [outcome.stability.sliding, outcome.stability.overturning()] {
                             td.n { @if outcome.full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) } }
@@ -212,9 +213,10 @@ pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &
     steps.push(full, Brief::Each);
 }
 
-fn accelerations(earthquake: &Earthquake) -> Markup {
+fn accelerations(earthquake: &Earthquake, is_on_plan: bool) -> Markup {
+    let away = is_on_plan.then(|| earthquake.away());
     html! {
-        @for value in [earthquake.horizontal(), earthquake.vertical()] {
+        @for value in [earthquake.horizontal(), earthquake.vertical()].into_iter().chain(away) {
             td.n { data value=(value) { (number(value)) } }
         }
     }
