@@ -22,8 +22,15 @@ pub trait Sums: Sync {
     /// The year with these values; none if no event of it can add anything or be of the other kind.
     fn year(&self, values: &[f64]) -> Option<Self::Year>;
 
-    /// The chances of one event.
+    /// Mean and chances of one event.
     fn of_event(&self, year: &Self::Year) -> EventMeans;
+
+    /// The chances of one event that it adds anything, and that it is of the other kind: as [`of_event`](Sums::of_event) has them, which may
+    /// take longer.
+    fn chances(&self, year: &Self::Year) -> [f64; 2] {
+        let EventMeans { adds, other, .. } = self.of_event(year);
+        [adds, other]
+    }
 
     /// Amount of an event than which this share in (0, 1) of those that add anything is rarer.
     fn amount(&self, year: &Self::Year, share: f64) -> f64;
@@ -166,7 +173,8 @@ pub struct Lives {
     pub groups: Vec<Vec<LifeSums>>,
 }
 
-/// Draws lives with so many events a year, as many as a power of two for each group that the points of the effort are years for.
+/// Draws lives with so many events a year, doubled until they are enough; at most as many as a power of two for each group that the points of
+/// the effort are years for.
 ///
 /// # Panics
 /// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
@@ -176,6 +184,7 @@ pub fn lives<'w, S: Sums>(
     events: u64,
     life: &Life,
     work: impl Into<Work<'w>>,
+    are_enough: impl Fn(&Lives) -> bool,
 ) -> Lives {
     let Work { effort, portion } = work.into();
     assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
@@ -186,54 +195,62 @@ pub fn lives<'w, S: Sums>(
     let each = 1 << most.ilog2();
     let sequences: Vec<Sobol> =
         (0..SCRAMBLES as u64).map(|scramble| Sobol::new(once, effort.seed, scramble)).collect();
+    /// The lives of one scramble that are drawn first, and those that one piece of work has.
+    const FIRST: u64 = 128;
     const RUN: u64 = 64;
-    // A round has a run of every scramble, so that whole rounds are as good as all, but fewer.
-    let runs: Vec<(usize, u64)> = (0..each)
-        .step_by(RUN as usize)
-        .flat_map(|from| (0..SCRAMBLES).map(move |scramble| (scramble, from)))
-        .collect();
-    let steps = portion.steps(runs.len());
-    let results = shared_out(effort.threads, runs.len(), || {
-        let mut values = Values::new(inputs, &life.yearly);
-        let mut point = vec![0.0; once];
-        let (runs, sequences, steps) = (&runs, &sequences, &steps);
-        move |run: usize| {
-            let (scramble, from) = runs[run];
-            if run >= SCRAMBLES && portion.is_enough() {
-                return None;
-            }
-            let of_index = |index: u64| {
-                point.iter_mut().zip(sequences[scramble].point(index)).for_each(|(x, p)| *x = p);
-                values.begin(&point);
-                let mut stream = stream(effort.seed, scramble, index);
-                let mut of_life = LifeSums::default();
-                for _ in 0..years {
-                    if of_life.ended || portion.is_stopped() {
-                        break;
-                    }
-                    if let Some(year) = sums.year(values.of_year(&mut stream)) {
-                        draw(sums, &year, events, &mut stream, &mut of_life);
-                    }
+    let steps = portion.steps(SCRAMBLES * (each as usize).div_ceil(RUN as usize));
+    let mut all = Lives { groups: vec![Vec::new(); SCRAMBLES] };
+    let mut taken = 0;
+    loop {
+        let next = if taken == 0 { FIRST.min(each) } else { 2 * taken };
+        // A round has a run of every scramble, so that whole rounds are as good as all, but fewer.
+        let runs: Vec<(usize, u64)> = (taken..next)
+            .step_by(RUN as usize)
+            .flat_map(|from| (0..SCRAMBLES).map(move |scramble| (scramble, from)))
+            .collect();
+        let results = shared_out(effort.threads, runs.len(), || {
+            let mut values = Values::new(inputs, &life.yearly);
+            let mut point = vec![0.0; once];
+            let (runs, sequences, steps) = (&runs, &sequences, &steps);
+            move |run: usize| {
+                let (scramble, from) = runs[run];
+                if (taken > 0 || run >= SCRAMBLES) && portion.is_enough() {
+                    return None;
                 }
-                of_life
-            };
-            let lives = (from..each.min(from + RUN)).map(of_index).collect::<Vec<LifeSums>>();
-            steps.advance();
-            Some(lives)
+                let of_index = |index: u64| {
+                    point.iter_mut().zip(sequences[scramble].point(index)).for_each(|(x, p)| *x = p);
+                    values.begin(&point);
+                    let mut stream = stream(effort.seed, scramble, index);
+                    let mut of_life = LifeSums::default();
+                    for _ in 0..years {
+                        if of_life.ended || portion.is_stopped() {
+                            break;
+                        }
+                        if let Some(year) = sums.year(values.of_year(&mut stream)) {
+                            draw(sums, &year, events, &mut stream, &mut of_life);
+                        }
+                    }
+                    of_life
+                };
+                let lives = (from..next.min(from + RUN)).map(of_index).collect::<Vec<LifeSums>>();
+                steps.advance();
+                Some(lives)
+            }
+        });
+        let is_whole = |round: &&[Option<Vec<LifeSums>>]| round.iter().all(Option::is_some);
+        for round in results.chunks(SCRAMBLES).take_while(is_whole) {
+            all.groups.iter_mut().zip(round).for_each(|(group, run)| group.extend(run.iter().flatten()));
         }
-    });
-    let is_whole = |round: &&[Option<Vec<LifeSums>>]| round.iter().all(Option::is_some);
-    let rounds = results.chunks(SCRAMBLES).take_while(is_whole);
-    let mut groups = vec![Vec::new(); SCRAMBLES];
-    for round in rounds {
-        groups.iter_mut().zip(round).for_each(|(group, run)| group.extend(run.iter().flatten()));
+        taken = next;
+        if taken >= each || portion.is_enough() || are_enough(&all) {
+            return all;
+        }
     }
-    Lives { groups }
 }
 
 /// The events of one year that add something, and how many are of the other kind.
 fn draw<S: Sums>(sums: &S, year: &S::Year, events: u64, stream: &mut Stream, life: &mut LifeSums) {
-    let EventMeans { adds, other, .. } = sums.of_event(year);
+    let [adds, other] = sums.chances(year);
     let adding = binomial(events, adds, stream);
     for _ in 0..adding {
         life.sum += sums.amount(year, stream.draw());

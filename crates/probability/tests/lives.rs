@@ -8,7 +8,7 @@ use standfast_probability::normal::below;
 use standfast_probability::points::Stream;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::Effort;
-use standfast_probability::sums::{EventMeans, Sums, expected, lives as sums_of_lives};
+use standfast_probability::sums::{EventMeans, Lives, Sums, expected, lives as sums_of_lives};
 
 /// Fails where a resistance, the first input, is below the sum of the others; the line is one of them.
 struct Fails {
@@ -101,9 +101,30 @@ fn threads_do_not_matter() {
     let sums = |threads| {
         let effort = Effort { threads, ..effort(1 << 14) };
         let of_life = Life { years: 4.0, yearly: vec![false, true, true] };
-        sums_of_lives(&inputs(0.0), &Exceeds, 30, &of_life, &effort)
+        sums_of_lives(&inputs(0.0), &Exceeds, 30, &of_life, &effort, |_| false)
     };
     assert_eq!(sums(1), sums(3));
+}
+
+/// Lives are doubled until they are enough, and those that were drawn first stay: fewer are the first of more.
+#[test]
+fn lives_are_drawn_until_they_are_enough() {
+    let life = Life { years: 4.0, yearly: vec![false, true, true] };
+    let drawn = |most: u64, are_enough: &dyn Fn(&Lives) -> bool| {
+        sums_of_lives(&inputs(0.0), &Exceeds, 30, &life, &effort(most), are_enough)
+    };
+    let first = drawn(1 << 19, &|_| true);
+    assert_eq!(first.count(), 32 * 128);
+    let more = drawn(1 << 19, &|lives| lives.count() > 10_000);
+    assert_eq!(more.count(), 32 * 512);
+    let all = drawn(1 << 19, &|_| false);
+    assert_eq!(all.count(), (1 << 19) / 4);
+    for fewer in [&first, &more] {
+        for (some, group) in fewer.groups.iter().zip(&all.groups) {
+            assert_eq!(some[..], group[..some.len()]);
+        }
+    }
+    assert_eq!(drawn(1 << 10, &|_| false).count(), 32 * 16);
 }
 
 /// Each event is an exponential variable with mean 1, and adds what it has above a level: the first input less the second.
@@ -136,7 +157,7 @@ fn sums_are_those_of_every_event() {
     let found = expected(&inputs, &Exceeds, events as f64, &Effort { precision: 1e-3, ..effort(1 << 22) });
     let e = found.estimates[0];
     assert!((years * e.value / by_hand - 1.0).abs() < 1e-3, "{e:?} {by_hand}");
-    let drawn = sums_of_lives(&inputs, &Exceeds, events, &life, &effort(1 << 19));
+    let drawn = sums_of_lives(&inputs, &Exceeds, events, &life, &effort(1 << 19), |_| false);
     let m = drawn.mean(|life| life.sum);
     assert!((m.value - by_hand).abs() < m.high - m.low, "{m:?} {by_hand}");
 

@@ -69,7 +69,9 @@ pub mod path;
 pub mod plane;
 pub mod stack;
 
-use crate::approx::Approx;
+use std::cmp::Ordering;
+
+use crate::approx::{Approx, Signed};
 use crate::ball::{Ball, Scalar};
 use crate::error::InputError;
 use crate::exact::{Exact, Real};
@@ -206,6 +208,13 @@ pub fn solve(block: &Block, wrench: &Wrench) -> Result<Solution, InputError> {
     let numbers = numbers(block, wrench);
     let choice = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
     Ok(Solution { modes: choice.modes, mode: choice.mode, block: *block, wrench: *wrench })
+}
+
+/// True if each condition of rest holds by more than rounding can matter: then [`solve`] has the block at rest. False says nothing.
+pub fn rests_surely(block: &Block, wrench: &Wrench) -> bool {
+    let [left, right, at_o, at_o_prime] =
+        rest(&numbers(block, wrench).map(Approx::of)).map(|quantity| quantity.sign());
+    [left, right] == [Some(Ordering::Less); 2] && [at_o, at_o_prime] == [Some(Ordering::Greater); 2]
 }
 
 /// Refuses what no block and no wrench can be.

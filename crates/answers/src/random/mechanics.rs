@@ -116,17 +116,24 @@ impl Components {
 
     /// The sums of the permanent and of the variable loads, each times what it is biased by.
     pub(super) fn wrenches(&self, bias: impl Fn(Bias) -> Option<f64>) -> [Wrench; 2] {
+        let of_forces = bias(Bias::Force).unwrap_or(1.0);
         let Block { b1, d, .. } = self.block;
-        let times = |wrench: Wrench, force: Bias, moment: Option<Bias>| {
+        let [permanent, variable] = [0, 1]
+            .map(|which| self.others[which] + biased(self.forces[which], [b1, d], of_forces, of_forces));
+        [permanent, variable + Components::waves(&self.block, [self.thrust, self.uplift], bias)]
+    }
+
+    /// Thrust and uplift of a wave, each times what it is biased by.
+    pub(super) fn waves(
+        block: &Block,
+        [thrust, uplift]: [Wrench; 2],
+        bias: impl Fn(Bias) -> Option<f64>,
+    ) -> Wrench {
+        let times = |wrench: Wrench, force: Bias, moment: Bias| {
             let of_force = bias(force).unwrap_or(1.0);
-            let of_moment = moment.and_then(&bias).unwrap_or(of_force);
-            biased(wrench, [b1, d], of_force, of_moment)
+            biased(wrench, [block.b1, block.d], of_force, bias(moment).unwrap_or(of_force))
         };
-        let [permanent, variable] =
-            [0, 1].map(|which| self.others[which] + times(self.forces[which], Bias::Force, None));
-        let waves = times(self.thrust, Bias::Thrust, Some(Bias::ThrustMoment))
-            + times(self.uplift, Bias::Uplift, Some(Bias::UpliftMoment));
-        [permanent, variable + waves]
+        times(thrust, Bias::Thrust, Bias::ThrustMoment) + times(uplift, Bias::Uplift, Bias::UpliftMoment)
     }
 }
 

@@ -105,6 +105,10 @@ impl<W: Slide> Year<W> {
         (-from).exp() * -(from - to).exp_m1() / all
     }
 
+    fn chances(&self) -> [f64; 2] {
+        [&self.slides, &self.turns].map(|levels| levels.iter().map(|interval| self.chance(interval)).sum())
+    }
+
     fn of_event(&self) -> EventMeans {
         let all = -(-self.cut).exp_m1();
         let mean = self.slides.iter().map(|&(from, to)| {
@@ -115,11 +119,8 @@ impl<W: Slide> Year<W> {
                 .map(|(t, weight)| weight * (-t).exp() * self.wave.slide(t))
                 .sum::<f64>()
         });
-        EventMeans {
-            mean: mean.sum::<f64>() / all,
-            adds: self.slides.iter().map(|interval| self.chance(interval)).sum(),
-            other: self.turns.iter().map(|interval| self.chance(interval)).sum(),
-        }
+        let [adds, other] = self.chances();
+        EventMeans { mean: mean.sum::<f64>() / all, adds, other }
     }
 
     /// The slide of a wave that this share of all that slide the body exceeds.
@@ -166,6 +167,10 @@ impl<S: Storms> Sums for Slides<'_, S> {
 
     fn of_event(&self, year: &Year<S::Wave>) -> EventMeans {
         year.of_event()
+    }
+
+    fn chances(&self, year: &Year<S::Wave>) -> [f64; 2] {
+        year.chances()
     }
 
     fn amount(&self, year: &Year<S::Wave>, share: f64) -> f64 {

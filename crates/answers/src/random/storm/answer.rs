@@ -179,6 +179,16 @@ fn course(drawn: &Lives) -> Vec<Exceedance> {
     // Nothing exceeds the greatest.
     (0..count as usize).map(slide).map(exceeded).collect()
 }
+
+/// That it slides at all may be so much less precise: how far is what counts.
+const AT_ALL: f64 = 4.0;
+
+/// True if a chance is met, or so unlikely that more lives would tell little.
+fn is_told(chance: &Estimate) -> bool {
+    const UNLIKELY: f64 = 1e-3;
+    chance.value > 0.0 || chance.high <= UNLIKELY
+}
+
 /// At most about so many waves are followed in time.
 const MOST_FOLLOWED: f64 = 1e5;
 
@@ -206,9 +216,20 @@ pub(in crate::random) fn sliding<S: Storms>(
     let to_follow = turning.value * storm.waves as f64 * effort.points as f64;
     let fewer = if request.follow { (to_follow / MOST_FOLLOWED).max(1.0) } else { 1.0 };
     let drawn_effort = Effort { points: (effort.points as f64 / fewer) as u64, ..*effort };
-    let drawn = lives(laws, &slides, storm.waves, life, drawn_effort.within(of_lives));
     // A body that lies on its side has slid too far.
-    let slid = |more: f64| drawn.chance(|life: &LifeSums| life.ended || life.sum + life.other_sum > more);
+    let slid_in = |drawn: &Lives, more: f64| {
+        drawn.chance(|life: &LifeSums| life.ended || life.sum + life.other_sum > more)
+    };
+    let are_enough = |drawn: &Lives| {
+        let precise = |more: f64, precision: f64| {
+            let chance = slid_in(drawn, more);
+            chance.is_precise(precision, effort.floor) && is_told(&chance)
+        };
+        EXCEEDED.into_iter().all(|more| precise(more, effort.precision))
+            && precise(0.0, AT_ALL * effort.precision)
+    };
+    let drawn = lives(laws, &slides, storm.waves, life, drawn_effort.within(of_lives), are_enough);
+    let slid = |more: f64| slid_in(&drawn, more);
     Ok(Sliding {
         storm: storm.clone(),
         years,

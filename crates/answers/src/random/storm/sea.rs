@@ -1,6 +1,6 @@
 //! The storm of a case: each wave by Goda's formulas, its mode by the contact problem.
 
-use standfast::contact::{Block, solve};
+use standfast::contact::{Block, rests_surely, solve};
 use standfast::wave::Goda;
 use standfast::{Mode, Wrench};
 use standfast_probability::integrate::Life;
@@ -26,8 +26,8 @@ pub(in crate::random) struct SeaStorm<'a> {
 /// A wave by Goda's formulas.
 pub(in crate::random) struct GodaWave {
     waves: GodaWaves,
-    /// Everything that acts, the waves' part that of the largest.
-    components: Components,
+    /// Everything that acts but the waves.
+    still: Wrench,
     block: Block,
     biases: [Option<f64>; Bias::ALL.len()],
     /// m g, N, and half the width, m.
@@ -50,11 +50,13 @@ enum Effect {
 impl GodaWave {
     fn of(problem: &ChanceProblem, storm: &Storm, case: &Case, values: &[f64]) -> Option<GodaWave> {
         let components = problem.components(values)?;
+        let components = Components { thrust: Wrench::ZERO, uplift: Wrench::ZERO, ..components };
+        let [permanent, variable] = components.wrenches(|bias| problem.bias(bias, values));
         let block = problem.mechanics(values)?.block;
         let weight = case.body.mass() * case.gravity;
         Some(GodaWave {
             waves: case.goda()?.clone(),
-            components,
+            still: permanent + variable,
             block,
             biases: Bias::ALL.map(|bias| problem.bias(bias, values)),
             scale: (weight, case.body.width() / 2.0),
@@ -70,19 +72,10 @@ impl GodaWave {
         goda.under_wave(sea, section, choices, height)
     }
 
-    /// All that acts under a wave, and without any.
+    /// All that acts under a wave.
     fn wrench(&self, goda: &Goda) -> Wrench {
-        let [thrust, uplift] = Components::of_wave(goda, &self.block, self.scale);
-        self.sum(Components { thrust, uplift, ..self.components.clone() })
-    }
-
-    fn still(&self) -> Wrench {
-        self.sum(Components { thrust: Wrench::ZERO, uplift: Wrench::ZERO, ..self.components.clone() })
-    }
-
-    fn sum(&self, components: Components) -> Wrench {
-        let [permanent, variable] = components.wrenches(|bias| self.biases[bias as usize]);
-        permanent + variable
+        let of_wave = Components::of_wave(goda, &self.block, self.scale);
+        self.still + Components::waves(&self.block, of_wave, |bias| self.biases[bias as usize])
     }
 
     /// Duration of the wave's push, s.
@@ -99,6 +92,9 @@ impl GodaWave {
 
     fn effect(&self, level: f64) -> Effect {
         let wrench = self.wrench(&self.goda(height(level, self.waves.goda.h_13)));
+        if rests_surely(&self.block, &wrench) {
+            return Effect::Nothing;
+        }
         match solve(&self.block, &wrench).ok().and_then(|solution| solution.mode()) {
             Some(Mode::Rest) => Effect::Nothing,
             Some(Mode::SlideLeft) => Effect::Slides,
@@ -111,7 +107,7 @@ impl Slide for GodaWave {
     fn slide(&self, level: f64) -> f64 {
         let height = height(level, self.waves.goda.h_13);
         let goda = self.goda(height);
-        let (still, all) = (self.still(), self.wrench(&goda));
+        let (still, all) = (self.still, self.wrench(&goda));
         let (x, p) = (all.x - still.x, all.p - still.p);
         let μ = self.block.mu_k;
         // To the left: F_S = −x − μp of the wave, and R = X + μP of everything else.
@@ -181,6 +177,11 @@ impl Storms for SeaStorm<'_> {
     type Wave = GodaWave;
 
     fn storm(&self, values: &[f64]) -> Option<Year<GodaWave>> {
+        // The case has its largest wave, at which heights are cut: most years end here.
+        let largest = self.problem.mechanics(values)?;
+        if self.storm.is_cut && rests_surely(&largest.block, &largest.wrench()) {
+            return None;
+        }
         let case = self.problem.case_with(values)?;
         let mut wave = GodaWave::of(self.problem, self.storm, &case, values)?;
         wave.followed = self.follow.then(|| Box::new(case));
