@@ -13,14 +13,15 @@ use std::cmp::Ordering;
 use standfast::loads::Earthquake;
 use standfast::{Departure, InputError, Mode, Motion, Outcome, Situation, Stage, Verdict};
 use standfast_model::{BlockCase, CaseFile, Criterion, FirstInstant, MotionCriterion};
-use standfast_probability::sample::Estimate;
 use standfast_watch::Portion;
 
 use crate::case::{Acting, Case, Trial};
 use crate::criteria::Check;
 use crate::error::CaseError;
+use crate::explained::Explained;
+use crate::key::Key;
 use crate::motion::{Follow, FollowedMotion, MotionCheck, worst_checks as worst_motion_checks};
-use crate::random::{ProbabilityError, Random, not_rest};
+use crate::random::{AskedChances, ProbabilityError, Random, asked_of_file};
 use crate::units::Extent;
 pub use any_check::AnyCheck;
 pub use balance::{Balance, BalancePart};
@@ -78,9 +79,8 @@ pub struct Assessed {
     pub joints: Option<Box<Joints>>,
     /// The share of its base in the answer, where the case says what that bears.
     pub ground: Option<BaseResponse>,
-    /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
-    /// for it.
-    pub not_rest: Option<Estimate>,
+    /// What criteria ask of chance, under any acceleration of the base that is tried; `None` where nothing asks.
+    pub chances: Option<Box<AskedChances>>,
     /// The answers in the other ways in which it is tried, none of them worse as a whole.
     pub others: Vec<Assessed>,
 }
@@ -139,7 +139,8 @@ impl Assessment {
         let case = file.case()?;
         let asks = case.all_criteria().iter().any(Criterion::is_chance);
         let assessment = Assessment::owning(case).map_err(|error| file.refused(error))?;
-        if asks { assessment.with_chance(file, portion) } else { Ok(assessment) }
+        let asked = assessment.case.all_criteria();
+        if asks { assessment.with_chance(file, &asked, portion) } else { Ok(assessment) }
     }
 
     /// The answer of a file in time at its first instant, with what belongs to time: the criteria of the motion, which is followed where
@@ -167,23 +168,35 @@ impl Assessment {
         Ok(assessment)
     }
 
-    /// Adds to every situation the chance that the body does not stay at rest; the file is that of the case.
+    /// Adds to every situation what these criteria ask of chance; the file is that of the case.
     ///
     /// # Errors
     /// If it is not found.
     pub(crate) fn with_chance(
         mut self,
         file: &CaseFile,
+        asked: &[Criterion],
         portion: Portion<'_>,
     ) -> Result<Assessment, CaseError> {
-        let found = not_rest(file, portion).map_err(|error| match error {
+        let found = asked_of_file(file, asked, portion).map_err(|error| match error {
             ProbabilityError::Case(error) => error,
-            other => file.no_chance(other.to_string()),
+            other => {
+                let of_storm = [Key::GreatestMeanSlide, Key::GreatestSlidingOver];
+                let is_of = |key: Key| match other {
+                    ProbabilityError::NoStorm | ProbabilityError::Sliding(_) => of_storm.contains(&key),
+                    ProbabilityError::NoLife | ProbabilityError::NothingYearly { .. } => {
+                        [Key::GreatestLife, Key::LeastLifeIndex].contains(&key)
+                    }
+                    _ => Criterion::is_of_chance(key),
+                };
+                file.no_chance_of(other.to_string(), other.help(), is_of)
+            }
         })?;
         for assessed in &mut self.all {
-            let of = found.iter().find(|(acting, _)| *acting == assessed.acting).map(|(_, chance)| *chance);
-            assessed.not_rest = of;
-            assessed.others.iter_mut().for_each(|other| other.not_rest = of);
+            let of = found.iter().find(|(acting, _)| *acting == assessed.acting);
+            let of = of.map(|(_, chances)| Box::new(chances.clone()));
+            assessed.others.iter_mut().for_each(|other| other.chances = of.clone());
+            assessed.chances = of;
         }
         self.yearly = file.random().is_some_and(Random::is_yearly);
         Ok(self)
@@ -311,7 +324,7 @@ impl Assessed {
                 outcome,
                 joints: None,
                 ground,
-                not_rest: None,
+                chances: None,
                 others,
             })
         };
@@ -406,7 +419,11 @@ impl Assessed {
     fn severity(&self, case: &Case) -> Severity {
         // Which acceleration of the base is worst does not hang on a chance, which is that of all of them.
         let asked = case.criteria_of(self.acting).iter();
-        let asked = asked.filter(|criterion| !criterion.is_chance() || self.not_rest.is_some());
+        let asked = asked.filter(|criterion| {
+            let found =
+                |criterion| self.chances.as_ref().is_some_and(|chances| chances.of(criterion).is_some());
+            !criterion.is_chance() || found(criterion)
+        });
         let used = asked.map(|criterion| Check::of(*criterion, self).urgency()).fold(0.0, f64::max);
         let [sliding, overturning] = match self.is_lifted() {
             true => [0.0; 2],

@@ -87,7 +87,8 @@ impl Check {
             Some(ResultName::LoadFactor) => ResultValue::Number(assessed.departure().load_factor()),
             Some(result) => result.of(assessed),
             None if criterion.is_chance() => {
-                assessed.not_rest.map_or(ResultValue::Nothing, |not_rest| ResultValue::Number(not_rest.high))
+                let counted = assessed.chances.as_ref().and_then(|chances| chances.counted(&criterion));
+                counted.map_or(ResultValue::Nothing, ResultValue::Number)
             }
             None => match &assessed.joints {
                 Some(joints) => joints.possible(assessed).map_or(ResultValue::Nothing, ResultValue::Modes),

@@ -207,9 +207,14 @@ impl Varied<'_> {
     /// Assessment with the probability that a target asks for.
     fn answer_for(&self, target: Target, variable: &Variable, value: f64) -> Result<Assessment, CaseError> {
         let answer = self.answer(variable, value)?;
-        match target.asks_for_chance(self.case()) {
-            true => answer.with_chance(&self.subject.with(&self.changes(variable, value))?, Portion::UNSEEN),
-            false => Ok(answer),
+        let asked = target.of_chance(self.case());
+        match asked.is_empty() {
+            false => answer.with_chance(
+                &self.subject.with(&self.changes(variable, value))?,
+                &asked,
+                Portion::UNSEEN,
+            ),
+            true => Ok(answer),
         }
     }
 
@@ -220,8 +225,11 @@ impl Varied<'_> {
     /// The answer without any change, with what a target asks for.
     fn present(&self, target: Target) -> Result<Assessment, CaseError> {
         let present = self.subject.answer(&[], self.follows)?;
-        let asks = target.asks_for_chance(self.case());
-        Ok(if asks { present.with_chance(&self.subject.file, Portion::UNSEEN)? } else { present })
+        let asked = target.of_chance(self.case());
+        Ok(match asked.is_empty() {
+            false => present.with_chance(&self.subject.file, &asked, Portion::UNSEEN)?,
+            true => present,
+        })
     }
 }
 

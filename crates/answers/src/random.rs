@@ -38,8 +38,8 @@ pub use answer::{
     ChanceRequest, Chances, FirstDeparture, FirstJoint, Happening, LifeChances, Method, MethodAsked,
     Probability, RandomNumber,
 };
-pub use criterion::ChanceCriterion;
-pub(crate) use criterion::not_rest;
+pub(crate) use criterion::asked_of_file;
+pub use criterion::{AskedChances, ChanceCriterion};
 pub use draws::{Draw, DrawInPlane, Draws, WeighedDraws};
 pub use error::ProbabilityError;
 pub use fragility::{Fit, Fragility, FragilityPoint, ValueRange};

@@ -100,7 +100,7 @@ pub enum SweepResult {
 const LARGEST_BIAS: f64 = 1e50;
 
 /// The names of criteria, which are those of the keys that ask for them.
-const CRITERIA: [&str; 17] = [
+const CRITERIA: [&str; 21] = [
     "SF_sliding",
     "SF_overturning_net",
     "SF_overturning_gross",
@@ -114,6 +114,10 @@ const CRITERIA: [&str; 17] = [
     "effective_pressure_max",
     "rotation_max",
     "p_not_rest",
+    "p_life",
+    "beta_life",
+    "sliding_mean",
+    "p_sliding_over",
     "slide",
     "max_theta",
     "overturned",
@@ -130,9 +134,8 @@ impl Sweep {
             return Err(file.error(Fault::new(Problem::TableInTime, table)));
         }
         let case = file.case()?;
-        let asks = Key::GreatestNotRest;
-        let varied = factors.iter().any(|factor| factor.is(asks));
-        if varied || case.all_criteria().iter().any(|criterion| criterion.key == asks) {
+        let is_of_chance = |factor: &Factor| factor.id().is_some_and(|id| Criterion::is_of_chance(id.key));
+        if factors.iter().any(is_of_chance) || case.all_criteria().iter().any(Criterion::is_chance) {
             let why = "of the rows of a table none is found; `standfast probability` and `design` have it"
                 .to_owned();
             return Err(file.no_chance(why));

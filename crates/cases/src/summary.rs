@@ -10,7 +10,7 @@ use standfast_answers::results::ResultValue;
 use standfast_model::{Bound, Key, MotionCriterion, Warning};
 
 use crate::json::{CheckEntry, RequiredBound, optional_number_or_word};
-use crate::layout::paragraph;
+use crate::layout::{digits, paragraph};
 
 /// Top of an answer.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -120,6 +120,11 @@ pub(crate) fn quoted(name: &str) -> String {
     format!("«{name}»")
 }
 
+/// A number of years in words.
+pub(crate) fn years(years: f64) -> String {
+    if years == 1.0 { "one year".to_owned() } else { format!("{} years", digits(years)) }
+}
+
 /// Period that a probability is of.
 pub(crate) fn period(yearly: bool) -> &'static str {
     if yearly { "in one year" } else { "in one event" }
@@ -157,7 +162,16 @@ pub(crate) fn criterion_words(check: &AnyCheck<'_>, yearly: bool) -> String {
                     format!("{who} leaves rest at once, a {name} {required} is asked")
                 }
                 _ if criterion.is_chance() => {
-                    format!("{name} is {value} {}, {required} is asked{used}", period(yearly))
+                    let years = found.assessed.chances.as_ref().and_then(|chances| chances.years);
+                    let over = || {
+                        years.map_or("over its life".to_owned(), |life| format!("over {}", self::years(life)))
+                    };
+                    let period = if criterion.key == Key::GreatestNotRest {
+                        period(yearly).to_owned()
+                    } else {
+                        over()
+                    };
+                    format!("{} is {value} {period}, {required} is asked{used}", criterion.full_name())
                 }
                 _ => {
                     format!("{name}{} is {value}, {required} is asked{used}", check.on_joint())

@@ -68,7 +68,7 @@ fn a_criterion_counts_the_upper_end_of_the_interval() {
         let text = format!("{BLOCK}{PUSH}[criteria]\np_not_rest = {bound:e}\n[random]\n{LAW}");
         let assessment = Assessment::of_file(&file(&text)).unwrap();
         assert_eq!(assessment.met(), Some(met));
-        assert_eq!(answer(&text, ChanceRequest::default()).criterion.unwrap().is_met(), met);
+        assert_eq!(answer(&text, ChanceRequest::default()).criteria[0].is_met(), met);
     }
     // Drawn, the estimate may be below a bound that the interval is not.
     let request = ChanceRequest { method: Some(Method::MonteCarlo), ..ChanceRequest::default() };
@@ -79,8 +79,8 @@ fn a_criterion_counts_the_upper_end_of_the_interval() {
     let text = text
         .replace("20e3", "60e3")
         .replace("[random]", &format!("[criteria]\np_not_rest = {bound}\n[random]"));
-    let criterion = answer(&text, request).criterion.unwrap();
-    assert!(!criterion.is_met() && criterion.counted() == high, "{criterion:?}");
+    let criterion = answer(&text, request).criteria[0];
+    assert!(!criterion.is_met() && criterion.counted == high, "{criterion:?}");
 }
 
 /// The top of the answer says the probability of the law with its period, and the criterion with what is used of it.
@@ -135,9 +135,7 @@ fn alternatives_are_joined_under_the_same_draw() {
     assert!((found.joined.unwrap().not_rest.value / by_hand - 1.0).abs() < 1e-9);
     // The criterion is of the worst of those that act one by one.
     let text = format!("{both}[criteria]\np_not_rest = 0.5\n{laws}");
-    assert!(
-        (answer(&text, ChanceRequest::default()).criterion.unwrap().counted() / worst - 1.0).abs() < 1e-9
-    );
+    assert!((answer(&text, ChanceRequest::default()).criteria[0].counted / worst - 1.0).abs() < 1e-9);
 }
 
 /// A base shaken to both sides is one event: with a push to the left, resting takes rest under both signs.
@@ -156,7 +154,7 @@ fn both_signs_of_an_earthquake_are_one_event() {
     let (mean, sd) = ((50e3 + 0.25 * weight) / weight, 10e3 / weight);
     let by_hand = below((mean - 0.5) / f64::hypot(sd, 0.1));
     assert!((joined / by_hand - 1.0).abs() < 1e-5, "{joined} {by_hand}");
-    assert_eq!(found.criterion.unwrap().counted(), found.joined.unwrap().not_rest.high);
+    assert_eq!(found.criteria[0].counted, found.joined.unwrap().not_rest.high);
 }
 
 #[test]
@@ -680,5 +678,111 @@ fn situation(file: &CaseFile) -> String {
     match Draws::of(file, None, 1, 1) {
         Err(ProbabilityError::Situation { known, .. }) => known[0].clone(),
         other => panic!("{other:?}"),
+    }
+}
+
+/// Of fifty years with a force that is drawn each year P = 1 − (1 − p)⁵⁰, and β = −Φ⁻¹(P); a design for them is that for the p of a year.
+/// Of a base that is shaken to both sides a year moves the body if either does, which of a like body is the same year.
+#[test]
+fn a_life_is_a_criterion() {
+    let law =
+        "years = 50\n\"load.push.force\" = { normal = { mean = 200e3, sd = 20e3 }, every = \"year\" }\n";
+    let p = above((0.5 * 60e3 * 9.81 - 200e3) / 20e3);
+    let of_life = |p: f64| -(50.0 * (-p).ln_1p()).exp_m1();
+    let text = |criteria: &str| format!("{BLOCK}{PUSH}[criteria]\n{criteria}\n[random]\n{law}");
+    let found = answer(&text("p_life = 1e-3\nbeta_life = 3"), ChanceRequest::default());
+    let of = |name: &str| found.criteria.iter().find(|check| check.criterion.name() == name).unwrap();
+    assert!((of("p_life").counted / of_life(p) - 1.0).abs() < 1e-9, "{:?} {}", of("p_life"), of_life(p));
+    assert!((of("beta_life").counted / quantile_above(of_life(p)) - 1.0).abs() < 1e-9);
+    assert_eq!(
+        (of("p_life").is_met(), of("beta_life").is_met()),
+        (of_life(p) <= 1e-3, of_life(p) <= above(3.0))
+    );
+    let words = found.text(&()).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("over 50 years is"), "{words}");
+    let assessed = Assessment::of_file(&file(&text("beta_life = 2"))).unwrap();
+    assert!(assessed.all_checks()[0].is_met());
+
+    for target in ["p_life=0.01", "beta_life=2.3263478740408408"] {
+        let request = DesignRequest {
+            vary: "width".to_owned(),
+            target: target.parse().unwrap(),
+            extreme: Extreme::Least,
+            from: Some("5".to_owned()),
+            to: Some("20".to_owned()),
+            spelling: &Spelling::PROGRAM,
+        };
+        let design = Design::of(&file(&text("p_life = 0.5")), request, Portion::UNSEEN);
+        let design = design.unwrap_or_else(|error| panic!("{error}"));
+        let json: serde_json::Value = serde_json::from_str(&design.json(&(), &[])).unwrap();
+        let yearly = -((-0.01f64).ln_1p() / 50.0).exp_m1();
+        let by_hand = (200e3 + quantile_above(yearly) * 20e3) / (0.5 * 60e3 / 12.0 * 9.81);
+        let boundary = json["found"]["boundary"].as_f64().unwrap();
+        assert!((boundary / by_hand - 1.0).abs() < 1e-6, "{target}: {boundary} {by_hand}");
+    }
+
+    let shaken = "[body]\nwidth = 12\nheight = 3\nmass = 60e3\nfriction = 0.5\n[earthquake]\nhorizontal = \"0.2 g\"\n[criteria]\n\
+                  p_life = 0.1\n[random]\nyears = 50\nearthquake.horizontal = { normal = { mean = \"0.2 g\", sd = \"0.1 g\" }, every = \"year\", lower = \"0 g\" }\n";
+    let found = answer(shaken, ChanceRequest::default());
+    let yearly = above(3.0) / above(-2.0);
+    assert_eq!(found.situations.len(), 2);
+    assert!((found.criteria[0].counted / of_life(yearly) - 1.0).abs() < 1e-6, "{:?}", found.criteria);
+}
+
+/// The slides of storms as criteria: the mean and chances that the answer has, at the slides that are asked for; refused where there is no
+/// storm, no life, or no table that has them.
+#[test]
+fn slides_in_storms_are_criteria() {
+    let storm = include_str!("../../../examples/goda-2000-storm.toml");
+    let asked = "\n[criteria]\nsliding_mean = \"0.10 m\"\np_sliding_over = [{ slide = \"20 cm\", at_most = 0.02 }, { slide = 0.3, at_most = 0.01 }]\n";
+    let request =
+        ChanceRequest { effort: Effort { points: 1 << 20, ..Effort::default() }, ..ChanceRequest::default() };
+    let found = answer(&format!("{storm}{asked}"), request);
+    let sliding = found.sliding.as_ref().unwrap();
+    let slides: Vec<f64> = sliding.exceedance.iter().map(|exceeded| exceeded.slide).collect();
+    assert_eq!(slides, [0.1, 0.2, 0.3]);
+    let chances: Vec<f64> = sliding.exceedance.iter().map(|exceeded| exceeded.probability.value).collect();
+    assert!(chances[0] > chances[1] && chances[1] > chances[2]);
+    let names: Vec<String> = found.criteria.iter().map(|check| check.criterion.full_name()).collect();
+    assert_eq!(names.len(), 3);
+    for check in &found.criteria {
+        let estimate = match check.criterion.over {
+            None => sliding.mean,
+            Some(slide) => {
+                sliding.exceedance[slides.iter().position(|one| *one == slide).unwrap()].probability
+            }
+        };
+        assert_eq!(check.counted, estimate.high);
+        assert_eq!(check.is_met(), estimate.high <= check.required(), "{check:?}");
+        assert!(found.criteria[0].utilisation() >= check.utilisation());
+    }
+    let report = |text: &str| match Assessment::of_file(&file(text)) {
+        Ok(_) => panic!("{text}"),
+        Err(error) => standfast_cases::report(&error),
+    };
+    let push = format!("{BLOCK}{PUSH}[criteria]\n");
+    let random = format!("[random]\n{LAW}");
+    for (criterion, said) in [
+        ("p_life = 0.1", "nothing says how many years it has"),
+        ("sliding_mean = 0.1", "the case has no [storm]"),
+        ("p_sliding_over = { slide = 0.1, at_most = 0.2 }", "the case has no [storm]"),
+    ] {
+        let text = format!("{push}{criterion}\n{random}");
+        let error = report(&text);
+        assert!(error.contains(said) && error.contains(criterion), "{error}");
+        assert!(report(&format!("{push}{criterion}\n")).contains("no [random] table"));
+    }
+    for wrong in [
+        "{ slide = 0.1 }",
+        "0.1",
+        "[]",
+        "{ slide = 0, at_most = 0.1 }",
+        "{ slide = \"0.1 m\", at_most = 1.5 }",
+        "{ slide = 1, most = 0.1 }",
+    ] {
+        assert!(
+            CaseFile::parse("case.toml", &format!("{push}p_sliding_over = {wrong}\n{random}")).is_err(),
+            "{wrong}"
+        );
     }
 }

@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use standfast_cases::random::{ChanceRequest, Effort, Probability, WeighedDraws, template};
+use standfast_cases::random::{ChanceCriterion, ChanceRequest, Effort, Probability, WeighedDraws, template};
 use standfast_tables::{PlainColumn, PlainValues, TableFormat, write_columns};
 
 use crate::answer::PrintedAnswer;
@@ -68,7 +68,7 @@ pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer> {
     let request = args.method.map_or(plainly, |method| plainly.with(method));
     let over = args.over.as_ref();
     let answer = &refined(|portion| Probability::under(&case, request, over, &[], portion))?;
-    if args.check && answer.criterion.is_none() {
+    if args.check && answer.criteria.is_empty() {
         return Err(CommandError::NothingToCheck {
             path: args.case.clone(),
             of: " of the probability",
@@ -85,7 +85,8 @@ pub fn probability(args: &ProbabilityArgs) -> Result<PrintedAnswer> {
     if let (Format::Text, Some(file)) = (args.format, &args.draws) {
         let _ = write!(printed.answer, "\nDraws written to {}\n", file.path.display());
     }
-    Ok(PrintedAnswer { met: answer.criterion.map(|criterion| criterion.is_met()), ..printed })
+    let met = (!answer.criteria.is_empty()).then(|| answer.criteria.iter().all(ChanceCriterion::is_met));
+    Ok(PrintedAnswer { met, ..printed })
 }
 
 /// A row for each draw: the numbers, the weight and the mode, and of several sets of loads which.

@@ -60,10 +60,14 @@ pub enum Problem {
         of: &'static str,
     },
     /// A criterion of a probability that is not found.
-    #[error("the criterion `p_not_rest` asks for a probability: {why}")]
+    #[error("the criterion `{name}` asks for a probability: {why}")]
     NoChance {
+        /// The criterion.
+        name: &'static str,
         /// Reason why there is none.
         why: String,
+        /// Advice, where it is not that something has to be random.
+        help: Option<String>,
     },
     /// A key that has to be there.
     #[error("{} lacks `{}`", table.header(), key.entry())]

@@ -625,6 +625,8 @@ pub enum Kind {
     Ratios,
     /// Criteria under their names.
     Bounds,
+    /// Slides, and the probability of each that may be exceeded: one, or a list of such.
+    Exceedances,
     /// Symbols of modes in a list.
     ModeList,
 }
@@ -714,7 +716,7 @@ impl KeyInfo {
             Kind::OneOf(_, range) => Some(range),
             Kind::Text | Kind::Truth | Kind::Choice { .. } | Kind::Unit(_) | Kind::File => None,
             Kind::List(_) | Kind::Pairs(_) | Kind::Plains | Kind::Factors | Kind::ModeList => None,
-            Kind::Settings | Kind::Ratios | Kind::Bounds => None,
+            Kind::Settings | Kind::Ratios | Kind::Bounds | Kind::Exceedances => None,
         }
     }
 
@@ -798,8 +800,8 @@ const fn time(range: Range) -> Kind {
 }
 
 use Kind::{
-    Bounds, Factors, File, InGravity, List, Measured, ModeList, OneOf, Pairs, Plain, Plains, Ratios, Reached,
-    Settings, Text, Truth,
+    Bounds, Exceedances, Factors, File, InGravity, List, Measured, ModeList, OneOf, Pairs, Plain, Plains,
+    Ratios, Reached, Settings, Text, Truth,
 };
 use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, Turn, ZeroToOne};
 use Table::{
@@ -1210,6 +1212,14 @@ listed! {
         "at most: rotation on an elastic base", "\"2 mrad\"");
     GreatestNotRest = key(Criteria, "p_not_rest", Plain(Share), "",
         "at most: upper end of the interval of the probability that the body does not stay at rest, of a case with [random]", "1e-3");
+    GreatestLife = key(Criteria, "p_life", Plain(Share), "",
+        "at most: upper end of the interval of the probability that the body ever leaves rest over the years of [random]", "0.1");
+    LeastLifeIndex = key(Criteria, "beta_life", Plain(Finite), "",
+        "at least: reliability index of that probability, −Φ⁻¹(P), at the upper end of its interval", "1.5");
+    GreatestMeanSlide = key(Criteria, "sliding_mean", length(Positive), "",
+        "at most: upper end of the interval of the mean slide over the years of [random], of a case with [storm]", "\"0.3 m\"");
+    GreatestSlidingOver = key(Criteria, "p_sliding_over", Exceedances, "",
+        "at most: upper end of the interval of the probability that the slides over the years of [random] come to more than a length", "{ slide = \"0.3 m\", at_most = 0.1 }");
     GreatestSlide = key(Criteria, "slide", length(Positive), "",
         "at most: displacement along the base at the end of the motion, to either side", "\"100 mm\"");
     GreatestTheta = key(Criteria, "max_theta", Measured(Dimension::Angle, Positive), "",

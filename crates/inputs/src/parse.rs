@@ -718,6 +718,7 @@ impl Field<'_> {
             }
             Kind::Ratios => Value::Ratios(self.named(kind, |field| field.ratio())?),
             Kind::Bounds => Value::Bounds(self.bounds()?),
+            Kind::Exceedances => Value::Numbers(self.exceedances()?),
             Kind::ModeList => {
                 let mut modes = Modes::NONE;
                 for field in self.elements(kind)? {
@@ -803,6 +804,41 @@ impl Field<'_> {
             Some(field.value(key.info().kind).map(|value| (key, value)))
         });
         bounds.collect()
+    }
+
+    /// Slides with the probability of each that may be exceeded: slide, probability, slide and so on.
+    fn exceedances(&self) -> Result<Vec<f64>, PlacedProblem> {
+        let wrong = |field: &Field<'_>| field.wrong_type(expected_type(Kind::Exceedances));
+        let all: Vec<Field<'_>> = match self.value.get_ref().as_array() {
+            Some(_) => self.elements(Kind::Exceedances)?.collect(),
+            None => vec![Field { ..*self }],
+        };
+        let mut numbers = Vec::new();
+        for one in all {
+            let table = one.value.get_ref().as_table().filter(|table| table.len() == 2);
+            let table = table.ok_or_else(|| wrong(&one))?;
+            let field = |name: &str| {
+                let value = table.get(name).ok_or_else(|| wrong(&one))?;
+                Ok(Field { value, ..one })
+            };
+            let (slide, at_most) = (field("slide")?, field("at_most")?);
+            let length = match slide.value.get_ref().as_str() {
+                Some(text) => Dimension::Length.parse(text).map_err(|error| {
+                    let written = slide.written(slide.value);
+                    slide.problem(Problem::Unit {
+                        key: self.id.key,
+                        dimension: Some(Dimension::Length),
+                        written,
+                        error,
+                    })
+                })?,
+                None => plain_number(slide.value.get_ref()).ok_or_else(|| wrong(&slide))?,
+            };
+            let share = plain_number(at_most.value.get_ref()).ok_or_else(|| wrong(&at_most))?;
+            numbers
+                .extend([slide.in_range(length, Range::Positive)?, at_most.in_range(share, Range::Share)?]);
+        }
+        Ok(numbers)
     }
 
     /// Words; the name of a load in one line, as it stands in tables.

@@ -10,7 +10,7 @@ use crate::case::{Case, blamed, motion_fault};
 use crate::criteria::Criterion;
 use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::Inputs;
-use crate::key::{Id, Key};
+use crate::key::{Id, Key, Table};
 
 /// A case file: what it says, where it says it ([`CaseText`]), and what it describes.
 #[derive(Debug, Clone)]
@@ -119,9 +119,16 @@ impl CaseFile {
         Ok(case)
     }
 
-    /// Error that a probability asked for is not found, shown at the criterion.
+    /// Error that what a criterion asks of chance is not found, shown at the first of them.
     pub fn no_chance(&self, why: String) -> CaseError {
-        self.error(Fault::new(Problem::NoChance { why }, Key::GreatestNotRest))
+        self.no_chance_of(why, None, Criterion::is_of_chance)
+    }
+
+    /// The same, shown at the first for whose key this holds, with help of its own.
+    pub fn no_chance_of(&self, why: String, help: Option<String>, holds: impl Fn(Key) -> bool) -> CaseError {
+        let mut asked = Table::Criteria.keys().filter(|key| self.inputs().get(*key).is_some() && holds(*key));
+        let key = asked.next().unwrap_or(Key::GreatestNotRest);
+        self.error(Fault::new(Problem::NoChance { name: key.name(), why, help }, key))
     }
 
     /// Refusal of the case by the mechanics, shown at the number that brings it about.

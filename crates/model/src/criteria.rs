@@ -20,6 +20,8 @@ pub struct Criterion {
     pub key: Key,
     /// The bound.
     pub bound: Bound,
+    /// The slide, m, of which the probability that it is exceeded is asked for; `None` of all others.
+    pub over: Option<f64>,
     /// Units and digits in which it is read.
     pub output: OutputUnits,
 }
@@ -47,7 +49,7 @@ pub enum MotionCriterion {
 }
 
 /// Criteria on a number that has to be at least the bound; all others have to be at most that.
-const AT_LEAST: [Key; 7] = [
+const AT_LEAST: [Key; 8] = [
     Key::LeastSliding,
     Key::LeastOverturningNet,
     Key::LeastOverturningGross,
@@ -55,6 +57,16 @@ const AT_LEAST: [Key; 7] = [
     Key::LeastContact,
     Key::LeastGround,
     Key::LeastLoadFactor,
+    Key::LeastLifeIndex,
+];
+
+/// Criteria that ask for a probability, or a mean over chance.
+const OF_CHANCE: [Key; 5] = [
+    Key::GreatestNotRest,
+    Key::GreatestLife,
+    Key::LeastLifeIndex,
+    Key::GreatestMeanSlide,
+    Key::GreatestSlidingOver,
 ];
 
 impl Criterion {
@@ -62,11 +74,29 @@ impl Criterion {
     pub(crate) fn all(inputs: &Inputs) -> Vec<Criterion> {
         Table::Criteria
             .keys()
-            .filter_map(|key| Criterion::of(key, inputs.get(key)?, inputs.output()))
+            .filter_map(|key| Some((key, inputs.get(key)?)))
+            .flat_map(|(key, value)| Criterion::each_of(key, value, inputs.output()))
             .collect()
     }
 
-    /// Criterion of a value under a key of `[criteria]`, read in these units; `None` if the key is none of these.
+    /// The criteria of a value under a key of `[criteria]`, read in these units: one, or of slides one for each; none if the key is none of
+    /// these.
+    pub fn each_of(key: Key, value: &Value, output: OutputUnits) -> Vec<Criterion> {
+        match value {
+            Value::Numbers(numbers) if key == Key::GreatestSlidingOver => {
+                let each = numbers.chunks_exact(2).map(|pair| Criterion {
+                    key,
+                    bound: Bound::AtMost(pair[1]),
+                    over: Some(pair[0]),
+                    output,
+                });
+                each.collect()
+            }
+            _ => Criterion::of(key, value, output).into_iter().collect(),
+        }
+    }
+
+    /// The criterion of a value under a key of `[criteria]`, read in these units; `None` if the key is none of these, or has several.
     pub fn of(key: Key, value: &Value, output: OutputUnits) -> Option<Criterion> {
         let bound = match value {
             Value::Number(_) if key.is_of_motion() => return None,
@@ -75,12 +105,17 @@ impl Criterion {
             Value::Modes(modes) => Bound::NoneOf(*modes),
             _ => return None,
         };
-        Some(Criterion { key, bound, output })
+        Some(Criterion { key, bound, over: None, output })
     }
 
-    /// True if it asks for a probability, which takes random numbers.
+    /// True if it asks for a probability, or a mean over chance, which takes random numbers.
     pub fn is_chance(&self) -> bool {
-        self.key == Key::GreatestNotRest
+        Criterion::is_of_chance(self.key)
+    }
+
+    /// True if a criterion under this key asks for that.
+    pub fn is_of_chance(key: Key) -> bool {
+        OF_CHANCE.contains(&key)
     }
 
     /// Its name: that of the result.
@@ -88,10 +123,31 @@ impl Criterion {
         self.key.name()
     }
 
+    /// Its name with the slide that it is of: `p_sliding_over(0.3 m)`.
+    pub fn full_name(&self) -> String {
+        match self.over {
+            Some(slide) => format!("{}({} m)", self.name(), plain(slide)),
+            None => self.name().to_owned(),
+        }
+    }
+
     /// The quantity that is asked for, in words.
     pub fn words(&self) -> &'static str {
         let words = self.key.info().words;
         words.split_once(": ").map_or(words, |(_, words)| words)
+    }
+
+    /// Its quantity as it stands in a sentence, of one of chance.
+    pub fn of_chance_words(&self) -> &'static str {
+        match self.key {
+            Key::GreatestLife => "the probability that the body ever leaves rest over the years of its life",
+            Key::LeastLifeIndex => "the reliability index of a life, −Φ⁻¹(P)",
+            Key::GreatestMeanSlide => "the mean slide over the years of its life",
+            Key::GreatestSlidingOver => {
+                "the probability that its slides come to more than that over the years of its life"
+            }
+            _ => "the probability that the body does not stay at rest",
+        }
     }
 
     /// The bound as it is read: `≥ 1.2`, `≤ 400 kPa`, `none of RO, SRO-`.
@@ -132,7 +188,7 @@ impl fmt::Display for Criterion {
                 format!("[{}]", quoted.join(", "))
             }
         };
-        write!(f, "{}={bound}", self.name())
+        write!(f, "{}={bound}", self.full_name())
     }
 }
 

@@ -196,7 +196,7 @@ pub fn lives<'w, S: Sums>(
     let sequences: Vec<Sobol> =
         (0..SCRAMBLES as u64).map(|scramble| Sobol::new(once, effort.seed, scramble)).collect();
     /// The lives of one scramble that are drawn first, and those that one piece of work has.
-    const FIRST: u64 = 128;
+    const FIRST: u64 = 16;
     const RUN: u64 = 64;
     let steps = portion.steps(SCRAMBLES * (each as usize).div_ceil(RUN as usize));
     let mut all = Lives { groups: vec![Vec::new(); SCRAMBLES] };

@@ -114,7 +114,7 @@ fn lives_are_drawn_until_they_are_enough() {
         sums_of_lives(&inputs(0.0), &Exceeds, 30, &life, &effort(most), are_enough)
     };
     let first = drawn(1 << 19, &|_| true);
-    assert_eq!(first.count(), 32 * 128);
+    assert_eq!(first.count(), 32 * 16);
     let more = drawn(1 << 19, &|lives| lives.count() > 10_000);
     assert_eq!(more.count(), 32 * 512);
     let all = drawn(1 << 19, &|_| false);

@@ -3,9 +3,10 @@
 use maud::{Markup, html};
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
-    ChanceRequest, Chances, Estimate, Happening, Method, Probability, ProbabilityError, Random, Rate, period,
+    ChanceRequest, Chances, Estimate, Happening, Method, Probability, ProbabilityError, Random, Rate,
+    criterion_words, period, period_of,
 };
-use standfast_cases::{CaseFile, Portion};
+use standfast_cases::{Bound, CaseFile, Portion};
 
 use crate::SheetError;
 
@@ -239,11 +240,14 @@ fn together(answer: &Probability) -> Markup {
                 (chance(joined.not_rest)) " (" (interval(joined.not_rest)) ")."
             }
         }
-        @if let Some(criterion) = answer.criterion {
+        @for check in &answer.criteria {
+            @let (value, bound) = criterion_words(check);
+            @let least = matches!(check.criterion.bound, Bound::AtLeast(_));
             p {
-                "Criterion " code { "p_not_rest" } " " (period(answer)) " ≤ " (digits(criterion.required)) ": the upper end of the interval is "
-                data value=(criterion.counted()) { (digits(criterion.counted())) } "; "
-                span.yes[criterion.is_met()].no[!criterion.is_met()] { (if criterion.is_met() { "met" } else { "not met" }) } "."
+                "Criterion " code { (check.criterion.full_name()) } " " (period_of(answer, check)) " " (if least { "≥" } else { "≤" }) " " (bound)
+                ": the " (if least { "lower" } else { "upper" }) " end of the interval is "
+                data value=(check.counted) { (value) } "; "
+                span.yes[check.is_met()].no[!check.is_met()] { (if check.is_met() { "met" } else { "not met" }) } "."
             }
         }
     }

@@ -4,9 +4,10 @@ use maud::{DOCTYPE, Markup, html};
 use standfast::Verdict;
 use standfast_cases::assess::{AnyCheck, figures_of};
 use standfast_cases::design::{Sensitivity, SensitivityChange, load_factor, sensitivities};
-use standfast_cases::layout::{apart, factor};
-use standfast_cases::random::Probability;
-use standfast_cases::{AnswerFigure, Assessed, Assessment, AssessmentView, Key, Portion};
+use standfast_cases::layout::factor;
+
+use standfast_cases::random::{Probability, criterion_words, period_of};
+use standfast_cases::{AnswerFigure, Assessed, Assessment, AssessmentView, Bound, Key, Portion};
 
 use crate::document::{LEAST_TYPE, Source, TEXT_WIDTH, drawing, head, least_type, one_line, title_block};
 use crate::probability::Chance;
@@ -213,23 +214,20 @@ impl Asked {
                 checks.iter().map(|check| of(assessed, check)).collect::<Vec<_>>()
             })
             .collect();
-        rows.extend(chance.and_then(|chance| chance.criterion).map(|criterion| {
-            let (value, required) = (criterion.counted(), criterion.required);
-            let shown = apart(&[value, required]);
-            let met = if criterion.is_met() { "met" } else { "not met" };
-            Asked {
-                words: "probability that the body does not stay at rest",
-                name: "p_not_rest",
-                cells: [
-                    format!("≤ {}", shown[1]),
-                    shown[0].clone(),
-                    factor(value / required),
-                    met.to_owned(),
-                ],
-                place: chance.map_or("", standfast_cases::random::period).to_owned(),
-                met: criterion.is_met(),
-                used: value / required,
-            }
+        rows.extend(chance.into_iter().flat_map(|chance| {
+            chance.criteria.iter().map(move |check| {
+                let (value, required) = criterion_words(check);
+                let sign = if matches!(check.criterion.bound, Bound::AtLeast(_)) { "≥" } else { "≤" };
+                let met = if check.is_met() { "met" } else { "not met" };
+                Asked {
+                    words: check.criterion.of_chance_words(),
+                    name: check.criterion.name(),
+                    cells: [format!("{sign} {required}"), value, factor(check.utilisation()), met.to_owned()],
+                    place: period_of(chance, check),
+                    met: check.is_met(),
+                    used: check.utilisation(),
+                }
+            })
         }));
         rows.sort_by(|one, other| one.met.cmp(&other.met).then(other.used.total_cmp(&one.used)));
         rows

@@ -37,7 +37,7 @@ fn the_section_has_the_numbers_of_the_answer() {
     expected.extend(worst.known.iter().map(|known| known.value));
     expected.extend(answer.situations.iter().map(|chances| chances.not_rest.value));
     expected.push(answer.joined.unwrap().not_rest.value);
-    expected.push(answer.criterion.unwrap().counted());
+    expected.push(answer.criteria[0].counted);
     for number in expected {
         assert!(shown.contains(&number), "{number} is not on the sheet");
     }

@@ -156,6 +156,9 @@ fn takes(kind: Kind) -> String {
         Kind::Factors => "names and factors, zero or more, or two factors in a list".to_owned(),
         Kind::Settings => "names of keys, in quotes, and their values".to_owned(),
         Kind::Ratios => "names and numbers above zero".to_owned(),
+        Kind::Exceedances => {
+            "a length and a share, above zero and 1 at most, in braces; or a list of such".to_owned()
+        }
         Kind::Bounds => "criteria and their bounds, as in `[criteria]`".to_owned(),
         Kind::ModeList => "a list of symbols of modes".to_owned(),
     }

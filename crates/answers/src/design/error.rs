@@ -7,7 +7,6 @@ use super::{Extreme, Spelling, Target};
 use crate::couple::Unknown;
 use crate::error::CaseError;
 use crate::explained::Explained;
-use crate::key::Key;
 
 /// Reason why there is no design.
 #[derive(Debug, Error)]
@@ -274,7 +273,7 @@ fn known(Unknown { suggestion, names, unwritten, .. }: &Unknown) -> String {
 
 /// Help where a quantity does not change how far a target is.
 fn of_no_influence(target: &Target) -> &'static str {
-    if matches!(target, Target::Criterion(asked) if asked.key == Key::GreatestNotRest) {
+    if matches!(target, Target::Criterion(asked) if asked.is_chance()) {
         "of a random quantity its law counts, which goes with the case's value where it has no mean of its own: leave `mean` out and give `cov`, or vary another quantity"
     } else {
         "another quantity helps: see the sensitivities of a target that can be met"

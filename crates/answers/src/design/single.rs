@@ -182,8 +182,8 @@ impl SingleChanges {
     }
 
     fn meets(&self, inputs: Inputs) -> bool {
-        let chance = self.target.asks_for_chance(&self.subject.case);
-        let answer = self.subject.answer_as_written(inputs, self.follows, chance);
+        let chance = self.target.of_chance(&self.subject.case);
+        let answer = self.subject.answer_as_written(inputs, self.follows, &chance);
         answer.is_ok_and(|answer| self.target.is_met(&answer))
     }
 }

@@ -6,7 +6,7 @@ use crate::couple::{Variable, vary};
 use crate::error::{CaseError, Fault};
 use crate::inputs::Inputs;
 use crate::motion::{Follow, FollowedMotion};
-use standfast_model::{CaseFile, MotionCriterion, at_first_instant, motions};
+use standfast_model::{CaseFile, Criterion, MotionCriterion, at_first_instant, motions};
 use standfast_watch::Portion;
 
 use super::error::DesignError;
@@ -155,7 +155,7 @@ impl Subject {
         Ok(answer)
     }
 
-    /// The answer of the file as it is written with other numbers, with the probability if that is asked for.
+    /// The answer of the file as it is written with other numbers, with what these criteria ask of chance.
     ///
     /// # Errors
     /// As [`answer`](Subject::answer).
@@ -163,7 +163,7 @@ impl Subject {
         &self,
         inputs: Inputs,
         follows: bool,
-        chance: bool,
+        chance: &[Criterion],
     ) -> Result<Assessment, CaseError> {
         let (moving, still) = match &self.time {
             None => (None, inputs),
@@ -173,7 +173,10 @@ impl Subject {
             }
         };
         let answer = self.answer_of(moving, still.clone(), follows)?;
-        if chance { answer.with_chance(&self.file.varied(still), Portion::UNSEEN) } else { Ok(answer) }
+        match chance {
+            [] => Ok(answer),
+            asked => answer.with_chance(&self.file.varied(still), asked, Portion::UNSEEN),
+        }
     }
 
     /// The file as it is written, and its case.

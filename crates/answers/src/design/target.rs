@@ -156,6 +156,9 @@ fn criterion(name: &str, value: Option<&str>) -> Result<Target, TargetError> {
     if let Some(place) = MOTION_CRITERIA.iter().position(|known| *known == name) {
         return motion_criterion(place, value);
     }
+    if let Some(slide) = name.strip_prefix(Key::GreatestSlidingOver.name()).map(str::trim) {
+        return sliding_over(slide, value);
+    }
     match Key::find(Table::Criteria, name) {
         Some(key) => value_of(key, key.name(), value),
         None => {
@@ -163,6 +166,31 @@ fn criterion(name: &str, value: Option<&str>) -> Result<Target, TargetError> {
             Err(TargetError::Unknown { suggestion: closest(name, names) })
         }
     }
+}
+
+/// The criterion on a probability of sliding over a length in parentheses: `(0.3 m)`, and the greatest that is allowed.
+fn sliding_over(slide: &str, value: Option<&str>) -> Result<Target, TargetError> {
+    let name = "p_sliding_over(0.3 m)";
+    let example = || "0.1".to_owned();
+    let wrong = |fault: String| TargetError::WrongValue { name, fault, example: example() };
+    let number =
+        |key: Key, written: &str| match read(key.into(), key.info().kind, Some(Extent::PerMetre), written) {
+            Ok(Value::Number(number)) => Ok(number),
+            Ok(_) => Err(wrong(format!("{written} is no number"))),
+            Err(problem) => Err(wrong(fault(&problem))),
+        };
+    let inside = slide.strip_prefix('(').and_then(|slide| slide.strip_suffix(')'));
+    let Some(inside) = inside else {
+        return Err(wrong("expected a length in parentheses behind p_sliding_over".to_owned()));
+    };
+    let slide = number(Key::GreatestMeanSlide, inside.trim())?;
+    let value = value.filter(|value| !value.is_empty());
+    let written = value.ok_or_else(|| TargetError::NoValue { name, example: example() })?;
+    let most = number(Key::GreatestLife, written)?;
+    let value = Value::Numbers(vec![slide, most]);
+    let criterion =
+        Criterion::each_of(Key::GreatestSlidingOver, &value, Extent::PerMetre.into()).into_iter().next();
+    criterion.map(Target::Criterion).ok_or_else(|| wrong("expected a length".to_owned()))
 }
 
 /// A criterion of the motion, by its place among them, with the value as a case file has it.
@@ -271,8 +299,10 @@ impl Target {
             Target::NoRock => "the body turns about no corner, at once or while the load rises".to_owned(),
             Target::NoSlide => "the body slips at no corner, at once or while the load rises".to_owned(),
             Target::Criterion(criterion) if criterion.is_chance() => format!(
-                "the upper end of the interval of {}, the probability that the body does not stay at rest, is {}",
-                criterion.name(),
+                "the {} end of the interval of {}, {}, is {}",
+                if matches!(criterion.bound, Bound::AtLeast(_)) { "lower" } else { "upper" },
+                criterion.full_name(),
+                criterion.of_chance_words(),
                 criterion.required()
             ),
             Target::Criterion(criterion) => format!("{} is {}", criterion.name(), criterion.required()),
@@ -346,11 +376,17 @@ impl Target {
 
     /// True if it asks for a probability, alone or among the criteria of the case.
     pub(super) fn asks_for_chance(self, case: &Case) -> bool {
-        match self {
-            Target::Criterion(criterion) => criterion.is_chance(),
-            Target::Utilisation(_) => case.all_criteria().iter().any(Criterion::is_chance),
-            _ => false,
-        }
+        !self.of_chance(case).is_empty()
+    }
+
+    /// The criteria of chance that it is, or that are among those of the case.
+    pub(super) fn of_chance(self, case: &Case) -> Vec<Criterion> {
+        let asked = match self {
+            Target::Criterion(criterion) => vec![criterion],
+            Target::Utilisation(_) => case.all_criteria(),
+            _ => Vec::new(),
+        };
+        asked.into_iter().filter(Criterion::is_chance).collect()
     }
 
     /// True if it asks how far the variable loads may rise.
@@ -509,7 +545,8 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
         Key::ModesNot => of_first(assessed).unwrap_or_else(|| motion(assessed.verdict())),
         Key::LeastGround | Key::GreatestEffective => GROUND,
         Key::GreatestRotation => "rotation",
-        Key::GreatestNotRest => "probability",
+        Key::GreatestNotRest | Key::GreatestLife | Key::LeastLifeIndex => "probability",
+        Key::GreatestMeanSlide | Key::GreatestSlidingOver => "sliding in storms",
         _ => of_first(assessed).unwrap_or_else(|| motion(verdict)),
     };
     let words = match (check.met, target) {

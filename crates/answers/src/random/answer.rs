@@ -9,7 +9,7 @@ use standfast_probability::sample::{Effort, Estimate};
 use standfast_watch::Portion;
 
 use super::chances::chances;
-use super::criterion::{ChanceCriterion, bound};
+use super::criterion::{ChanceCriterion, Known, checked, slides_asked};
 use super::error::ProbabilityError;
 use super::fragility::Fragility;
 use super::joined::{JoinedChance, joined};
@@ -24,7 +24,7 @@ use crate::couple::Variable;
 use crate::digits::digits;
 use crate::units::Dimension;
 use standfast_inputs::random::Rate;
-use standfast_model::{CaseFile, Warning};
+use standfast_model::{CaseFile, Criterion, Warning};
 
 /// Method by which probabilities are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -306,8 +306,8 @@ pub struct Probability {
     pub situations: Vec<Chances>,
     /// That any of several situations moves the body; none where there is only one.
     pub joined: Option<JoinedChance>,
-    /// Criterion that `[criteria]` sets for the probability.
-    pub criterion: Option<ChanceCriterion>,
+    /// Criteria that `[criteria]` sets for it, the one of which most is used first.
+    pub criteria: Vec<ChanceCriterion>,
     /// Slides of the body in storms.
     pub sliding: Option<Sliding>,
     /// Overturning over the peak of a shaking, if it was asked for.
@@ -389,19 +389,20 @@ impl Probability {
     ) -> Result<Probability, ProbabilityError> {
         let problems = problems_of(file, request.years, moving)?;
         let storm = storm::storm(file.inputs()).map_err(|fault| file.error(fault))?;
-        let bound = bound(&file.case()?.all_criteria());
-        let weights = [if storm.is_some() { 40.0 } else { 0.0 }, 2.0, f64::from(bound.is_some())];
-        let [of_storm, of_problems, of_criterion] = portion.parts(weights);
+        let asked: Vec<Criterion> = file.case()?.all_criteria();
+        let asked: Vec<Criterion> = asked.into_iter().filter(Criterion::is_chance).collect();
+        let of_criteria = if asked.is_empty() { 0.0 } else { 1.0 };
+        let weights = [if storm.is_some() { 40.0 } else { 0.0 }, 2.0, of_criteria];
+        let [of_storm, of_problems, of_criteria] = portion.parts(weights);
+        let over = slides_asked(&asked);
         let sliding = match storm {
-            Some(storm) => Some(storm::of_case(&storm, &problems, &request, of_storm)?),
+            Some(storm) => Some(storm::of_case(&storm, &problems, &request, &over, of_storm)?),
             None => None,
         };
         let answer = Probability::of_problems(file.name(), &problems, sliding, request, of_problems)?;
-        let criterion = match bound {
-            Some(bound) => Some(ChanceCriterion::of(bound, &problems, &request, of_criterion)?),
-            None => None,
-        };
-        Ok(Probability { criterion, note, ..answer })
+        let known = Known { situations: &answer.situations, sliding: answer.sliding.as_ref() };
+        let criteria = checked(&asked, &problems, &known, &request, of_criteria)?;
+        Ok(Probability { criteria, note, ..answer })
     }
 
     fn of_problems(
@@ -434,7 +435,7 @@ impl Probability {
             situations,
             joined: joined(&problems.iter().collect::<Vec<_>>(), &request, of_joined)?,
             sliding,
-            criterion: None,
+            criteria: Vec::new(),
             overturning: None,
             fragility: None,
             note: None,

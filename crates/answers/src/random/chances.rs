@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use standfast_probability::form::{FormPoint, design_point, distance, local_design_points};
 use standfast_probability::integrate::{
-    Integrated, MOST_DIMENSIONS, OutOfBounds, Within, integrate, integrate_known, integrate_life,
+    Integrated, Life, MOST_DIMENSIONS, OutOfBounds, Within, integrate, integrate_known, integrate_life,
 };
 use standfast_probability::life::lives;
 use standfast_probability::points::MOST_COORDINATES;
@@ -17,6 +17,7 @@ use standfast_watch::Portion;
 use super::answer::{ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Method};
 use super::departure::{AT_ONCE, Departures, NEVER};
 use super::error::ProbabilityError;
+use super::joined::{AnyOf, MOVES};
 use super::outcome::{LIFTED, NOT_UNIQUE, REST, not_rest};
 use super::problem::ChanceProblem;
 
@@ -307,32 +308,63 @@ fn first_departure(
     Ok(FirstDeparture { modes, never: of(NEVER), at_once: of(AT_ONCE), precise })
 }
 
+/// That the body ever leaves rest over a life, under any of these problems, which have the same random numbers.
+pub(super) fn life_of(
+    problems: &[&ChanceProblem],
+    effort: &Effort,
+    portion: Portion<'_>,
+) -> Result<Estimate, ProbabilityError> {
+    let [first, others @ ..] = problems else { return Err(ProbabilityError::NoLife) };
+    let years = first.life().ok_or(ProbabilityError::NoLife)?;
+    if others.is_empty() {
+        return Ok(life(first, effort, portion)?.ok_or(ProbabilityError::NoLife)?.not_rest);
+    }
+    let yearly: Option<Vec<ChanceProblem>> = problems.iter().map(|problem| problem.along_yearly()).collect();
+    let yearly = yearly.ok_or(ProbabilityError::NothingYearly { years: years.years })?;
+    let any = AnyOf(yearly.iter().collect());
+    let sets = [1 << MOVES];
+    let found = over_years(&yearly[0], &any, &any, &sets, &years, (effort, portion))?.sampled;
+    portion.check()?;
+    Ok(found.estimates[0])
+}
+
+/// Outcomes over years: integrated along a yearly number where they are few, or drawn.
+fn over_years<O: Outcomes, D: Outcomes>(
+    yearly: &ChanceProblem,
+    along: &O,
+    drawn: &D,
+    sets: &[u64],
+    life: &Life,
+    (effort, portion): (&Effort, Portion<'_>),
+) -> Result<Found, ProbabilityError> {
+    let laws = yearly.laws();
+    let is_whole = life.years.fract() == 0.0;
+    // A scan for each pair of the others would take minutes.
+    if laws.laws().len() <= MOST_DIMENSIONS + usize::from(!yearly.is_scanned()) {
+        // Of part of a year there are no draws that could take the place of the integral.
+        let within = if is_whole { within(effort, yearly.cost(), portion) } else { Within::ALL_DIGITS };
+        let integrated = integrate_life(laws, along, sets, life, within);
+        return Ok(integral_or(integrated, effort, || {
+            lives(laws, drawn, sets, life, effort.within(portion))
+        }));
+    }
+    if !is_whole {
+        return Err(ProbabilityError::PartOfYear { years: life.years });
+    }
+    let sampled = lives(laws, drawn, sets, life, effort.within(portion));
+    Ok(Found { method: Method::Sobol, sampled, given_up: false })
+}
+
 fn life(
     problem: &ChanceProblem,
     effort: &Effort,
     portion: Portion<'_>,
 ) -> Result<Option<LifeChances>, ProbabilityError> {
     let Some(life) = problem.life() else { return Ok(None) };
-    let numbers = problem.random().len();
     let sets: Vec<u64> = problem.exclusive().map(|outcome| 1 << outcome).chain([not_rest()]).collect();
-    let yearly = problem.along_yearly();
-    let (found, method) = match yearly {
-        None => return Err(ProbabilityError::NothingYearly { years: life.years }),
-        // A scan for each pair of the others would take minutes.
-        Some(problem) if numbers <= MOST_DIMENSIONS + usize::from(!problem.is_scanned()) => {
-            let is_whole = life.years.fract() == 0.0;
-            // Of part of a year there are no draws that could take the place of the integral.
-            let within = if is_whole { within(effort, problem.cost(), portion) } else { Within::ALL_DIGITS };
-            let integrated = integrate_life(problem.laws(), &problem, &sets, &life, within);
-            let drawn = || lives(problem.laws(), &problem, &sets, &life, effort.within(portion));
-            let Found { method, sampled, .. } = integral_or(integrated, effort, drawn);
-            (sampled, method)
-        }
-        Some(_) if life.years.fract() != 0.0 => {
-            return Err(ProbabilityError::PartOfYear { years: life.years });
-        }
-        Some(_) => (lives(problem.laws(), problem, &sets, &life, effort.within(portion)), Method::Sobol),
-    };
+    let yearly = problem.along_yearly().ok_or(ProbabilityError::NothingYearly { years: life.years })?;
+    let Found { method, sampled: found, .. } =
+        over_years(&yearly, &yearly, problem, &sets, &life, (effort, portion))?;
     portion.check()?;
     portion.reached(1.0);
     let [modes @ .., not_rest] = &found.estimates[..] else { unreachable!("as many as sets") };

@@ -1,71 +1,237 @@
-//! Criterion that `[criteria]` sets for the probability that the body does not stay at rest.
+//! Criteria that `[criteria]` sets for probabilities and means over chance: of one event, of a life, of slides in storms.
 //!
-//! The upper end of the interval has to be at most the bound, so that a probability that is not known well enough does not pass. Of
-//! several sets of loads that act one by one the worst counts; the accelerations of a base that is shaken both ways are one event,
-//! which moves the body if any of them does.
+//! The unsafe end of the interval has to meet the bound, so that what is not known well enough does not pass. Of several sets of loads that
+//! act one by one the worst counts; the accelerations of a base that is shaken both ways are one event, which moves the body if any of them
+//! does.
 
+use standfast_probability::form::generalized;
 use standfast_probability::sample::Estimate;
 use standfast_watch::Portion;
 
-use super::answer::ChanceRequest;
+use super::answer::{ChanceRequest, Chances};
+use super::chances::{event, life_of};
 use super::error::ProbabilityError;
-use super::joined::by_acting;
+use super::joined::joined;
 use super::problem::ChanceProblem;
+use super::storm::{self, Sliding};
 use super::subject::problems_of;
 use crate::case::Acting;
 use crate::key::Key;
-use standfast_model::CaseFile;
-use standfast_model::{Bound, Criterion};
+use standfast_model::{Bound, CaseFile, Criterion};
 
-/// Probability of not resting beside its bound, `p_not_rest` of `[criteria]`.
+/// Estimates that criteria ask for, under one set of loads.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AskedChances {
+    /// That the body does not stay at rest in one event.
+    pub not_rest: Option<Estimate>,
+    /// That it ever leaves rest over the years of a life.
+    pub life: Option<Estimate>,
+    /// Its mean slide over a life of storms, m.
+    pub sliding_mean: Option<Estimate>,
+    /// That its slides come to more than these, m.
+    pub sliding_over: Vec<(f64, Estimate)>,
+    /// The years of that life; `None` where none is asked for.
+    pub years: Option<f64>,
+}
+
+impl AskedChances {
+    /// The estimate that a criterion is on; `None` where it was not found, or is none of chance.
+    pub fn of(&self, criterion: &Criterion) -> Option<Estimate> {
+        match criterion.key {
+            Key::GreatestNotRest => self.not_rest,
+            Key::GreatestLife => self.life,
+            // The likelier, the less reliable.
+            Key::LeastLifeIndex => self.life.map(|Estimate { value, low, high }| Estimate {
+                value: generalized(value),
+                low: generalized(high),
+                high: generalized(low),
+            }),
+            Key::GreatestMeanSlide => self.sliding_mean,
+            Key::GreatestSlidingOver => {
+                let asked = |(slide, _): &&(f64, Estimate)| Some(*slide) == criterion.over;
+                self.sliding_over.iter().find(asked).map(|(_, chance)| *chance)
+            }
+            _ => None,
+        }
+    }
+
+    /// The number that counts for a criterion: the unsafe end of the interval.
+    pub fn counted(&self, criterion: &Criterion) -> Option<f64> {
+        let estimate = self.of(criterion)?;
+        Some(if matches!(criterion.bound, Bound::AtLeast(_)) { estimate.low } else { estimate.high })
+    }
+}
+
+/// Criterion of chance beside its bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ChanceCriterion {
-    /// The greatest probability that is allowed.
-    pub required: f64,
-    /// Under the set of loads where it is worst.
-    pub not_rest: Estimate,
+    /// The criterion.
+    pub criterion: Criterion,
+    /// What it is on, under the set of loads where that is worst.
+    pub estimate: Estimate,
+    /// The number that counts: the unsafe end of the interval.
+    pub counted: f64,
 }
 
 impl ChanceCriterion {
-    pub(super) fn of(
-        required: f64,
-        problems: &[ChanceProblem],
-        request: &ChanceRequest,
-        portion: Portion<'_>,
-    ) -> Result<ChanceCriterion, ProbabilityError> {
-        let all = by_acting(problems, request, portion)?.into_iter().map(|(_, not_rest)| not_rest);
-        let worst = all.reduce(|one, two| if two.high > one.high { two } else { one });
-        let not_rest = worst.expect("a case has loads");
-        Ok(ChanceCriterion { required, not_rest })
-    }
-
-    /// Probability that counts: the upper end of the interval.
-    pub fn counted(&self) -> f64 {
-        self.not_rest.high
+    /// The bound.
+    pub fn required(&self) -> f64 {
+        match self.criterion.bound {
+            Bound::AtLeast(bound) | Bound::AtMost(bound) => bound,
+            Bound::NoneOf(_) => f64::NAN,
+        }
     }
 
     /// True if it is met.
     pub fn is_met(&self) -> bool {
-        self.counted() <= self.required
+        match self.criterion.bound {
+            Bound::AtLeast(least) => self.counted >= least,
+            _ => self.counted <= self.required(),
+        }
+    }
+
+    /// The share of the bound that is used; infinite of an index that is not above zero.
+    pub fn utilisation(&self) -> f64 {
+        match self.criterion.bound {
+            Bound::AtLeast(least) if self.counted > 0.0 => (least / self.counted).max(0.0),
+            Bound::AtLeast(_) => f64::INFINITY,
+            _ => self.counted / self.required(),
+        }
     }
 }
 
-/// The bound, where it is asked for.
-pub(super) fn bound(criteria: &[Criterion]) -> Option<f64> {
-    let asked = criteria.iter().find(|criterion| criterion.key == Key::GreatestNotRest)?;
-    match asked.bound {
-        Bound::AtMost(bound) => Some(bound),
-        _ => None,
-    }
+/// What is known already of what criteria ask for.
+pub(super) struct Known<'a> {
+    /// The answers under each set of loads.
+    pub(super) situations: &'a [Chances],
+    /// Slides in storms.
+    pub(super) sliding: Option<&'a Sliding>,
 }
 
-/// The chance of a case file that the body does not stay at rest, for each set of loads that act together.
+/// The slides of which criteria ask how likely they are exceeded.
+pub(super) fn slides_asked(criteria: &[Criterion]) -> Vec<f64> {
+    criteria.iter().filter_map(|criterion| criterion.over).collect()
+}
+
+/// The criteria of chance, the one of which most is used first.
+pub(super) fn checked(
+    criteria: &[Criterion],
+    problems: &[ChanceProblem],
+    known: &Known<'_>,
+    request: &ChanceRequest,
+    portion: Portion<'_>,
+) -> Result<Vec<ChanceCriterion>, ProbabilityError> {
+    let found = asked(criteria, problems, known, request, portion)?;
+    let worst = |criterion: &Criterion| {
+        let each = found.iter().filter_map(|(_, chances)| {
+            let (estimate, counted) = (chances.of(criterion)?, chances.counted(criterion)?);
+            Some(ChanceCriterion { criterion: *criterion, estimate, counted })
+        });
+        each.reduce(|one, two| if two.utilisation() > one.utilisation() { two } else { one })
+    };
+    let mut checked: Vec<ChanceCriterion> = criteria.iter().filter_map(worst).collect();
+    checked.sort_by(|one, two| two.utilisation().total_cmp(&one.utilisation()));
+    Ok(checked)
+}
+
+/// The criteria of a case file on a life and on slides in storms, in their order: what is told along a number beside its event.
+pub(super) fn of_life_and_slides(
+    file: &CaseFile,
+    problems: &[ChanceProblem],
+    request: &ChanceRequest,
+    portion: Portion<'_>,
+) -> Result<Vec<ChanceCriterion>, ProbabilityError> {
+    let criteria: Vec<Criterion> = file.case()?.all_criteria();
+    let of_life = |criterion: &Criterion| criterion.is_chance() && criterion.key != Key::GreatestNotRest;
+    let criteria: Vec<Criterion> = criteria.into_iter().filter(of_life).collect();
+    let [of_storm, of_chances] = portion.parts([40.0, 2.0]);
+    let sliding = slides_of(file, &criteria, problems, request, of_storm)?;
+    let known = Known { situations: &[], sliding: sliding.as_ref() };
+    let found = checked(&criteria, problems, &known, request, of_chances)?;
+    let of = |criterion: &Criterion| found.iter().find(|check| check.criterion == *criterion).copied();
+    Ok(criteria.iter().filter_map(of).collect())
+}
+
+/// Slides of a case in its storms, where criteria ask for them.
+fn slides_of(
+    file: &CaseFile,
+    criteria: &[Criterion],
+    problems: &[ChanceProblem],
+    request: &ChanceRequest,
+    portion: Portion<'_>,
+) -> Result<Option<Sliding>, ProbabilityError> {
+    let of_slides = [Key::GreatestMeanSlide, Key::GreatestSlidingOver];
+    let asks = criteria.iter().any(|criterion| of_slides.contains(&criterion.key));
+    let storm = storm::storm(file.inputs()).map_err(|fault| file.error(fault))?.filter(|_| asks);
+    let sliding =
+        storm.map(|storm| storm::of_case(&storm, problems, request, &slides_asked(criteria), portion));
+    Ok(sliding.transpose()?)
+}
+
+/// What criteria ask for, for each set of loads that act together; under any of the accelerations of the base that are tried.
+fn asked(
+    criteria: &[Criterion],
+    problems: &[ChanceProblem],
+    known: &Known<'_>,
+    request: &ChanceRequest,
+    portion: Portion<'_>,
+) -> Result<Vec<(Acting, AskedChances)>, ProbabilityError> {
+    let asks = |keys: &[Key]| criteria.iter().any(|criterion| keys.contains(&criterion.key));
+    let slides = match known.sliding {
+        _ if !asks(&[Key::GreatestMeanSlide, Key::GreatestSlidingOver]) => None,
+        None => return Err(ProbabilityError::NoStorm),
+        sliding => sliding,
+    };
+    let over = slides_asked(criteria).into_iter().filter_map(|slide| {
+        let exceeded = slides?.exceedance.iter().find(|exceeded| exceeded.slide == slide)?;
+        Some((slide, exceeded.probability))
+    });
+    let of_slides = AskedChances {
+        sliding_mean: slides.map(|slides| slides.mean),
+        sliding_over: over.collect(),
+        years: slides.map(|slides| slides.years),
+        ..AskedChances::default()
+    };
+    let mut found: Vec<(Acting, AskedChances)> = Vec::new();
+    let acting = problems.iter().filter_map(ChanceProblem::case).map(|(_, acting)| acting);
+    for (place, acting) in acting.enumerate() {
+        let [of_event, of_life] = portion.part(place, problems.len()).parts([1.0, 1.0]);
+        if found.iter().any(|(known, _)| *known == acting) {
+            continue;
+        }
+        let is_same = |problem: &&ChanceProblem| problem.case().is_some_and(|(_, of)| of == acting);
+        let same: Vec<&ChanceProblem> = problems.iter().filter(is_same).collect();
+        let mut chances = of_slides.clone();
+        if asks(&[Key::GreatestNotRest]) {
+            chances.not_rest = Some(match joined(&same, request, of_event)? {
+                Some(joined) => joined.not_rest,
+                None => event(same[0], request, of_event)?.1,
+            });
+        }
+        if asks(&[Key::GreatestLife, Key::LeastLifeIndex]) {
+            let answered = || known.situations.first()?.life.as_ref().map(|life| life.not_rest);
+            let answered = if problems.len() == 1 { answered() } else { None };
+            chances.years = problems[0].years();
+            chances.life = Some(answered.map_or_else(|| life_of(&same, &request.effort, of_life), Ok)?);
+        }
+        found.push((acting, chances));
+    }
+    Ok(found)
+}
+
+/// What criteria ask of the chance of a case file, for each set of loads that act together.
 ///
 /// # Errors
-/// As [`Probability::of`](super::Probability::of).
-pub(crate) fn not_rest(
+/// As [`Probability::of`](super::Probability::of); if a life or storms are asked for that the case does not have.
+pub(crate) fn asked_of_file(
     file: &CaseFile,
+    criteria: &[Criterion],
     portion: Portion<'_>,
-) -> Result<Vec<(Acting, Estimate)>, ProbabilityError> {
-    by_acting(&problems_of(file, None, None)?, &ChanceRequest::default(), portion)
+) -> Result<Vec<(Acting, AskedChances)>, ProbabilityError> {
+    let problems = problems_of(file, None, None)?;
+    let request = ChanceRequest::default();
+    let [of_storm, of_chances] = portion.parts([40.0, 2.0]);
+    let sliding = slides_of(file, criteria, &problems, &request, of_storm)?;
+    let known = Known { situations: &[], sliding: sliding.as_ref() };
+    asked(criteria, &problems, &known, &request, of_chances)
 }

@@ -61,6 +61,12 @@ pub enum ProbabilityError {
     /// Storms that cannot be answered.
     #[error(transparent)]
     Sliding(#[from] SlidingError),
+    /// A life that is asked for, and has no length.
+    #[error("a life is asked for, and nothing says how many years it has")]
+    NoLife,
+    /// Slides that are asked for, of no storm.
+    #[error("slides over a life are asked for, and the case has no [storm]")]
+    NoStorm,
     /// A life in which nothing is drawn each year.
     #[error("a life of {years} years, and no random number is drawn yearly")]
     NothingYearly {
@@ -89,6 +95,8 @@ impl Explained for ProbabilityError {
                 "up to three random numbers are integrated, over any number of years".into()
             }
             ProbabilityError::Situation { .. } => "name one of them".into(),
+            ProbabilityError::NoLife => "for example\n[random]\nyears = 50".into(),
+            ProbabilityError::NoStorm => "for example\n[storm]\nwaves = 1000\ntau0 = \"shimosako-takahashi\"".into(),
             ProbabilityError::NothingYearly { .. } => {
                 "give `every = \"year\"` to a number that is drawn anew each year, such as the sea's largest wave"
                     .into()

@@ -19,6 +19,7 @@ use standfast_watch::Portion;
 
 use super::answer::{ChanceRequest, Happening, Probability};
 use super::chances::event;
+use super::criterion::{ChanceCriterion, of_life_and_slides};
 use super::error::ProbabilityError;
 use super::overturn::Overturning;
 use super::problem::ChanceProblem;
@@ -95,6 +96,8 @@ pub struct FragilityPoint {
     pub not_rest: Estimate,
     /// The modes, which add up to one.
     pub modes: Vec<(Happening, Estimate)>,
+    /// The criteria of the case on a life and on slides in storms, in their order.
+    pub criteria: Vec<ChanceCriterion>,
 }
 
 /// A lognormal curve.
@@ -269,7 +272,7 @@ impl ValueRange {
                     }
                     let mut moved = of.point;
                     moved[coordinate as usize] = value;
-                    Ok(vec![of.problem(moved, None)?])
+                    Ok((vec![of.problem(moved, None)?], None))
                 };
                 let read =
                     |text: &str| text.parse::<f64>().map_err(|_| format!("\"{text}\" is not a number"));
@@ -302,7 +305,7 @@ impl ValueRange {
                 }
                 let at = |value: f64| {
                     let changed = file.varied(vary(file.inputs(), &case, &[(&variable, value)]));
-                    problems_of(&changed, None, None)
+                    Ok((problems_of(&changed, None, None)?, Some(changed)))
                 };
                 let points = self.points(self.values(read)?, (request, portion), at)?;
                 // In the unit that is asked in, or else in that of the file.
@@ -319,7 +322,7 @@ impl ValueRange {
         &self,
         values: Vec<f64>,
         (request, portion): (&ChanceRequest, Portion<'_>),
-        problems: impl Fn(f64) -> Result<Vec<ChanceProblem>, ProbabilityError>,
+        at: impl Fn(f64) -> Result<(Vec<ChanceProblem>, Option<CaseFile>), ProbabilityError>,
     ) -> Result<Vec<FragilityPoint>, ProbabilityError> {
         values
             .into_iter()
@@ -327,14 +330,18 @@ impl ValueRange {
             .map(|(place, value)| {
                 let portion = portion.part(place, self.count());
                 let mut worst: Option<FragilityPoint> = None;
-                let problems = problems(value)?;
+                let (problems, file) = at(value)?;
+                let criteria = match &file {
+                    Some(file) => of_life_and_slides(file, &problems, request, portion)?,
+                    None => Vec::new(),
+                };
                 for (place, problem) in problems.iter().enumerate() {
                     let (modes, not_rest) = event(problem, request, portion.part(place, problems.len()))?;
                     // Of what is as likely but for rounding, as under a shaking to either side, the first along all values.
                     let above =
                         |worst: &FragilityPoint| not_rest.value > worst.not_rest.value * (1.0 + AS_LIKELY);
                     if worst.as_ref().is_none_or(above) {
-                        worst = Some(FragilityPoint { value, not_rest, modes });
+                        worst = Some(FragilityPoint { value, not_rest, modes, criteria: criteria.clone() });
                     }
                 }
                 portion.reached(1.0);

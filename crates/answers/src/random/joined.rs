@@ -10,10 +10,9 @@ use standfast_probability::sample::Estimate;
 use standfast_watch::Portion;
 
 use super::answer::{ChanceRequest, Method};
-use super::chances::{self, event};
+use super::chances;
 use super::error::ProbabilityError;
 use super::problem::ChanceProblem;
-use crate::case::Acting;
 
 /// The chance that any of several sets of loads moves the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,10 +27,10 @@ pub struct JoinedChance {
 
 /// The body rests under all of them, or not.
 const RESTS: usize = 0;
-const MOVES: usize = 1;
+pub(super) const MOVES: usize = 1;
 
 /// Problems with the same random numbers.
-struct AnyOf<'a>(Vec<&'a ChanceProblem>);
+pub(super) struct AnyOf<'a>(pub(super) Vec<&'a ChanceProblem>);
 
 impl Outcomes for AnyOf<'_> {
     fn count(&self) -> usize {
@@ -106,32 +105,4 @@ pub(super) fn joined(
     portion.check()?;
     let not_rest = found.sampled.estimates[0];
     Ok(Some(JoinedChance { count: problems.len(), method: found.method, not_rest }))
-}
-
-/// The chance that the body does not stay at rest, for each set of loads that act together; under any of the accelerations of the
-/// base that are tried.
-///
-/// # Errors
-/// As [`joined`].
-pub(super) fn by_acting(
-    problems: &[ChanceProblem],
-    request: &ChanceRequest,
-    portion: Portion<'_>,
-) -> Result<Vec<(Acting, Estimate)>, ProbabilityError> {
-    let mut found: Vec<(Acting, Estimate)> = Vec::new();
-    let acting = problems.iter().filter_map(ChanceProblem::case).map(|(_, acting)| acting);
-    for (place, acting) in acting.enumerate() {
-        let portion = portion.part(place, problems.len());
-        if found.iter().any(|(known, _)| *known == acting) {
-            continue;
-        }
-        let is_same = |problem: &&ChanceProblem| problem.case().is_some_and(|(_, of)| of == acting);
-        let same: Vec<&ChanceProblem> = problems.iter().filter(is_same).collect();
-        let not_rest = match joined(&same, request, portion)? {
-            Some(joined) => joined.not_rest,
-            None => event(same[0], request, portion)?.1,
-        };
-        found.push((acting, not_rest));
-    }
-    Ok(found)
 }

@@ -256,6 +256,11 @@ impl ChanceProblem {
         }
     }
 
+    /// The years of the life that is asked for, where one is.
+    pub fn years(&self) -> Option<f64> {
+        self.years
+    }
+
     /// The life that is asked for, where one is.
     pub(super) fn life(&self) -> Option<Life> {
         let yearly = self.random.iter().map(|input| input.every == Rate::Year).collect();

@@ -7,11 +7,11 @@ use standfast_probability::form::FormPoint;
 use standfast_probability::sample::Estimate;
 
 use super::{
-    Chances, Exceedance, Fit, Fragility, FragilityPoint, Happening, Overturning, PeakChances, Probability,
-    Quantile, RandomNumber, Sliding,
+    ChanceCriterion, Chances, Exceedance, Fit, Fragility, FragilityPoint, Happening, Overturning,
+    PeakChances, Probability, Quantile, RandomNumber, Sliding,
 };
 use crate::json::SCHEMA;
-use crate::key::Key;
+use crate::json::number_or_word;
 use crate::summary::Summary;
 
 /// Every key is there in every answer, as docs/probability.schema.json has them: `null`, or an empty list, where there is no such
@@ -31,8 +31,10 @@ struct Document<'a> {
     others: Vec<ChancesDocument<'a>>,
     /// That any of several sets of loads moves the body.
     joined: Option<JoinedDocument>,
-    /// Criterion that `[criteria]` sets for the probability.
+    /// The criterion of `[criteria]` of which most is used.
     criterion: Option<CriterionDocument>,
+    /// All of them, that one first.
+    criteria: Vec<CriterionDocument>,
     /// Of a case with storms.
     sliding: Option<SlidingDocument>,
     /// Over the peak of a shaking, where that is asked for.
@@ -93,6 +95,9 @@ struct AlongDocument {
     value: f64,
     not_rest: Interval,
     modes: Vec<ModeDocument>,
+    /// Of a case with criteria on a life or on slides.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    criteria: Vec<CriterionDocument>,
 }
 
 #[derive(Serialize)]
@@ -114,6 +119,7 @@ impl FragilityDocument<'_> {
             value: point.value,
             not_rest: interval(point.not_rest),
             modes: modes(&point.modes),
+            criteria: point.criteria.iter().map(CriterionDocument::of).collect(),
         };
         let fit = fragility.fit.map(FitDocument::of);
         FragilityDocument { name: &fragility.name, points: fragility.points.iter().map(along).collect(), fit }
@@ -127,13 +133,30 @@ struct JoinedDocument {
     not_rest: Interval,
 }
 
-/// The upper end of the interval counts.
+/// The unsafe end of the interval counts.
 #[derive(Serialize)]
 struct CriterionDocument {
     name: &'static str,
+    /// The slide that a probability is of, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    over: Option<f64>,
     required: f64,
+    /// Infinite of an index where nothing ever moves.
+    #[serde(serialize_with = "number_or_word")]
     value: f64,
     met: bool,
+}
+
+impl CriterionDocument {
+    fn of(check: &ChanceCriterion) -> CriterionDocument {
+        CriterionDocument {
+            name: check.criterion.name(),
+            over: check.criterion.over,
+            required: check.required(),
+            value: check.counted,
+            met: check.is_met(),
+        }
+    }
 }
 
 /// Slides over a life of storms, m.
@@ -307,12 +330,8 @@ pub(super) fn json(answer: &Probability, figures: &[String]) -> String {
             method: joined.method.name(),
             not_rest: interval(joined.not_rest),
         }),
-        criterion: answer.criterion.map(|criterion| CriterionDocument {
-            name: Key::GreatestNotRest.name(),
-            required: criterion.required,
-            value: criterion.counted(),
-            met: criterion.is_met(),
-        }),
+        criterion: answer.criteria.first().map(CriterionDocument::of),
+        criteria: answer.criteria.iter().map(CriterionDocument::of).collect(),
         sliding: answer.sliding.as_ref().map(SlidingDocument::of),
         overturning: answer.overturning.as_ref().map(OverturningDocument::of),
         fragility: answer.fragility.as_ref().map(FragilityDocument::of),

@@ -4,11 +4,15 @@ use standfast_answers::results::ResultValue;
 use standfast_probability::sample::Estimate;
 
 use super::text::{below_or, probability, within};
-use super::{Chances, Fragility, FragilityPoint, Happening, Overturning, PeakChances, Probability, Sliding};
+use super::{
+    ChanceCriterion, Chances, Fragility, FragilityPoint, Happening, Overturning, PeakChances, Probability,
+    Sliding,
+};
 use crate::json::RequiredBound;
 use crate::key::Key;
 use crate::layout::{apart, digits, factor, significant};
-use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, warned_of_case};
+use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, warned_of_case, years};
+use standfast_model::Bound;
 
 /// So few records tell nothing of how the next one differs.
 pub(super) const FEW: usize = 3;
@@ -17,18 +21,18 @@ pub(super) const FEW: usize = 3;
 const NEARLY_ALL: f64 = 0.99;
 
 pub(super) fn summary(answer: &Probability) -> Summary {
-    let told = told_criterion(answer);
+    let told: Vec<ToldCriterion> = answer.criteria.iter().map(|check| told(answer, check)).collect();
     let (warnings, warned) = warned_of_case(&answer.warnings());
     Summary {
-        criteria: criteria(told.as_slice()),
+        criteria: criteria(&told),
         answer: asked(answer),
-        met: answer.criterion.map(|criterion| criterion.is_met()),
-        governing: answer.criterion.map(|criterion| GoverningCriterion {
-            criterion: Key::GreatestNotRest.name(),
+        met: (!answer.criteria.is_empty()).then(|| answer.criteria.iter().all(ChanceCriterion::is_met)),
+        governing: answer.criteria.first().map(|check| GoverningCriterion {
+            criterion: check.criterion.name(),
             situation: None,
-            value: ResultValue::Number(criterion.counted()),
-            required: RequiredBound::Number(criterion.required),
-            utilisation: Some(criterion.counted() / criterion.required),
+            value: ResultValue::Number(check.counted),
+            required: RequiredBound::Number(check.required()),
+            utilisation: Some(check.utilisation()),
         }),
         near: near(answer),
         warnings,
@@ -36,18 +40,42 @@ pub(super) fn summary(answer: &Probability) -> Summary {
     }
 }
 
-/// The criterion with its value, the upper end of the interval.
-fn told_criterion(answer: &Probability) -> Option<ToldCriterion> {
-    let criterion = answer.criterion?;
-    let (counted, required) = (criterion.counted(), criterion.required);
-    let [value, bound] = &apart(&[counted, required])[..] else { unreachable!("of two") };
-    let of = within(criterion.not_rest, &probability).map_or("", |_| ", the upper end of its interval,");
+/// A criterion with its value, the unsafe end of the interval.
+fn told(answer: &Probability, check: &ChanceCriterion) -> ToldCriterion {
+    let (counted, bound) = words(check);
+    let least = matches!(check.criterion.bound, Bound::AtLeast(_));
+    let (end, sign) = if least { ("lower", "≥") } else { ("upper", "≤") };
+    let of = within(check.estimate, &probability)
+        .map_or(String::new(), |_| format!(", the {end} end of its interval,"));
     let words = format!(
-        "p_not_rest {}{of} is {value}, ≤ {bound} is asked (utilisation {})",
-        period(answer),
-        factor(counted / required)
+        "{} {}{of} is {counted}, {sign} {bound} is asked (utilisation {})",
+        check.criterion.full_name(),
+        period_of(answer, check),
+        used_words(check.utilisation())
     );
-    Some(ToldCriterion { name: Key::GreatestNotRest.name(), met: criterion.is_met(), words })
+    ToldCriterion { name: check.criterion.name(), met: check.is_met(), words }
+}
+
+/// A utilisation as it is read.
+fn used_words(utilisation: f64) -> String {
+    if utilisation.is_finite() { factor(utilisation) } else { "infinite".to_owned() }
+}
+
+/// The value that counts and the bound of a criterion, as they are read.
+pub fn words(check: &ChanceCriterion) -> (String, String) {
+    let [value, bound] = &apart(&[check.counted, check.required()])[..] else { unreachable!("of two") };
+    let value = if check.counted.is_finite() { value.as_str() } else { "infinite" };
+    (check.criterion.with_unit(value), check.criterion.with_unit(bound))
+}
+
+/// Period that a criterion is of: one event, a year, or the years of a life.
+pub fn period_of(answer: &Probability, check: &ChanceCriterion) -> String {
+    if check.criterion.key == Key::GreatestNotRest {
+        return period(answer).to_owned();
+    }
+    let of_storms = answer.sliding.as_ref().map(|sliding| sliding.years);
+    let of_life = || answer.problem.as_ref()?.years();
+    of_storms.or_else(of_life).map_or("over its life".to_owned(), |life| format!("over {}", years(life)))
 }
 
 /// Period that the probabilities of the modes are of.
@@ -204,8 +232,4 @@ fn known(e: Estimate) -> String {
     within(e, &probability)
         .filter(|_| e.value > 0.0)
         .map_or(value.clone(), |within| format!("{value} ({within})"))
-}
-
-fn years(years: f64) -> String {
-    if years == 1.0 { "one year".to_owned() } else { format!("{} years", digits(years)) }
 }

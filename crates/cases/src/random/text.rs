@@ -10,6 +10,7 @@ use super::{
     Chances, Exceedance, FirstDeparture, Fit, FollowedWaves, Fragility, Happening, JoinedChance, Method,
     Overturning, PeakChances, Probability, Pulse, Quantile, RandomNumber, Sliding,
 };
+use crate::key::Key;
 use crate::layout::{columns, digits, paragraph, percent, row, significant};
 use crate::summary::listed;
 use crate::summary::warning_words;
@@ -504,7 +505,10 @@ fn along(fragility: &Fragility, floor: f64) -> String {
         (0..points.first().map_or(0, |point| point.modes.len())).filter(|i| likely(*i)).collect();
     let head = if unit.is_empty() { name.clone() } else { format!("{name} ({unit})") };
     let names = places.iter().map(|place| points[0].modes[*place].0.name());
-    let mut rows = vec![[head].into_iter().chain(names).chain(["not RE".to_owned()]).collect::<Vec<_>>()];
+    let asked = points.first().map_or(&[][..], |point| &point.criteria);
+    let asked = asked.iter().map(|check| check.criterion.full_name());
+    let names = names.chain(["not RE".to_owned()]).chain(asked);
+    let mut rows = vec![[head].into_iter().chain(names).collect::<Vec<_>>()];
     for point in points {
         let modes = places.iter().map(|place| probability(point.modes[*place].1.value));
         rows.push(
@@ -512,6 +516,16 @@ fn along(fragility: &Fragility, floor: f64) -> String {
                 .into_iter()
                 .chain(modes)
                 .chain([probability(point.not_rest.value)])
+                .chain(point.criteria.iter().map(|check| {
+                    let Estimate { value, .. } = check.estimate;
+                    match check.criterion.key {
+                        Key::LeastLifeIndex if value.is_infinite() => "infinite".to_owned(),
+                        Key::LeastLifeIndex | Key::GreatestMeanSlide => {
+                            check.criterion.with_unit(&probability(value))
+                        }
+                        _ => below_or(check.estimate),
+                    }
+                }))
                 .collect(),
         );
     }

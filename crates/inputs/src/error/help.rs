@@ -44,6 +44,7 @@ impl Problem {
                 "the criteria that can be answered: {}",
                 names(Table::Criteria).join(", ")
             ),
+            Problem::NoChance { help: Some(help), .. } => help.clone(),
             Problem::NoChance { .. } => {
                 "say by which law a number is random, for example\n[random]\nfriction = { normal = { mean = 0.6, sd = 0.1 } }".into()
             }
@@ -567,6 +568,7 @@ pub fn expected_type(kind: Kind) -> &'static str {
         Kind::Settings => "names of keys with their values, in braces",
         Kind::Ratios => "names with their numbers, in braces",
         Kind::Bounds => "criteria with their bounds, in braces",
+        Kind::Exceedances => "{ slide = \"0.3 m\", at_most = 0.1 }, or a list of such",
         Kind::Plains => "a list of numbers",
         Kind::ModeList => "a list of symbols of modes in quotes",
     }

@@ -94,8 +94,14 @@ impl<T: Scalar> Case<T> {
 }
 
 /// Criteria that a base seen from above has an answer to.
-pub(super) const CRITERIA: [Key; 4] =
-    [Key::LeastSliding, Key::LeastOverturningNet, Key::LeastLoadFactor, Key::GreatestNotRest];
+pub(super) const CRITERIA: [Key; 6] = [
+    Key::LeastSliding,
+    Key::LeastOverturningNet,
+    Key::LeastLoadFactor,
+    Key::GreatestNotRest,
+    Key::GreatestLife,
+    Key::LeastLifeIndex,
+];
 
 impl Case {
     /// Refuses criteria that a base seen from above has no answer to.

@@ -34,7 +34,7 @@ fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
             return;
         }
     };
-    if criterion.key == Key::GreatestNotRest {
+    if criterion.is_chance() {
         let words = format!("{} of {}, see Probability", check.value_words(assessed), criterion.required());
         return steps.told(&about, &name, check.utilisation.unwrap_or(f64::INFINITY), FACTOR, &words, "");
     }
@@ -99,6 +99,10 @@ fn letters(key: Key) -> &'static str {
         Key::GreatestEffective => "b",
         Key::GreatestRotation => "θ",
         Key::GreatestNotRest => "P",
+        Key::GreatestLife => "P_life",
+        Key::LeastLifeIndex => "β",
+        Key::GreatestMeanSlide => "S",
+        Key::GreatestSlidingOver => "S_P",
         _ => "λ",
     }
 }

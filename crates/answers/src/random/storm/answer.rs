@@ -198,9 +198,12 @@ pub(in crate::random) fn sliding<S: Storms>(
     storms: &S,
     laws: &RandomVector,
     life: &Life,
-    request: &ChanceRequest,
+    (request, over): (&ChanceRequest, &[f64]),
     portion: Portion<'_>,
 ) -> Result<Sliding, SlidingError> {
+    let mut told: Vec<f64> = EXCEEDED.iter().chain(over).copied().collect();
+    told.sort_by(f64::total_cmp);
+    told.dedup();
     let effort = &request.effort;
     let years = life.years;
     if years.fract() != 0.0 {
@@ -225,8 +228,7 @@ pub(in crate::random) fn sliding<S: Storms>(
             let chance = slid_in(drawn, more);
             chance.is_precise(precision, effort.floor) && is_told(&chance)
         };
-        EXCEEDED.into_iter().all(|more| precise(more, effort.precision))
-            && precise(0.0, AT_ALL * effort.precision)
+        told.iter().all(|more| precise(*more, effort.precision)) && precise(0.0, AT_ALL * effort.precision)
     };
     let drawn = lives(laws, &slides, storm.waves, life, drawn_effort.within(of_lives), are_enough);
     let slid = |more: f64| slid_in(&drawn, more);
@@ -241,7 +243,7 @@ pub(in crate::random) fn sliding<S: Storms>(
         lives: drawn.count() as u64,
         ever: slid(0.0),
         quantiles: SHARES.map(|share| Quantile { share, slide: drawn.quantile(share) }).to_vec(),
-        exceedance: EXCEEDED.iter().map(|&slide| Exceedance { slide, probability: slid(slide) }).collect(),
+        exceedance: told.iter().map(|&slide| Exceedance { slide, probability: slid(slide) }).collect(),
         course: course(&drawn),
         of_worst: drawn.of_worst(WORST),
         drawn: drawn.mean(|life| life.sum),

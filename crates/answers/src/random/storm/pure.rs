@@ -177,7 +177,7 @@ impl PureStorm {
         if request.follow {
             return Err(SlidingError::NoTurns.into());
         }
-        let sliding = sliding(&self.storm, self, &self.laws, &life, &request, portion)?;
+        let sliding = sliding(&self.storm, self, &self.laws, &life, (&request, &[]), portion)?;
         portion.check()?;
         let nothing = Estimate { value: 0.0, low: 0.0, high: 0.0 };
         let rests = |e: Estimate| Estimate { value: 1.0 - e.value, low: 1.0 - e.high, high: 1.0 - e.low };
@@ -232,7 +232,7 @@ impl PureStorm {
             line: ("the height of waves".to_owned(), true),
             situations: vec![chances],
             joined: None,
-            criterion: None,
+            criteria: Vec::new(),
             sliding: Some(sliding),
             overturning: None,
             fragility: None,

@@ -134,11 +134,12 @@ impl Slide for GodaWave {
     }
 }
 
-/// The slides of a case's storms.
+/// The slides of a case's storms, with the chances that they come to more than those of `over`.
 pub(in crate::random) fn of_case(
     storm: &Storm,
     problems: &[ChanceProblem],
     request: &ChanceRequest,
+    over: &[f64],
     portion: Portion<'_>,
 ) -> Result<Sliding, SlidingError> {
     let [problem] = problems else {
@@ -167,7 +168,7 @@ pub(in crate::random) fn of_case(
     let plain = Life { years: 1.0, yearly: vec![false; problem.random().len()] };
     let life = problem.life().unwrap_or(plain);
     let storms = SeaStorm { problem, storm, follow: request.follow };
-    sliding(storm, &storms, problem.laws(), &life, request, portion)
+    sliding(storm, &storms, problem.laws(), &life, (request, over), portion)
 }
 
 /// Into how many steps the heights up to the cut are parted in search of changes of mode.
