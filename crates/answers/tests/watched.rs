@@ -173,5 +173,5 @@ fn a_criterion_of_chances_is_told_too() {
     let file = CaseFile::parse("case.toml", &text).unwrap();
     let told = Told { shares: Mutex::default(), until: f64::INFINITY };
     let answer = Assessment::following(&file, None, Portion::whole(&told)).unwrap();
-    assert!(answer.all[0].not_rest.is_some() && !told.shares.into_inner().unwrap().is_empty());
+    assert!(answer.all[0].chances.is_some() && !told.shares.into_inner().unwrap().is_empty());
 }

@@ -286,7 +286,7 @@ fn a_joint_is_called_by_its_name() {
     );
     // The criterion is one of the assessment too.
     let assessment = Assessment::of_file(&file(&text)).unwrap();
-    near(assessment.governing().not_rest.unwrap().value, 1.0 / 3.0, 1e-12);
+    near(assessment.governing().chances.as_ref().unwrap().not_rest.unwrap().value, 1.0 / 3.0, 1e-12);
 }
 
 /// More joints than there are outcomes for are refused by their number.

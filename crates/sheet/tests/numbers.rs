@@ -220,8 +220,11 @@ fn criteria_and_earthquakes_are_those_of_the_json_answer() {
                 pairs.map(|(name, _)| of[name].as_f64().unwrap()).collect()
             };
             let shaken = |of: &Value| {
-                let parts = [&of["horizontal"], &of["vertical"]];
-                parts.into_iter().filter_map(Value::as_f64).collect::<Vec<_>>()
+                let parts = [&of["horizontal"], &of["vertical"]].into_iter().filter_map(Value::as_f64);
+                // Seen from above there is a third part, which the document leaves out where it is zero.
+                let away = || of["horizontal_z"].as_f64().unwrap_or(0.0);
+                let away = (!situation["plan"].is_null() && of.is_object()).then(away);
+                parts.chain(away).collect::<Vec<_>>()
             };
             let mut tried: Vec<Vec<f64>> = Vec::new();
             match combination["tried"].as_array() {
