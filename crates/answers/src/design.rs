@@ -434,5 +434,6 @@ fn no_end(request: &DesignRequest, quantity: &Quantity, stretch: &Stretch) -> De
         }
     };
     let name = quantity.variable.name().to_owned();
+    let (met, help) = (met.into(), help.into());
     DesignError::NoEnd { name, extreme: request.extreme, target: request.target, met, help }
 }

@@ -112,11 +112,11 @@ pub enum DesignError {
         /// Quantity that was varied.
         name: String,
         /// The range, "from 1 m to 5 m".
-        range: String,
+        range: Box<str>,
         /// The target.
         target: Target,
         /// The best that was reached.
-        best: String,
+        best: Box<str>,
         /// Spelling of the request.
         spelling: &'static Spelling,
     },
@@ -130,9 +130,9 @@ pub enum DesignError {
         /// The target.
         target: Target,
         /// Values at which it is met.
-        met: String,
+        met: Box<str>,
         /// Advice on the request to make instead.
-        help: String,
+        help: Box<str>,
     },
     /// Too many quantities for a least cost, or none.
     #[error("{found} quantities to vary; expected from one to {most}, each by {}", spelling.vary)]
@@ -239,7 +239,7 @@ impl Explained for DesignError {
                  target that can be met",
                 spelling.from, spelling.to
             ),
-            DesignError::NoEnd { help, .. } => help.clone(),
+            DesignError::NoEnd { help, .. } => help.to_string(),
             DesignError::UnmetThroughout { help, .. } => help.clone(),
             DesignError::Twice { spelling, .. } => {
                 format!("{} takes another quantity of the case, as in {}", spelling.and, spelling.two)

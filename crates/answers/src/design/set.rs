@@ -344,6 +344,6 @@ impl Search<'_> {
             ),
         };
         let best = format!("the best of {count} values tried is {}, {reached}", self.quantity.shown(value));
-        DesignError::Unmet { name, range, target, best, spelling }
+        DesignError::Unmet { name, range: range.into(), target, best: best.into(), spelling }
     }
 }
