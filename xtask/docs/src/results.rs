@@ -107,7 +107,7 @@ pub fn page() -> String {
     let mut page = String::from(
         "# Results\n\n\
          A result has one name, which leads to the page that explains it: in the JSON of `assess`, as a column of a table, as a criterion, as a target of `design`, as an attribute in\n\
-         Python. Numbers are in SI units; of an object with a `length` forces are of the whole, in N. This page is written by\n\
+         Python; what is of all directions stands in `plan` there. Numbers are in SI units; of an object with a `length` forces are of the whole, in N. This page is written by\n\
          `cargo xtask gallery` from the list that the program itself reads.\n\n\
          ## Of a case\n\n| result | what it is | formula | unit |\n|---|---|---|---|\n",
     );

@@ -271,6 +271,8 @@ pub(super) fn chances(
 
 /// Number of points that may be taken for departures at least, however few the modes need.
 const OF_DEPARTURES: u64 = 1 << 17;
+/// Number of plain draws that tell the shares of departures to a hundredth.
+const OF_SHARES: u64 = 1 << 14;
 
 fn first_departure(
     problem: &ChanceProblem,
@@ -285,7 +287,7 @@ fn first_departure(
     let sets: Vec<u64> = codes.iter().map(|outcome| 1 << outcome).collect();
     // A mode that is next to never the first is not worth more points than all that is asked of the full load; and where everything is
     // drawn, no more than tell a share.
-    let most = if method == Method::MonteCarlo { OF_DEPARTURES } else { points.max(OF_DEPARTURES) };
+    let most = if method == Method::MonteCarlo { OF_SHARES } else { points.max(OF_DEPARTURES) };
     let effort = Effort { points: most.min(effort.points), ..*effort };
     let method = match method {
         // The end of rest on a base that gives way has many kinks, and the departures of more numbers would take minutes.
