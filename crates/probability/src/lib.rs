@@ -42,7 +42,7 @@
 //! let point = form::design_point(&inputs, &Fails, failing).unwrap();
 //! assert!((point.beta - 3.0).abs() < 1e-9);
 //! assert!((point.alpha[0] + 0.6).abs() < 1e-6);
-//! # Ok::<(), standfast_probability::law::LawError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 pub mod copula;
