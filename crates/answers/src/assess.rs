@@ -19,7 +19,6 @@ use crate::case::{Acting, Case, Trial};
 use crate::criteria::Check;
 use crate::error::CaseError;
 use crate::explained::Explained;
-use crate::key::Key;
 use crate::motion::{Follow, FollowedMotion, MotionCheck, worst_checks as worst_motion_checks};
 use crate::random::{AskedChances, ProbabilityError, Random, asked_of_file};
 use crate::units::Extent;
@@ -137,10 +136,9 @@ impl Assessment {
             return Assessment::in_time(file, &first, follow, portion);
         }
         let case = file.case()?;
-        let asks = case.all_criteria().iter().any(Criterion::is_chance);
+        let asked: Vec<Criterion> = case.all_criteria().into_iter().filter(Criterion::is_chance).collect();
         let assessment = Assessment::owning(case).map_err(|error| file.refused(error))?;
-        let asked = assessment.case.all_criteria();
-        if asks { assessment.with_chance(file, &asked, portion) } else { Ok(assessment) }
+        if asked.is_empty() { Ok(assessment) } else { assessment.with_chance(file, &asked, portion) }
     }
 
     /// The answer of a file in time at its first instant, with what belongs to time: the criteria of the motion, which is followed where
@@ -180,17 +178,7 @@ impl Assessment {
     ) -> Result<Assessment, CaseError> {
         let found = asked_of_file(file, asked, portion).map_err(|error| match error {
             ProbabilityError::Case(error) => error,
-            other => {
-                let of_storm = [Key::GreatestMeanSlide, Key::GreatestSlidingOver];
-                let is_of = |key: Key| match other {
-                    ProbabilityError::NoStorm | ProbabilityError::Sliding(_) => of_storm.contains(&key),
-                    ProbabilityError::NoLife | ProbabilityError::NothingYearly { .. } => {
-                        [Key::GreatestLife, Key::LeastLifeIndex].contains(&key)
-                    }
-                    _ => Criterion::is_of_chance(key),
-                };
-                file.no_chance_of(other.to_string(), other.help(), is_of)
-            }
+            other => file.no_chance_of(other.to_string(), other.help(), |key| other.is_about(key)),
         })?;
         for assessed in &mut self.all {
             let of = found.iter().find(|(acting, _)| *acting == assessed.acting);

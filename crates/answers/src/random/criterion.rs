@@ -19,6 +19,10 @@ use crate::case::Acting;
 use crate::key::Key;
 use standfast_model::{Bound, CaseFile, Criterion};
 
+/// Criteria on a life, and on slides in storms.
+pub(super) const OF_LIFE: [Key; 2] = [Key::GreatestLife, Key::LeastLifeIndex];
+pub(super) const OF_SLIDES: [Key; 2] = [Key::GreatestMeanSlide, Key::GreatestSlidingOver];
+
 /// Estimates that criteria ask for, under one set of loads.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct AskedChances {
@@ -160,8 +164,7 @@ fn slides_of(
     request: &ChanceRequest,
     portion: Portion<'_>,
 ) -> Result<Option<Sliding>, ProbabilityError> {
-    let of_slides = [Key::GreatestMeanSlide, Key::GreatestSlidingOver];
-    let asks = criteria.iter().any(|criterion| of_slides.contains(&criterion.key));
+    let asks = criteria.iter().any(|criterion| OF_SLIDES.contains(&criterion.key));
     let storm = storm::storm(file.inputs()).map_err(|fault| file.error(fault))?.filter(|_| asks);
     let sliding =
         storm.map(|storm| storm::of_case(&storm, problems, request, &slides_asked(criteria), portion));
@@ -178,7 +181,7 @@ fn asked(
 ) -> Result<Vec<(Acting, AskedChances)>, ProbabilityError> {
     let asks = |keys: &[Key]| criteria.iter().any(|criterion| keys.contains(&criterion.key));
     let slides = match known.sliding {
-        _ if !asks(&[Key::GreatestMeanSlide, Key::GreatestSlidingOver]) => None,
+        _ if !asks(&OF_SLIDES) => None,
         None => return Err(ProbabilityError::NoStorm),
         sliding => sliding,
     };
@@ -202,21 +205,35 @@ fn asked(
         let is_same = |problem: &&ChanceProblem| problem.case().is_some_and(|(_, of)| of == acting);
         let same: Vec<&ChanceProblem> = problems.iter().filter(is_same).collect();
         let mut chances = of_slides.clone();
+        // Of one problem the answer is there already.
+        let answered = known.situations.first().filter(|_| problems.len() == 1);
         if asks(&[Key::GreatestNotRest]) {
-            chances.not_rest = Some(match joined(&same, request, of_event)? {
-                Some(joined) => joined.not_rest,
-                None => event(same[0], request, of_event)?.1,
+            let answered = answered.map(|chances| chances.not_rest);
+            chances.not_rest = Some(match answered {
+                Some(not_rest) => not_rest,
+                None => not_rest_of(&same, request, of_event)?,
             });
         }
-        if asks(&[Key::GreatestLife, Key::LeastLifeIndex]) {
-            let answered = || known.situations.first()?.life.as_ref().map(|life| life.not_rest);
-            let answered = if problems.len() == 1 { answered() } else { None };
+        if asks(&OF_LIFE) {
+            let answered = answered.and_then(|chances| Some(chances.life.as_ref()?.not_rest));
             chances.years = problems[0].years();
             chances.life = Some(answered.map_or_else(|| life_of(&same, &request.effort, of_life), Ok)?);
         }
         found.push((acting, chances));
     }
     Ok(found)
+}
+
+/// That any of these problems moves the body, which have the same random numbers.
+fn not_rest_of(
+    problems: &[&ChanceProblem],
+    request: &ChanceRequest,
+    portion: Portion<'_>,
+) -> Result<Estimate, ProbabilityError> {
+    match joined(problems, request, portion)? {
+        Some(joined) => Ok(joined.not_rest),
+        None => Ok(event(problems[0], request, portion)?.1),
+    }
 }
 
 /// What criteria ask of the chance of a case file, for each set of loads that act together.

@@ -124,7 +124,7 @@ impl Outcomes for Departures<'_> {
                     Err(_) => nothing(pieces),
                 }
             }
-            Line::Scan(place) | Line::Direction(place) => self.scan(place, &values, pieces),
+            Line::Scan(place) => self.scan(place, &values, pieces),
         }
     }
 

@@ -6,9 +6,12 @@ use standfast_watch::Stopped;
 use thiserror::Error;
 
 use super::answer::Method;
+use super::criterion::{OF_LIFE, OF_SLIDES};
 use super::storm::SlidingError;
 use crate::error::CaseError;
 use crate::explained::Explained;
+use crate::key::Key;
+use standfast_model::Criterion;
 
 /// Reason why there are no probabilities.
 #[derive(Debug, Error)]
@@ -73,6 +76,17 @@ pub enum ProbabilityError {
         /// The years.
         years: f64,
     },
+}
+
+impl ProbabilityError {
+    /// True if it is the criterion under this key that asks for what is not found.
+    pub(crate) fn is_about(&self, key: Key) -> bool {
+        match self {
+            ProbabilityError::NoStorm | ProbabilityError::Sliding(_) => OF_SLIDES.contains(&key),
+            ProbabilityError::NoLife | ProbabilityError::NothingYearly { .. } => OF_LIFE.contains(&key),
+            _ => Criterion::is_of_chance(key),
+        }
+    }
 }
 
 impl Explained for ProbabilityError {

@@ -331,21 +331,22 @@ impl ValueRange {
                 let portion = portion.part(place, self.count());
                 let mut worst: Option<FragilityPoint> = None;
                 let (problems, file) = at(value)?;
-                let criteria = match &file {
-                    Some(file) => of_life_and_slides(file, &problems, request, portion)?,
-                    None => Vec::new(),
-                };
+                let [of_event, of_life] = portion.parts([1.0, if file.is_some() { 1.0 } else { 0.0 }]);
                 for (place, problem) in problems.iter().enumerate() {
-                    let (modes, not_rest) = event(problem, request, portion.part(place, problems.len()))?;
+                    let (modes, not_rest) = event(problem, request, of_event.part(place, problems.len()))?;
                     // Of what is as likely but for rounding, as under a shaking to either side, the first along all values.
                     let above =
                         |worst: &FragilityPoint| not_rest.value > worst.not_rest.value * (1.0 + AS_LIKELY);
                     if worst.as_ref().is_none_or(above) {
-                        worst = Some(FragilityPoint { value, not_rest, modes, criteria: criteria.clone() });
+                        worst = Some(FragilityPoint { value, not_rest, modes, criteria: Vec::new() });
                     }
                 }
+                let mut worst = worst.ok_or_else(|| self.wrong("the case has no loads"))?;
+                if let Some(file) = &file {
+                    worst.criteria = of_life_and_slides(file, &problems, request, of_life)?;
+                }
                 portion.reached(1.0);
-                worst.ok_or_else(|| self.wrong("the case has no loads"))
+                Ok(worst)
             })
             .collect()
     }

@@ -17,7 +17,7 @@ impl Outcomes for ChanceProblem {
 
     fn line(&self) -> usize {
         match self.line {
-            Line::Friction(place) | Line::Load(place) | Line::Scan(place) | Line::Direction(place) => place,
+            Line::Friction(place) | Line::Load(place) | Line::Scan(place) => place,
         }
     }
 
@@ -78,9 +78,7 @@ impl Outcomes for ChanceProblem {
                     push_all(pieces, from, to, outcomes);
                 }
             }
-            Line::Scan(place) | Line::Direction(place) => {
-                self.scan(place, &values, pieces, |values| self.at(values));
-            }
+            Line::Scan(place) => self.scan(place, &values, pieces, |values| self.at(values)),
         }
     }
 

@@ -218,7 +218,8 @@ impl ChanceProblem {
                     OnPlan { permanent, variable, ..zero.clone() }.outcomes(zero.friction, asked)
                 });
             }
-            Line::Direction(place) => {
+            // Of a direction the boundaries of rest are known; what else happens is scanned about them.
+            Line::Scan(place) if self.random()[place].is_direction() => {
                 let quarters = [0.0, 90.0, 180.0].map(|degrees| at(place, degrees));
                 let [Some(left), Some(away), Some(right)] = quarters else { return nothing(pieces) };
                 let permanent = Turning::through([left.permanent, away.permanent, right.permanent]);

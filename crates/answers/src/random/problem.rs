@@ -12,7 +12,7 @@ use standfast_probability::problem::RandomVector;
 
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
-use super::quantity::{Bias, Coordinate, FrictionOf, Quantity, RandomInput};
+use super::quantity::{Bias, FrictionOf, Quantity, RandomInput};
 use super::resolve::{Names, Resolve};
 use crate::case::{Acting, Case, ChangeBy, Shaking, Trial, Waves};
 use crate::couple::{Variable, vary};
@@ -64,8 +64,6 @@ pub(super) enum Line {
     Friction(usize),
     /// A number in which the wrench is linear.
     Load(usize),
-    /// Direction of a load seen from above: the boundaries of rest along it are known, all else is scanned.
-    Direction(usize),
     /// Any other, scanned.
     Scan(usize),
 }
@@ -281,7 +279,7 @@ impl ChanceProblem {
             Line::Friction(place) | Line::Load(place) if alpha[place].abs() < NEGLIGIBLE => {
                 alpha[place].abs()
             }
-            Line::Friction(_) | Line::Scan(_) | Line::Direction(_) => return None,
+            Line::Friction(_) | Line::Scan(_) => return None,
             Line::Load(place) => alpha[place].abs(),
         };
         if !self.lines.loads {
@@ -371,7 +369,7 @@ impl ChanceProblem {
 
     /// True if the number along which modes are known has to be scanned.
     pub(super) fn is_scanned(&self) -> bool {
-        matches!(self.line, Line::Scan(_) | Line::Direction(_))
+        matches!(self.line, Line::Scan(_))
     }
 
     /// The most random numbers over which is integrated unless it is asked for: over directions boundaries have a kink at every corner of the
@@ -389,7 +387,7 @@ impl ChanceProblem {
     pub(super) fn line_name(&self) -> (&str, bool) {
         let (place, exact) = match self.line {
             Line::Friction(place) | Line::Load(place) => (place, true),
-            Line::Scan(place) | Line::Direction(place) => (place, false),
+            Line::Scan(place) => (place, false),
         };
         (&self.random[place].name, exact)
     }
@@ -415,15 +413,8 @@ impl ChanceProblem {
     /// Mechanics on the way to the full load: of the report's force, at any size, only the elevation counts.
     pub(super) fn departing(&self, values: &[f64]) -> Option<Mechanics> {
         let mut mechanics = self.mechanics(values)?;
-        if let Model::Point(point) = &self.model {
-            let with = |coordinate: Coordinate| {
-                let place = self.random.iter().position(|i| i.quantity == Quantity::Point(coordinate));
-                place.map_or(point[coordinate as usize], |place| values[place])
-            };
-            if with(Coordinate::K) > 0.0 {
-                let m = with(Coordinate::KPrime) * with(Coordinate::Gamma);
-                mechanics.variable = Wrench { x: -1.0, p: 0.0, m };
-            }
+        if let Some(point) = self.point_with(values).filter(|point| point.k() > 0.0) {
+            mechanics.variable = Wrench { x: -1.0, p: 0.0, m: point.k_prime() * point.gamma() };
         }
         Some(mechanics)
     }
@@ -600,7 +591,7 @@ impl Lines {
             (0..inputs.len()).find(|place| among(*place) && of(&inputs[*place]))
         };
         // Over directions a body rests, or not, on arcs that are too narrow to be seen from outside.
-        let direction = find(&RandomInput::is_direction).filter(|_| self.directions).map(Line::Direction);
+        let direction = find(&RandomInput::is_direction).filter(|_| self.directions).map(Line::Scan);
         let is_friction = |input: &RandomInput| input.friction_of().is_some();
         let friction = find(&is_friction).filter(|_| self.friction).map(Line::Friction);
         // On a base that gives way, or opens, a load is scanned, which is quicker than another number.

@@ -156,9 +156,7 @@ impl ChanceProblem {
                 Some(growing) => growing.along(asked, pieces),
                 None => nothing(pieces),
             },
-            Line::Scan(place) | Line::Direction(place) => {
-                self.scan(place, values, pieces, |values| self.of_joints(values, asked));
-            }
+            Line::Scan(place) => self.scan(place, values, pieces, |values| self.of_joints(values, asked)),
         }
     }
 }
