@@ -252,6 +252,8 @@ struct Pair<'a> {
     measure: CorrelationMeasure,
     /// Mean and standard deviation of each, where the values' correlation asks for them.
     moments: [(f64, f64); 2],
+    /// The normals at which the value of each jumps or has a kink.
+    breaks: [Vec<f64>; 2],
 }
 
 impl<'a> Pair<'a> {
@@ -260,7 +262,8 @@ impl<'a> Pair<'a> {
             CorrelationMeasure::Linear(_) => [moments(first), moments(second)],
             _ => [(0.0, 1.0); 2],
         };
-        Pair { laws: [first, second], measure, moments }
+        let laws = [first, second];
+        Pair { laws, measure, moments, breaks: laws.map(Distribution::breaks_of_normal) }
     }
 
     /// The correlation of the normals that has the one given, if there is one.
@@ -307,9 +310,18 @@ impl<'a> Pair<'a> {
             CorrelationMeasure::Linear(_) => {
                 let [(m1, s1), (m2, s2)] = self.moments;
                 let across = (1.0 - rho * rho).max(0.0).sqrt();
-                let product = expected(|z| {
-                    (self.laws[0].value(z) - m1) * expected(|w| self.laws[1].value(rho * z + across * w) - m2)
-                });
+                let [first, second] = self.laws;
+                let [outer, inner] = &self.breaks;
+                let product = if across == 0.0 {
+                    // One normal moves both.
+                    let breaks = outer.iter().copied().chain(inner.iter().map(|z| rho * z)).collect();
+                    expected(breaks, |z| (first.value(z) - m1) * (second.value(rho * z) - m2))
+                } else {
+                    expected(outer.clone(), |z| {
+                        let breaks = inner.iter().map(|b| (b - rho * z) / across).collect();
+                        (first.value(z) - m1) * expected(breaks, |w| second.value(rho * z + across * w) - m2)
+                    })
+                };
                 product / (s1 * s2)
             }
         }
@@ -318,18 +330,28 @@ impl<'a> Pair<'a> {
 
 /// Mean and standard deviation of the values of a distribution.
 fn moments(law: &Distribution) -> (f64, f64) {
-    let mean = expected(|z| law.value(z));
-    (mean, expected(|z| (law.value(z) - mean).powi(2)).sqrt())
+    let breaks = law.breaks_of_normal();
+    let mean = expected(breaks.clone(), |z| law.value(z));
+    (mean, expected(breaks, |z| (law.value(z) - mean).powi(2)).sqrt())
 }
 
-/// The mean of a function of a standard normal.
-fn expected(f: impl Fn(f64) -> f64) -> f64 {
+/// The mean of a function of a standard normal that is smooth between these of its values.
+fn expected(breaks: Vec<f64>, f: impl Fn(f64) -> f64) -> f64 {
     const REACH: f64 = 9.0;
-    const PANELS: u32 = 6;
-    let width = 2.0 * REACH / f64::from(PANELS);
-    (0..PANELS)
-        .map(|i| -REACH + f64::from(i) * width)
-        .flat_map(|a| legendre::panel(a, a + width))
-        .map(|(z, weight)| weight * normal::density(z) * f(z))
-        .sum()
+    const WIDEST: f64 = 3.0;
+    let mut ends = breaks;
+    ends.retain(|z| z.abs() < REACH);
+    ends.extend([-REACH, REACH]);
+    ends.sort_by(f64::total_cmp);
+    let mut sum = 0.0;
+    for pair in ends.windows(2) {
+        let panels = ((pair[1] - pair[0]) / WIDEST).ceil();
+        let width = (pair[1] - pair[0]) / panels;
+        for i in 0..panels as u32 {
+            let a = pair[0] + f64::from(i) * width;
+            let nodes = legendre::panel(a, a + width);
+            sum += nodes.into_iter().map(|(z, weight)| weight * normal::density(z) * f(z)).sum::<f64>();
+        }
+    }
+    sum
 }

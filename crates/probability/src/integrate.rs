@@ -253,6 +253,9 @@ impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
             let nothing = vec![0.0; self.sets.len()];
             return Sum { values: nothing.clone(), errors: nothing };
         }
+        if self.frame.is_stepped(depth) {
+            return self.steps(depth, weight, reach);
+        }
         let ends = self.kinks(depth, weight, reach);
         let mut panels: Vec<(f64, f64, u32, Panel)> = Vec::new();
         for pair in ends.windows(2) {
@@ -296,6 +299,32 @@ impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
         total
     }
 
+    /// The sum over an input that has a few values, each with its probability.
+    fn steps(&mut self, depth: usize, weight: f64, reach: f64) -> Sum {
+        let count = self.sets.len();
+        let mut total = Sum { values: vec![0.0; count], errors: vec![0.0; count] };
+        for (a, b) in self.stretches(depth, reach) {
+            let share = normal::between(a, b);
+            self.point[depth] = within(a, b);
+            let inner = self.from(depth + 1, (weight * share).max(f64::MIN_POSITIVE));
+            for k in 0..count {
+                total.values[k] += share * inner.values[k];
+                total.errors[k] += share * inner.errors[k];
+            }
+        }
+        self.has_all |= depth == 0 && !self.is_lost();
+        total
+    }
+
+    /// The stretches of the normal with number `depth` between which its input jumps or has a kink, in a range.
+    fn stretches(&self, depth: usize, reach: f64) -> Vec<(f64, f64)> {
+        let breaks = self.frame.breaks(depth, &self.point[..depth]);
+        let mut ends = vec![-reach];
+        ends.extend(breaks.into_iter().filter(|u| u.abs() < reach));
+        ends.push(reach);
+        ends.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a < b).collect()
+    }
+
     /// One panel of the normal with number `depth`.
     fn panel(&mut self, depth: usize, weight: f64, a: f64, b: f64) -> Panel {
         let count = self.sets.len();
@@ -320,7 +349,9 @@ impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
     /// that is not quite met nothing is lost but the square of what it is missed by; a step is found to the last bit.
     fn kinks(&mut self, depth: usize, weight: f64, reach: f64) -> Vec<f64> {
         let (mut ends, mut last) = (vec![-reach], (-reach, self.pattern(depth, -reach)));
-        for (_, b) in steps(reach, SCAN) {
+        let stretches = self.stretches(depth, reach);
+        ends.extend(stretches.iter().map(|(_, end)| *end));
+        for (_, b) in stretches.into_iter().flat_map(|(a, b)| steps(a, b, SCAN)) {
             let here = (b, self.pattern(depth, b));
             for kink in self.changes(depth, COARSE, last, here) {
                 let before = kink - COARSE * kink.abs().max(1.0);
@@ -333,7 +364,6 @@ impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
             }
             last = here;
         }
-        ends.push(reach);
         // Changes that lie closer than the resolution are found in any order.
         ends.sort_by(f64::total_cmp);
         ends.dedup();
@@ -409,9 +439,16 @@ impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
             }
             return self.frame.evaluate(&self.point, &mut self.scratch);
         }
+        if self.frame.is_stepped(depth + 1) {
+            let stretches = self.stretches(depth + 1, LISTED);
+            return stretches
+                .into_iter()
+                .fold(0, |list, (a, b)| mixed(list, self.pattern(depth + 1, within(a, b))));
+        }
         let mut last = self.pattern(depth + 1, -LISTED);
         let mut list = mixed(0, last);
-        for (a, b) in steps(LISTED, INNER_SCAN) {
+        let stretches = self.stretches(depth + 1, LISTED);
+        for (a, b) in stretches.into_iter().flat_map(|(a, b)| steps(a, b, INNER_SCAN)) {
             let here = self.pattern(depth + 1, b);
             let (before, mut changes) = (list, 0);
             self.part(depth + 1, COARSE, (a, last), (b, here), &mut |_, then| {
@@ -428,10 +465,15 @@ impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
     }
 }
 
-/// Steps from −`reach` to `reach`, about so wide and even.
-fn steps(reach: f64, wide: f64) -> impl Iterator<Item = (f64, f64)> {
-    let count = (2.0 * reach / wide).ceil().max(1.0);
+/// Steps from `from` to `to`, about so wide and even.
+fn steps(from: f64, to: f64, wide: f64) -> impl Iterator<Item = (f64, f64)> {
+    let count = ((to - from) / wide).ceil().max(1.0);
     let at =
-        move |i: u32| if f64::from(i) >= count { reach } else { reach * (2.0 * f64::from(i) / count - 1.0) };
+        move |i: u32| if f64::from(i) >= count { to } else { from + (to - from) * (f64::from(i) / count) };
     (0..count as u32).map(move |i| (at(i), at(i + 1)))
+}
+
+/// A normal between two, the likeliest but for the very ends.
+fn within(a: f64, b: f64) -> f64 {
+    0f64.clamp(a + 0.25 * (b - a), b - 0.25 * (b - a))
 }

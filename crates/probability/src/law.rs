@@ -3,17 +3,28 @@
 //! A value and a standard normal z belong together: F(x) = Φ(z). All of this crate draws z and asks for x, or has a boundary x
 //! and asks for z, so that sampling, correlation and exact integration share one path. Between the two stand [`Tails`], the
 //! probability below and above, of which the smaller is exact: 1 − 1e-20 is 1, 1e-20 is not.
+//!
+//! A value with a probability of its own, as discrete laws and samples have, belongs to all z from that of the values below it on; the z of
+//! a boundary at the value itself leaves it above. So an interval from a boundary on holds what lies at it.
 
 use std::f64::consts::PI;
 
-use crate::normal;
+use crate::{beta, gamma, normal};
+use atoms::Atoms;
+use mixture::Mixture;
+pub use truncated::Distribution;
 
-/// The probability below a value and that above it. They add up to 1; the smaller has all its digits.
+mod atoms;
+mod mixture;
+mod standard;
+mod truncated;
+
+/// The probability below a value, and that at or above it. They add up to 1; the smaller has all its digits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tails {
     /// P(X < x).
     pub below: f64,
-    /// P(X > x).
+    /// P(X ≥ x).
     pub above: f64,
 }
 
@@ -49,6 +60,14 @@ pub enum LawError {
         /// Range of values allowed.
         expected: &'static str,
     },
+    /// Values and probabilities that make no law.
+    #[error("the law {law}: {fault}")]
+    List {
+        /// The law's name, as in a case file.
+        law: &'static str,
+        /// Part of the lists that is wrong, with its value.
+        fault: String,
+    },
     /// Nothing of the law lies between the bounds.
     #[error("nothing of the law lies between {lower} and {upper}")]
     Empty {
@@ -65,14 +84,61 @@ pub struct Law(Kind);
 
 #[derive(Debug, Clone, PartialEq)]
 enum Kind {
-    Normal { mean: f64, sd: f64 },
-    LogNormal { mean: f64, sd: f64 },
-    Gumbel { mode: f64, scale: f64 },
-    Weibull { location: f64, scale: f64, shape: f64 },
-    Gev { location: f64, scale: f64, shape: f64 },
-    Uniform { from: f64, to: f64 },
-    Triangular { from: f64, peak: f64, to: f64 },
-    MaxOf { of: Box<Distribution>, count: f64 },
+    Normal {
+        mean: f64,
+        sd: f64,
+    },
+    LogNormal {
+        mean: f64,
+        sd: f64,
+    },
+    Gumbel {
+        mode: f64,
+        scale: f64,
+    },
+    Weibull {
+        location: f64,
+        scale: f64,
+        shape: f64,
+    },
+    Gev {
+        location: f64,
+        scale: f64,
+        shape: f64,
+    },
+    Uniform {
+        from: f64,
+        to: f64,
+    },
+    Triangular {
+        from: f64,
+        peak: f64,
+        to: f64,
+    },
+    Gamma {
+        location: f64,
+        scale: f64,
+        shape: f64,
+    },
+    Beta {
+        from: f64,
+        to: f64,
+        alpha: f64,
+        beta: f64,
+    },
+    /// The generalised Pareto law; a shape of zero is the exponential.
+    Pareto {
+        location: f64,
+        scale: f64,
+        shape: f64,
+    },
+    Discrete(Atoms),
+    Sample(Atoms),
+    Mixture(Mixture),
+    MaxOf {
+        of: Box<Distribution>,
+        count: f64,
+    },
 }
 
 const EULER: f64 = 0.577_215_664_901_532_9;
@@ -222,6 +288,115 @@ impl Law {
         Ok(Law(Kind::Triangular { from, peak, to }))
     }
 
+    /// The gamma law from `location` on: its density goes with y^(shape − 1) e^(−y), y = (x − location)/scale.
+    ///
+    /// # Errors
+    /// Unless `location` is a number, `scale` and `shape` are numbers above zero.
+    pub fn gamma(scale: f64, shape: f64, location: f64) -> Checked {
+        let of = LawName("gamma");
+        of.positive("scale", scale)?;
+        of.positive("shape", shape)?;
+        of.number("location", location)?;
+        Ok(Law(Kind::Gamma { location, scale, shape }))
+    }
+
+    /// The gamma law of this mean and standard deviation from `location` on.
+    ///
+    /// # Errors
+    /// Unless `location` is a number, `mean` one above it, and `sd` one above zero.
+    pub fn gamma_of_mean(mean: f64, sd: f64, location: f64) -> Checked {
+        let of = LawName("gamma");
+        of.number("location", location)?;
+        of.hold(
+            "mean",
+            mean,
+            mean.is_finite() && mean > location,
+            "a number above location, which is 0 if not given",
+        )?;
+        of.positive("sd", sd)?;
+        let (above, variance) = (mean - location, sd * sd);
+        Law::gamma(variance / above, above * above / variance, location)
+    }
+
+    /// The beta law between two numbers: its density goes with y^(α − 1) (1 − y)^(β − 1), y = (x − from)/(to − from).
+    ///
+    /// # Errors
+    /// Unless `from` is below `to`, and `alpha` and `beta` are numbers above zero.
+    pub fn beta(alpha: f64, beta: f64, from: f64, to: f64) -> Checked {
+        let of = LawName("beta");
+        of.positive("alpha", alpha)?;
+        of.positive("beta", beta)?;
+        of.number("from", from)?;
+        of.number("to", to)?;
+        of.hold("to", to, from < to, "a number above from")?;
+        Ok(Law(Kind::Beta { from, to, alpha, beta }))
+    }
+
+    /// The beta law of this mean and standard deviation between two numbers.
+    ///
+    /// # Errors
+    /// Unless `from` is below `to`, `mean` lies between, and `sd` is above zero and below √((mean − from)(to − mean)).
+    pub fn beta_of_mean(mean: f64, sd: f64, from: f64, to: f64) -> Checked {
+        let of = LawName("beta");
+        of.number("from", from)?;
+        of.number("to", to)?;
+        of.hold("to", to, from < to, "a number above from")?;
+        of.hold("mean", mean, from < mean && mean < to, "a number between from and to")?;
+        of.positive("sd", sd)?;
+        let (below, above) = (mean - from, to - mean);
+        of.hold("sd", sd, sd * sd < below * above, "less than √((mean − from)(to − mean))")?;
+        let sum = below * above / (sd * sd) - 1.0;
+        Law::beta(below / (to - from) * sum, above / (to - from) * sum, from, to)
+    }
+
+    /// The exponential law from `location` on, whose mean lies `scale` above it.
+    ///
+    /// # Errors
+    /// Unless `location` is a number and `scale` one above zero.
+    pub fn exponential(scale: f64, location: f64) -> Checked {
+        let of = LawName("exponential");
+        of.positive("scale", scale)?;
+        of.number("location", location)?;
+        Ok(Law(Kind::Pareto { location, scale, shape: 0.0 }))
+    }
+
+    /// The generalised Pareto law, of what exceeds a threshold: 1 − F = (1 + ξ(x − location)/scale)^(−1/ξ) from `location`, the threshold, on;
+    /// a shape ξ above zero has a heavy tail, one below zero an end, zero is the exponential law.
+    ///
+    /// # Errors
+    /// Unless `location` and `shape` are numbers and `scale` one above zero.
+    pub fn pareto(location: f64, scale: f64, shape: f64) -> Checked {
+        let of = LawName("gpd");
+        of.number("location", location)?;
+        of.positive("scale", scale)?;
+        of.number("shape", shape)?;
+        Ok(Law(Kind::Pareto { location, scale, shape }))
+    }
+
+    /// These values with these probabilities.
+    ///
+    /// # Errors
+    /// Unless there are as many probabilities as values, all are numbers, no value stands twice, and the probabilities are above zero and add up to 1.
+    pub fn discrete(values: &[f64], probabilities: &[f64]) -> Checked {
+        Atoms::new(values, probabilities).map(Kind::Discrete).map(Law)
+    }
+
+    /// Each of these values as likely, as of a sample; one that stands several times is as often likelier.
+    ///
+    /// # Errors
+    /// If there is no value, or one is not a number.
+    pub fn sample(values: &[f64]) -> Checked {
+        Atoms::sample(values).map(Kind::Sample).map(Law)
+    }
+
+    /// One of several laws, each with its probability.
+    ///
+    /// # Errors
+    /// Unless there are two or more, whose probabilities are above zero and add up to 1.
+    pub fn mixture(parts: Vec<(f64, Distribution)>) -> Checked {
+        Mixture::new(parts).map(Kind::Mixture).map(Law)
+    }
+
     /// The largest of `count` independent values.
     ///
     /// # Errors
@@ -241,6 +416,13 @@ impl Law {
             Kind::Gev { .. } => "gev",
             Kind::Uniform { .. } => "uniform",
             Kind::Triangular { .. } => "triangular",
+            Kind::Gamma { .. } => "gamma",
+            Kind::Beta { .. } => "beta",
+            Kind::Pareto { shape, .. } if shape == 0.0 => "exponential",
+            Kind::Pareto { .. } => "gpd",
+            Kind::Discrete(_) => "discrete",
+            Kind::Sample(_) => "sample",
+            Kind::Mixture(_) => "mixture",
             Kind::MaxOf { .. } => "max_of",
         }
     }
@@ -250,11 +432,44 @@ impl Law {
         match self.0 {
             Kind::Normal { .. } | Kind::Gumbel { .. } => (f64::NEG_INFINITY, f64::INFINITY),
             Kind::LogNormal { .. } => (0.0, f64::INFINITY),
-            Kind::Weibull { location, .. } => (location, f64::INFINITY),
+            Kind::Weibull { location, .. } | Kind::Gamma { location, .. } => (location, f64::INFINITY),
+            Kind::Pareto { location, scale, shape } if shape < 0.0 => (location, location - scale / shape),
+            Kind::Pareto { location, .. } => (location, f64::INFINITY),
+            Kind::Beta { from, to, .. } => (from, to),
+            Kind::Discrete(ref atoms) | Kind::Sample(ref atoms) => atoms.support(),
+            Kind::Mixture(ref mixture) => mixture.support(),
             Kind::Gev { location, scale, shape } if shape > 0.0 => (location - scale / shape, f64::INFINITY),
             Kind::Gev { location, scale, shape } => (f64::NEG_INFINITY, location - scale / shape),
             Kind::Uniform { from, to } | Kind::Triangular { from, to, .. } => (from, to),
             Kind::MaxOf { ref of, .. } => of.support(),
+        }
+    }
+
+    /// The values with a probability of their own, if it has no others.
+    fn atoms(&self) -> Option<&Atoms> {
+        match &self.0 {
+            Kind::Discrete(atoms) | Kind::Sample(atoms) => Some(atoms),
+            Kind::MaxOf { of, .. } => of.law().atoms(),
+            _ => None,
+        }
+    }
+
+    /// Values at which the law is not smooth, as [`Distribution::breaks`] has them.
+    fn breaks(&self) -> Vec<f64> {
+        match &self.0 {
+            Kind::Triangular { peak, .. } => vec![*peak],
+            Kind::Discrete(atoms) | Kind::Sample(atoms) => atoms.breaks(),
+            Kind::Mixture(mixture) => mixture.breaks(),
+            Kind::MaxOf { of, .. } => of.breaks(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// True if a value has a probability of its own.
+    fn has_atoms(&self) -> bool {
+        match &self.0 {
+            Kind::Mixture(mixture) => mixture.has_atoms(),
+            _ => self.atoms().is_some(),
         }
     }
 
@@ -268,7 +483,7 @@ impl Law {
         }
     }
 
-    /// The probabilities below and above `x`.
+    /// The probabilities below `x`, and at or above it.
     fn tails(&self, x: f64) -> Tails {
         match self.0 {
             Kind::Normal { .. } | Kind::LogNormal { .. } => Tails::of(self.z(x)),
@@ -304,6 +519,18 @@ impl Law {
                     Tails { below: 1.0, above: 0.0 }
                 }
             }
+            Kind::Gamma { location, scale, shape } => gamma::tails(shape, (x - location) / scale),
+            Kind::Beta { from, to, alpha, beta: b } => {
+                let x = x.clamp(from, to);
+                beta::tails(alpha, b, (x - from) / (to - from), (to - x) / (to - from))
+            }
+            Kind::Pareto { location, scale, shape } => {
+                let y = ((x - location) / scale).max(0.0);
+                let rate = if shape == 0.0 { y } else { libm::log1p((shape * y).max(-1.0)) / shape };
+                Tails { below: -libm::expm1(-rate), above: (-rate).exp() }
+            }
+            Kind::Discrete(ref atoms) | Kind::Sample(ref atoms) => atoms.tails(x),
+            Kind::Mixture(ref mixture) => mixture.tails(x),
             Kind::MaxOf { ref of, count } => {
                 let one = of.tails(x);
                 Tails {
@@ -351,6 +578,19 @@ impl Law {
                     to - (tails.above * (to - from) * (to - peak)).sqrt()
                 }
             }
+            Kind::Gamma { location, scale, shape } => location + scale * standard::gamma_value(shape, tails),
+            Kind::Beta { from, to, alpha, beta } => {
+                let (below, above) = standard::beta_value(alpha, beta, tails);
+                if below < above { from + below * (to - from) } else { to - above * (to - from) }
+            }
+            Kind::Pareto { location, scale, shape } => {
+                // The rate −ln(1 − F).
+                let rate = rate(Tails { below: tails.above, above: tails.below });
+                let reach = if shape == 0.0 { rate } else { libm::expm1(shape * rate) / shape };
+                location + scale * reach
+            }
+            Kind::Discrete(ref atoms) | Kind::Sample(ref atoms) => atoms.value_at(tails),
+            Kind::Mixture(ref mixture) => mixture.value_at(tails),
             Kind::MaxOf { ref of, count } => {
                 let log =
                     if tails.above < 0.5 { libm::log1p(-tails.above) } else { tails.below.ln() } / count;
@@ -368,124 +608,4 @@ fn of_rate(rate: f64) -> Tails {
 /// The rate −ln F of F = exp(−rate).
 fn rate(tails: Tails) -> f64 {
     if tails.above < 0.5 { -libm::log1p(-tails.above) } else { -tails.below.ln() }
-}
-
-/// A law, truncated where bounds are given and renormalised between them. Parameters of the law are those before truncation.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Distribution {
-    law: Law,
-    bounds: Option<Bounds>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Bounds {
-    lower: f64,
-    upper: f64,
-    /// Below the lower bound, and above the upper.
-    cut: Tails,
-    /// Between the bounds.
-    mass: f64,
-}
-
-impl From<Law> for Distribution {
-    fn from(law: Law) -> Distribution {
-        Distribution { law, bounds: None }
-    }
-}
-
-impl Distribution {
-    /// A law between two bounds; −∞ and ∞ are none.
-    ///
-    /// # Errors
-    /// If a bound is NaN, or nothing of the law lies between them.
-    pub fn truncated(law: Law, lower: f64, upper: f64) -> Result<Distribution, LawError> {
-        if lower == f64::NEG_INFINITY && upper == f64::INFINITY {
-            return Ok(law.into());
-        }
-        let (at_lower, at_upper) = (law.tails(lower), law.tails(upper));
-        let mass = if at_lower.below > 0.5 {
-            at_lower.above - at_upper.above
-        } else {
-            at_upper.below - at_lower.below
-        };
-        // A mass that is NaN comes of a bound that is.
-        if mass.is_nan() || mass <= 0.0 || lower >= upper {
-            return Err(LawError::Empty { lower, upper });
-        }
-        let cut = Tails { below: at_lower.below, above: at_upper.above };
-        Ok(Distribution { law, bounds: Some(Bounds { lower, upper, cut, mass }) })
-    }
-
-    /// The law before truncation.
-    pub fn law(&self) -> &Law {
-        &self.law
-    }
-
-    /// The numbers between which there are values.
-    pub fn support(&self) -> (f64, f64) {
-        let (from, to) = self.law.support();
-        self.bounds.map_or((from, to), |b| (b.lower.max(from), b.upper.min(to)))
-    }
-
-    /// Probability cut away by truncation, of the law's probability 1.
-    pub fn cut(&self) -> f64 {
-        self.bounds.map_or(0.0, |b| b.cut.below + b.cut.above)
-    }
-
-    /// The probabilities below and above `x`.
-    pub fn tails(&self, x: f64) -> Tails {
-        let t = self.law.tails(x);
-        let Some(b) = self.bounds else { return t };
-        if x <= b.lower {
-            return Tails { below: 0.0, above: 1.0 };
-        }
-        if x >= b.upper {
-            return Tails { below: 1.0, above: 0.0 };
-        }
-        // Each as a difference in the tail that is nearer, so that what is small keeps its digits.
-        let below = if t.below < 0.5 { t.below - b.cut.below } else { b.mass - (t.above - b.cut.above) };
-        let above = if t.below < 0.5 { b.mass - (t.below - b.cut.below) } else { t.above - b.cut.above };
-        Tails { below: below.max(0.0) / b.mass, above: above.max(0.0) / b.mass }
-    }
-
-    /// The standard normal value that belongs to `x`; ∓∞ at the ends of the support and beyond.
-    pub fn z(&self, x: f64) -> f64 {
-        if self.bounds.is_none() { self.law.z(x) } else { self.tails(x).z() }
-    }
-
-    /// The value of a standard normal `z`.
-    pub fn value(&self, z: f64) -> f64 {
-        if self.bounds.is_none() { self.law.value(z) } else { self.value_at(Tails::of(z)) }
-    }
-
-    /// The value with these probabilities below and above it.
-    pub fn value_at(&self, tails: Tails) -> f64 {
-        let Some(b) = self.bounds else { return self.law.value_at(tails) };
-        let whole =
-            Tails { below: b.cut.below + tails.below * b.mass, above: b.cut.above + tails.above * b.mass };
-        self.law.value_at(whole).clamp(b.lower, b.upper)
-    }
-
-    /// The value below which a share `p` of the law lies, 0 < p < 1.
-    pub fn value_of_chance(&self, p: f64) -> f64 {
-        match (&self.law.0, self.bounds) {
-            (Kind::Normal { .. } | Kind::LogNormal { .. }, None) => self.law.value(normal::quantile(p)),
-            _ => self.value_at(Tails { below: p, above: 1.0 - p }),
-        }
-    }
-
-    /// Replaces each probability by its value, as [`value_of_chance`](Self::value_of_chance) gives it.
-    pub fn values_of_chances(&self, chances: &mut [f64]) {
-        if let (Kind::Normal { .. } | Kind::LogNormal { .. }, None) = (&self.law.0, self.bounds) {
-            normal::quantiles(chances);
-            chances.iter_mut().for_each(|x| *x = self.law.value(*x));
-        } else {
-            chances.iter_mut().for_each(|p| *p = self.value_of_chance(*p));
-        }
-    }
-
-    /// The value that is exceeded as often as not.
-    pub fn median(&self) -> f64 {
-        self.value(0.0)
-    }
 }

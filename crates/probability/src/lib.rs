@@ -45,8 +45,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod beta;
 pub mod copula;
 pub mod form;
+mod gamma;
 pub mod integrate;
 pub mod law;
 pub mod legendre;

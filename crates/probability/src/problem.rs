@@ -95,7 +95,8 @@ impl Pieces {
     pub fn scan(&mut self, law: &Distribution, marks: &[f64], at: impl Fn(f64) -> u64) {
         let value = |i: u32| law.value(crate::REACH * (2.0 * f64::from(i) / f64::from(SCAN) - 1.0));
         let (first, last) = (value(0), value(SCAN));
-        let marks = marks.iter().copied().filter(|mark| first < *mark && *mark < last);
+        let breaks = law.breaks();
+        let marks = marks.iter().chain(&breaks).copied().filter(|mark| first < *mark && *mark < last);
         let mut ends: Vec<f64> = (1..=SCAN).map(value).chain(marks).collect();
         ends.sort_by(f64::total_cmp);
         let mut from = f64::NEG_INFINITY;
@@ -190,6 +191,8 @@ pub(crate) struct Frame<'a, O> {
     order: Vec<usize>,
     factor: Vec<Vec<f64>>,
     held: Held,
+    /// Of the input at each place of the order, the normals between which it is smooth, or has one value, rising.
+    breaks: Vec<Vec<f64>>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -249,7 +252,8 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         let line = outcomes.line();
         let mut others: Vec<usize> =
             (0..inputs.laws.len()).filter(|i| *i != line && Some(*i) != held).collect();
-        others.sort_by_key(|i| (last(*i), outcomes.is_quick(*i)));
+        // What has a few values is summed over, the outermost, so that between them nothing has to be sought.
+        others.sort_by_key(|i| (last(*i), !inputs.laws[*i].is_discrete(), outcomes.is_quick(*i)));
         let order: Vec<usize> = match held {
             Some(held) if held == line => std::iter::once(line).chain(others).collect(),
             held => held.into_iter().chain(others).chain([line]).collect(),
@@ -260,7 +264,30 @@ impl<'a, O: Outcomes> Frame<'a, O> {
             Some(held) if held == line => Held::Line,
             Some(_) => Held::Other,
         };
-        Frame { inputs, outcomes, order, factor, held }
+        let breaks = order.iter().map(|input| inputs.laws[*input].breaks_of_normal()).collect();
+        Frame { inputs, outcomes, order, factor, held, breaks }
+    }
+
+    /// Values of the normal with number `depth` between which its input is smooth, or has one value, given the normals before it; rising.
+    pub(crate) fn breaks(&self, depth: usize, point: &[f64]) -> impl Iterator<Item = f64> {
+        let place = self.place_of(depth);
+        let row = &self.factor[place];
+        let mean: f64 = row[place - depth..place].iter().zip(point).map(|(a, b)| a * b).sum();
+        let deviation = row[place];
+        self.breaks[place].iter().map(move |z| (z - mean) / deviation)
+    }
+
+    /// The place in the order of the input that the normal with number `depth` moves.
+    fn place_of(&self, depth: usize) -> usize {
+        depth + usize::from(self.held != Held::Nothing)
+    }
+
+    /// True if between two of its breaks nothing depends on the normal with number `depth`: its input has values with probabilities of their own
+    /// alone, and no input after it is correlated with it.
+    pub(crate) fn is_stepped(&self, depth: usize) -> bool {
+        let place = self.place_of(depth);
+        self.inputs.laws[self.order[place]].is_discrete()
+            && self.factor[place + 1..].iter().all(|row| row[place] == 0.0)
     }
 
     /// The number of independent standard normals a point has.
@@ -297,6 +324,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         pieces.clear();
         self.outcomes.along(values, pieces);
         let law = &self.inputs.laws[self.outcomes.line()];
+        let corners = &self.breaks[self.order.len() - 1];
         shares.fill(0.0);
         let mut signature = pieces.signature;
         if deviation == 0.0 {
@@ -322,8 +350,11 @@ impl<'a, O: Outcomes> Frame<'a, O> {
             };
             let (from, to) = (end(piece.from), end(piece.to));
             shares[piece.outcome] += from.until(&to);
-            // Where an end leaves what the law has values for, the probability has a kink.
-            signature = mixed(signature, u64::from(from.u.is_finite()) | u64::from(to.u.is_finite()) << 1);
+            // Where an end leaves what the law has values for, or passes a corner of it, the probability has a kink.
+            let corner =
+                |end: &End| corners.partition_point(|corner| (corner - mean) / deviation < end.u) as u64;
+            let ends = u64::from(from.u.is_finite()) | u64::from(to.u.is_finite()) << 1;
+            signature = mixed(signature, ends | corner(&from) << 2 | corner(&to) << 32);
         }
         signature
     }

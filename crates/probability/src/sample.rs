@@ -3,7 +3,6 @@
 //! Each number of points comes from the seed and its own number alone: the same answer on any number of threads, and more points
 //! begin with the ones already taken.
 
-mod beta;
 mod crossed;
 mod interval;
 

@@ -41,9 +41,25 @@ fn all() -> Vec<Distribution> {
         Law::triangular(1.0, 4.0, 4.0).unwrap().into(),
         Law::triangular(1.0, 1.0, 4.0).unwrap().into(),
         Law::max_of(Law::gumbel(3.0, 0.4).unwrap().into(), 50.0).unwrap().into(),
+        Law::gamma(0.4, 2.5, 1.0).unwrap().into(),
+        Law::gamma(2.0, 0.3, 0.0).unwrap().into(),
+        Law::beta(3.0, 2.0, 0.4, 0.8).unwrap().into(),
+        Law::beta(0.4, 0.7, -1.0, 1.0).unwrap().into(),
+        Law::exponential(0.6, 4.0).unwrap().into(),
+        Law::pareto(4.0, 0.6, 0.2).unwrap().into(),
+        Law::pareto(4.0, 0.6, -0.3).unwrap().into(),
+        two_populations().into(),
+        Distribution::truncated(two_populations(), 0.5, 6.0).unwrap(),
         Distribution::truncated(normal, 0.0, f64::INFINITY).unwrap(),
         Distribution::truncated(Law::gumbel_of_mean(4.5, 0.9).unwrap(), 1.0, 6.0).unwrap(),
     ]
+}
+
+/// Storms of two kinds.
+fn two_populations() -> Law {
+    let often = Law::gumbel(1.0, 0.4).unwrap().into();
+    let rare = Law::lognormal(5.0, 0.5).unwrap().into();
+    Law::mixture(vec![(0.97, often), (0.03, rare)]).unwrap()
 }
 
 /// A value's normal gives back the value, far into both tails; the tails add up to one and rise with the value.
@@ -110,6 +126,156 @@ fn means_and_deviations_are_the_closed_forms() {
     assert_close("cut", cut.cut(), normal::below(-0.5), 1e-14);
 }
 
+/// Gamma and beta laws by integrals of 40 digits outside this repository, far into both tails; moments and parameters belong together.
+#[test]
+fn gamma_and_beta_are_the_integrals() {
+    let gamma = [
+        (
+            0.3,
+            [
+                6.665_813_607_833_845e-31,
+                0.001_509_222_188_442_643,
+                0.244_123_787_734_806_8,
+                4.354_136_307_523_037,
+            ],
+        ),
+        (
+            2.5,
+            [4.039_567_564_125_067e-4, 1.027_995_134_630_593_4, 2.988_121_031_604_304, 9.910_724_094_625_814],
+        ),
+        (
+            40.0,
+            [12.816_907_251_050_334, 33.701_999_822_335_736, 42.897_873_662_972_22, 61.658_473_342_432_73],
+        ),
+    ];
+    for (shape, values) in gamma {
+        let law: Distribution = Law::gamma(2.0, shape, 0.0).unwrap().into();
+        for (z, value) in [-6.0, -1.0, 0.5, 3.0].into_iter().zip(values) {
+            assert_close(&format!("gamma {shape} at {z}"), law.value(z), 2.0 * value, 2e-13);
+        }
+    }
+    let far: Distribution = Law::gamma(1.0, 40.0, 0.0).unwrap().into();
+    assert_close("gamma at 8", far.value(8.0), 113.252_074_498_913_63, 1e-13);
+    let beta = [
+        (
+            (0.4, 0.7),
+            [
+                4.930_062_660_301_462e-23,
+                0.016_111_716_235_162_11,
+                0.551_757_790_620_942_9,
+                0.999_767_635_089_663_9,
+            ],
+        ),
+        (
+            (3.0, 2.0),
+            [
+                6.272_297_903_482_874e-4,
+                0.381_597_574_496_040_07,
+                0.722_693_295_037_393_5,
+                0.984_847_600_653_449_6,
+            ],
+        ),
+        (
+            (30.0, 50.0),
+            [
+                0.114_235_666_082_107_47,
+                0.320_912_785_213_698_5,
+                0.401_327_255_352_319_2,
+                0.541_574_675_643_031_5,
+            ],
+        ),
+    ];
+    for ((a, b), values) in beta {
+        let law: Distribution = Law::beta(a, b, 0.0, 1.0).unwrap().into();
+        let turned: Distribution = Law::beta(b, a, 0.0, 1.0).unwrap().into();
+        for (z, value) in [-6.0, -1.0, 0.5, 3.0].into_iter().zip(values) {
+            assert_close(&format!("beta {a}, {b} at {z}"), law.value(z), value, 2e-13);
+            assert!((1.0 - turned.value(-z) - value).abs() < 1e-13, "turned at {z}");
+        }
+    }
+    let of = |law: Result<Law, LawError>, m: f64, s: f64| {
+        let (mean, sd) = moments(&law.unwrap().into());
+        assert_close("mean", mean, m, 1e-7);
+        assert_close("sd", sd, s, 1e-6);
+    };
+    of(Law::gamma(0.4, 2.5, 1.0), 2.0, 0.4 * 2.5f64.sqrt());
+    of(Law::gamma_of_mean(2.0, 0.3, 1.0), 2.0, 0.3);
+    of(Law::beta_of_mean(0.6, 0.05, 0.4, 0.8), 0.6, 0.05);
+    of(Law::beta(3.0, 2.0, 0.0, 1.0), 0.6, 0.2);
+    of(Law::exponential(0.6, 4.0), 4.6, 0.6);
+    // Mean σ/(1 − ξ), variance σ²/((1 − ξ)²(1 − 2ξ)).
+    of(Law::pareto(4.0, 0.6, 0.2), 4.75, 0.75 / 0.6f64.sqrt());
+    of(Law::pareto(4.0, 0.6, -0.3), 4.0 + 0.6 / 1.3, 0.6 / 1.3 / 1.6f64.sqrt());
+    // A shape near zero is as good as the exponential law.
+    let near: Distribution = Law::pareto(0.0, 1.0, 1e-12).unwrap().into();
+    let none: Distribution = Law::exponential(1.0, 0.0).unwrap().into();
+    for z in [-6.0, 0.0, 7.0] {
+        assert_close("near zero", near.value(z), none.value(z), 1e-9);
+    }
+}
+
+/// The tails of a mixture are those of its parts by their shares; its far tail is the rare part's.
+#[test]
+fn a_mixture_is_its_parts() {
+    let law: Distribution = two_populations().into();
+    let [often, rare]: [Distribution; 2] =
+        [Law::gumbel(1.0, 0.4).unwrap().into(), Law::lognormal(5.0, 0.5).unwrap().into()];
+    for x in [0.2, 1.0, 2.7, 5.0, 7.5] {
+        assert_close(
+            "above",
+            law.tails(x).above,
+            0.97 * often.tails(x).above + 0.03 * rare.tails(x).above,
+            1e-14,
+        );
+        assert_close("back", law.value(law.z(x)), x, 1e-9);
+    }
+    // A gap between the parts: no value lies in it, and the normals of its ends are one.
+    let apart = |from, to| Distribution::from(Law::uniform(from, to).unwrap());
+    let gap: Distribution =
+        Law::mixture(vec![(0.3, apart(0.0, 1.0)), (0.7, apart(2.0, 3.0))]).unwrap().into();
+    let at = normal::quantile(0.3);
+    assert!((gap.z(1.5) - at).abs() < 1e-12);
+    assert!(gap.value(at - 1e-9) <= 1.0 && gap.value(at + 1e-9) >= 2.0);
+    assert_eq!(gap.breaks(), [0.0, 1.0, 2.0, 3.0]);
+}
+
+/// Values with probabilities of their own: an interval from a boundary on has what lies at it; bounds keep what lies at them.
+#[test]
+fn values_of_their_own_lie_above_their_boundary() {
+    let law: Distribution = Law::discrete(&[0.6, 0.4, 0.5], &[0.2, 0.3, 0.5]).unwrap().into();
+    assert_eq!(law.support(), (0.4, 0.6));
+    for (x, below) in [(0.3, 0.0), (0.4, 0.0), (0.45, 0.3), (0.5, 0.3), (0.55, 0.8), (0.6, 0.8), (0.7, 1.0)] {
+        let tails = law.tails(x);
+        assert!(
+            (tails.below - below).abs() < 1e-15 && (tails.above - (1.0 - below)).abs() < 1e-15,
+            "{x}: {tails:?}"
+        );
+    }
+    for (z, value) in [(-9.0, 0.4), (-0.53, 0.4), (-0.52, 0.5), (0.84, 0.5), (0.85, 0.6), (9.0, 0.6)] {
+        assert_eq!(law.value(z), value, "{z}");
+    }
+    assert_close(
+        "least of many",
+        Distribution::from(Law::discrete(&[1.0, 2.0], &[1e-9, 1.0 - 1e-9]).unwrap()).tails(1.5).below,
+        1e-9,
+        1e-14,
+    );
+    // Bounds at two of the values.
+    let plain = Law::discrete(&[0.4, 0.5, 0.6], &[0.3, 0.5, 0.2]).unwrap();
+    let cut = Distribution::truncated(plain.clone(), 0.5, 0.6).unwrap();
+    assert_close("cut", cut.cut(), 0.3, 1e-15);
+    assert_close("the first left", cut.tails(0.55).below, 5.0 / 7.0, 1e-15);
+    assert_close("the last left", cut.tails(0.6).above, 2.0 / 7.0, 1e-14);
+    let one = Distribution::truncated(plain, 0.5, 0.5).unwrap();
+    assert_eq!([-9.0, 0.0, 9.0].map(|z| one.value(z)), [0.5; 3]);
+    // A sample counts what stands twice, and the largest of several has the power.
+    let sample = Law::sample(&[3.0, 1.0, 2.0, 2.0]).unwrap();
+    let most: Distribution = Law::max_of(sample.into(), 3.0).unwrap().into();
+    assert_close("none above 2", most.tails(2.5).below, 0.75f64.powi(3), 1e-14);
+    assert_eq!(most.value(-1.0), 2.0);
+    assert!(most.is_discrete());
+}
+
 /// F of a return value is 1 − 1/years.
 #[test]
 fn return_values_are_met() {
@@ -141,6 +307,42 @@ fn wrong_laws_are_refused() {
     refused(Law::gev(0.0, f64::INFINITY, 0.1), "gev", "scale");
     refused(Law::uniform(2.0, 2.0), "uniform", "to");
     refused(Law::triangular(1.0, 5.0, 4.0), "triangular", "mode");
+    refused(Law::gamma(1.0, -2.0, 0.0), "gamma", "shape");
+    refused(Law::gamma_of_mean(1.0, 0.2, 1.5), "gamma", "mean");
+    refused(Law::beta(1.0, 2.0, 1.0, 1.0), "beta", "to");
+    refused(Law::beta_of_mean(0.9, 0.2, 0.4, 0.8), "beta", "mean");
+    refused(Law::beta_of_mean(0.6, 0.2, 0.4, 0.8), "beta", "sd");
+    refused(Law::exponential(0.0, 1.0), "exponential", "scale");
+    refused(Law::pareto(0.0, 1.0, f64::NAN), "gpd", "shape");
+    let list = |law: Result<Law, LawError>| law.unwrap_err().to_string();
+    let whole = Distribution::from(Law::normal(0.0, 1.0).unwrap());
+    for (law, message) in [
+        (
+            Law::discrete(&[1.0, 2.0], &[1.0]),
+            "the law discrete: 2 values and 1 probabilities; expected one probability for each value",
+        ),
+        (
+            Law::discrete(&[1.0, 2.0], &[0.5, 0.6]),
+            "the law discrete: the probabilities add up to 1.1; expected 1",
+        ),
+        (
+            Law::discrete(&[1.0, 2.0], &[1.2, -0.2]),
+            "the law discrete: a probability is 1.2; expected more than 0 and at most 1",
+        ),
+        (
+            Law::discrete(&[1.0, 1.0], &[0.5, 0.5]),
+            "the law discrete: a value stands twice; expected each once",
+        ),
+        (Law::sample(&[]), "the law sample: no values; expected one or more"),
+        (Law::sample(&[1.0, f64::NAN]), "the law sample: a value is NaN; expected numbers"),
+        (Law::mixture(vec![(1.0, whole.clone())]), "the law mixture: 1 law; expected two or more"),
+        (
+            Law::mixture(vec![(0.5, whole.clone()), (0.4, whole)]),
+            "the law mixture: the probabilities add up to 0.9; expected 1",
+        ),
+    ] {
+        assert_eq!(list(law), message);
+    }
     refused(Law::max_of(Law::normal(0.0, 1.0).unwrap().into(), 0.5), "max_of", "count");
     let law = || Law::uniform(0.0, 1.0).unwrap();
     for (lower, upper) in [(1.0, 2.0), (0.6, 0.5), (f64::NAN, 1.0), (0.5, 0.5)] {

@@ -1,7 +1,7 @@
 //! The share of hits of rows and columns that are all crossed: every body under every record.
 
-use super::beta::beta_reg;
 use super::interval::{Estimate, where_reached};
+use crate::beta::beta_reg;
 
 impl Estimate {
     /// The share of hits where every row is crossed with every column, with an interval for a further row and column: rows are few

@@ -1,7 +1,7 @@
 //! Intervals of estimates, at 95 %.
 
 use super::SCRAMBLES;
-use super::beta::beta_reg;
+use crate::beta::beta_reg;
 
 /// A probability with the interval in which it lies with a confidence of 95 %.
 #[derive(Debug, Clone, Copy, PartialEq)]

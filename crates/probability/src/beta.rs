@@ -1,12 +1,25 @@
-//! The regularised incomplete beta function: what the binomial law and Student's are at any point.
+//! The regularised incomplete beta function: what the beta, the binomial and Student's law are at any point.
+
+use crate::law::Tails;
 
 /// I_x(a, b) of positive a and b, by the continued fraction of [DLMF 8.17.22](https://dlmf.nist.gov/8.17.E22), which converges fast for x
 /// below (a + 1)/(a + b + 2); above by I_x(a, b) = 1 − I_{1−x}(b, a).
-pub(super) fn beta_reg(a: f64, b: f64, x: f64) -> f64 {
-    if x <= 0.0 || x >= 1.0 {
-        return x.clamp(0.0, 1.0);
+pub(crate) fn beta_reg(a: f64, b: f64, x: f64) -> f64 {
+    tails(a, b, x, 1.0 - x).below
+}
+
+/// I_x(a, b), and 1 − I_x(a, b), where y = 1 − x; the smaller of the two has all its digits.
+pub(crate) fn tails(a: f64, b: f64, x: f64, y: f64) -> Tails {
+    if x <= 0.0 || y <= 0.0 {
+        let below = f64::from(u8::from(x > 0.0));
+        Tails { below, above: 1.0 - below }
+    } else if x < (a + 1.0) / (a + b + 2.0) {
+        let below = lower(a, b, x, y);
+        Tails { below, above: 1.0 - below }
+    } else {
+        let above = lower(b, a, y, x);
+        Tails { below: 1.0 - above, above }
     }
-    if x < (a + 1.0) / (a + b + 2.0) { lower(a, b, x, 1.0 - x) } else { 1.0 - lower(b, a, 1.0 - x, x) }
 }
 
 /// I_x(a, b), where y = 1 − x.
