@@ -9,9 +9,10 @@
 //!
 //! [[random.correlation]]
 //! between = ["friction", "load.push.force"]
-//! rank = 0.3             # Spearman; or linear, or normal
+//! rank = 0.3             # Spearman; or linear, or normal; of several names a matrix
 //! ```
 
+use std::fmt;
 use std::ops::Range as Span;
 
 use standfast_probability::copula::CorrelationMeasure;
@@ -22,6 +23,10 @@ use toml::de::{DeTable, DeValue};
 use crate::digits::digits;
 use crate::parse::{plain_number, type_of};
 use crate::suggest::closest;
+pub use laws::{LAWS, years};
+
+mod correlation;
+mod laws;
 
 /// The name of the table.
 pub const RANDOM: &str = "random";
@@ -70,8 +75,10 @@ pub struct RandomEntry {
     pub law: &'static str,
     /// The law's parameters as written.
     pub parameters: Vec<Parameter>,
-    /// The law of one of which it is the largest.
-    pub of: Option<Box<RandomEntry>>,
+    /// The law of one of which it is the largest, or those of which it is a mixture.
+    pub of: Vec<RandomEntry>,
+    /// How likely it is, of a law in a mixture.
+    pub share: Option<Parameter>,
     /// The bound below.
     pub lower: Option<Parameter>,
     /// The bound above.
@@ -88,7 +95,8 @@ impl RandomEntry {
             every: Rate::Life,
             law: "",
             parameters: Vec::new(),
-            of: None,
+            of: Vec::new(),
+            share: None,
             lower: None,
             upper: None,
             span,
@@ -97,16 +105,13 @@ impl RandomEntry {
 
     /// Its law in words: `lognormal, mean 0.636, cov 0.15`.
     pub fn law_words(&self) -> String {
-        let written = |parameter: &Parameter| {
-            let value = match &parameter.value {
-                Written::Number(number) => number.to_string(),
-                Written::Text(text) => text.clone(),
-            };
-            format!("{} {value}", parameter.name)
-        };
+        let written = |parameter: &Parameter| format!("{} {}", parameter.name, parameter.value);
         let mut parts: Vec<String> = vec![self.law.to_owned()];
         parts.extend(self.parameters.iter().map(written));
-        parts.extend(self.of.iter().map(|of| format!("of {}", of.law_words())));
+        parts.extend(self.of.iter().map(|of| match &of.share {
+            Some(share) => format!("{} of ({})", share.value, of.law_words()),
+            None => format!("of {}", of.law_words()),
+        }));
         parts.extend([&self.lower, &self.upper].into_iter().flatten().map(written));
         parts.join(", ")
     }
@@ -140,13 +145,28 @@ pub struct Parameter {
     pub span: Span<usize>,
 }
 
-/// A plain number, or a text with a unit.
+/// A plain number, a text with a unit, or a list of them.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Written {
     /// A plain number.
     Number(f64),
     /// A text with a unit.
     Text(String),
+    /// Several.
+    List(Vec<Written>),
+}
+
+impl fmt::Display for Written {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Written::Number(number) => write!(f, "{number}"),
+            Written::Text(text) => f.write_str(text),
+            Written::List(list) => {
+                let all: Vec<String> = list.iter().map(Written::to_string).collect();
+                f.write_str(&all.join("; "))
+            }
+        }
+    }
 }
 
 /// Fault of a `[random]` table.
@@ -266,10 +286,6 @@ fn suggested(name: &str, allowed: &[String]) -> String {
         .map_or(String::new(), |near| format!(": did you mean `{near}`?"))
 }
 
-/// The laws, by their names.
-pub const LAWS: [&str; 8] =
-    ["normal", "lognormal", "gumbel", "weibull", "gev", "uniform", "triangular", "max_of"];
-
 /// A problem and where it is.
 pub type ReadResult<T> = Result<T, (RandomProblem, Span<usize>)>;
 
@@ -292,14 +308,14 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
             "years" => random.years = Some(positive(value, "`years`")?),
             "correlation" => correlations = Some(value),
             "records" => random.records = records(value)?,
-            _ => numbers(name.to_owned(), value, &mut random.named)?,
+            _ => laws::numbers(name.to_owned(), value, &mut random.named)?,
         }
     }
     if random.named.is_empty() {
         return Err((RandomProblem::Nothing, item.span()));
     }
     if let Some(list) = correlations {
-        read_correlations(list, &mut random)?;
+        correlation::read(list, &mut random)?;
     }
     Ok(random)
 }
@@ -377,207 +393,4 @@ fn positive(item: &Item<'_>, what: &str) -> ReadResult<f64> {
     }
     let (what, written) = (what.to_owned(), number.to_string());
     Err((RandomProblem::Value { what, written, expected: "a number above zero".into() }, item.span()))
-}
-
-/// A random number, or a table of several whose names go on.
-fn numbers(name: String, item: &Item<'_>, found: &mut Vec<RandomEntry>) -> ReadResult<()> {
-    let table =
-        table(item, &format!("`{name}`"), "a law in braces, as { normal = { mean = 0.6, sd = 0.1 } }")?;
-    let entries = in_order(table);
-    let is_law = |key: &str| LAWS.contains(&key) || ["lower", "upper", "every"].contains(&key);
-    if entries.iter().any(|(key, _)| is_law(key)) || entries.is_empty() {
-        found.push(named(name, item)?);
-        return Ok(());
-    }
-    let parameters = ["mean", "sd", "cov", "from", "to", "mode", "scale", "shape", "location", "count"];
-    let is_misspelt = |value: &Item<'_>| match value.get_ref().as_table() {
-        None => true,
-        Some(table) => in_order(table).iter().any(|(key, _)| parameters.contains(key)),
-    };
-    for (key, value) in entries {
-        if is_misspelt(value) {
-            // A law misspelt rather than a name that goes on.
-            let what = format!("`{name}`");
-            let allowed = LAWS.map(str::to_owned).to_vec();
-            return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
-        }
-        numbers(format!("{name}.{key}"), value, found)?;
-    }
-    Ok(())
-}
-
-fn named(name: String, item: &Item<'_>) -> ReadResult<RandomEntry> {
-    let what = format!("`{name}`");
-    let table = table(item, &what, "a law in braces")?;
-    let mut named = RandomEntry::without_law(name, item.span());
-    let mut laws = Vec::new();
-    for (key, value) in in_order(table) {
-        match key {
-            "lower" => named.lower = Some(parameter(key, value)?),
-            "upper" => named.upper = Some(parameter(key, value)?),
-            "every" => {
-                named.every = match value.get_ref().as_str() {
-                    Some("life") => Rate::Life,
-                    Some("year") => Rate::Year,
-                    Some(other) => {
-                        let (what, written) = ("`every`".to_owned(), format!("\"{other}\""));
-                        let expected = "\"life\", drawn once, or \"year\", drawn each year".to_owned();
-                        return Err((RandomProblem::Value { what, written, expected }, value.span()));
-                    }
-                    None => return Err(wrong(value, "`every`", "\"life\" or \"year\"")),
-                }
-            }
-            key => match LAWS.iter().find(|law| **law == key) {
-                Some(law) => laws.push((*law, value)),
-                None => {
-                    let more = ["lower", "upper", "every"];
-                    let allowed = LAWS.iter().chain(&more).map(|name| (*name).to_owned()).collect();
-                    return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
-                }
-            },
-        }
-    }
-    let [(law, value)] = laws[..] else {
-        let found = if laws.is_empty() { "no law" } else { "several laws" };
-        return Err((RandomProblem::Laws { name: named.name, found: found.into() }, item.span()));
-    };
-    named.law = law;
-    read_law(&mut named, value)?;
-    Ok(named)
-}
-
-/// The parameters of a law.
-fn read_law(named: &mut RandomEntry, item: &Item<'_>) -> ReadResult<()> {
-    let law = named.law;
-    let table = table(item, &format!("the law {law} of `{}`", named.name), "its parameters in braces")?;
-    if law == "max_of" {
-        let (mut of, mut lower, mut upper) = (Vec::new(), None, None);
-        for (key, value) in in_order(table) {
-            match key {
-                "count" => named.parameters.push(parameter(key, value)?),
-                "lower" => lower = Some(parameter(key, value)?),
-                "upper" => upper = Some(parameter(key, value)?),
-                _ => of.push(key),
-            }
-        }
-        let inner = inner(named, item, &of)?;
-        named.of = Some(Box::new(RandomEntry { lower, upper, ..inner }));
-        return Ok(());
-    }
-    let allowed: &[&str] = match law {
-        "normal" | "lognormal" => &["mean", "sd", "cov"],
-        "gumbel" => &["mean", "sd", "cov", "mode", "scale"],
-        "weibull" => &["scale", "shape", "location"],
-        "gev" => &["location", "scale", "shape"],
-        "uniform" => &["from", "to"],
-        _ => &["from", "mode", "to"],
-    };
-    for (key, value) in in_order(table) {
-        let returns = law == "gumbel" && years(key).is_some();
-        if !allowed.contains(&key) && !returns {
-            let what = format!("the law {law} of `{}`", named.name);
-            let mut allowed: Vec<String> = allowed.iter().map(|name| (*name).to_owned()).collect();
-            if law == "gumbel" {
-                allowed.push("two return values such as \"10 years\" and \"100 years\"".to_owned());
-            }
-            return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
-        }
-        named.parameters.push(parameter(key, value)?);
-    }
-    Ok(())
-}
-
-/// The law of which the largest of several is meant: everything in the table but the count.
-fn inner(named: &RandomEntry, item: &Item<'_>, keys: &[&str]) -> ReadResult<RandomEntry> {
-    let table = table(item, "`max_of`", "a table")?;
-    let laws: Vec<_> = in_order(table).into_iter().filter(|(key, _)| keys.contains(key)).collect();
-    let [(key, value)] = laws[..] else {
-        let found = if laws.is_empty() { "no law in `max_of`" } else { "several laws in `max_of`" };
-        return Err((RandomProblem::Laws { name: named.name.clone(), found: found.into() }, item.span()));
-    };
-    let Some(law) = LAWS.iter().find(|law| **law == key && key != "max_of") else {
-        let allowed = LAWS[..LAWS.len() - 1].iter().map(|law| (*law).to_owned()).collect();
-        let what = format!("`max_of` of `{}`", named.name);
-        return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
-    };
-    let mut inner =
-        RandomEntry { law, parameters: Vec::new(), of: None, lower: None, upper: None, ..named.clone() };
-    read_law(&mut inner, value)?;
-    Ok(inner)
-}
-
-fn parameter(name: &str, item: &Item<'_>) -> ReadResult<Parameter> {
-    let value = written(item);
-    let value = value
-        .ok_or_else(|| wrong(item, format!("`{name}`"), "a number, or a text with a number and its unit"))?;
-    Ok(Parameter { name: name.to_owned(), value, span: item.span() })
-}
-
-fn read_correlations(item: &Item<'_>, random: &mut Random) -> ReadResult<()> {
-    const EXPECTED: &str = "one table for each pair, under [[random.correlation]]";
-    let list = item.get_ref().as_array().ok_or_else(|| wrong(item, "`correlation`", EXPECTED))?;
-    for entry in list.iter() {
-        let table = table(entry, "`correlation`", EXPECTED)?;
-        let (mut pair, mut measure) = (None, None);
-        for (key, value) in in_order(table) {
-            let number = || number(value, &format!("`{key}`"));
-            let measured = match key {
-                "between" => {
-                    pair = Some(read_pair(value, random)?);
-                    continue;
-                }
-                "rank" => CorrelationMeasure::Rank(number()?),
-                "linear" => CorrelationMeasure::Linear(number()?),
-                "normal" => CorrelationMeasure::Normal(number()?),
-                _ => {
-                    let allowed = ["between", "rank", "linear", "normal"].map(str::to_owned).to_vec();
-                    let what = "[[random.correlation]]".to_owned();
-                    return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
-                }
-            };
-            if measure.replace(measured).is_some() {
-                let message =
-                    "[[random.correlation]] has two measures; expected one of `rank`, `linear` and `normal`";
-                return Err((RandomProblem::Other(message.to_owned()), value.span()));
-            }
-        }
-        let (Some((first, second)), Some(measure)) = (pair, measure) else {
-            let lacks = if pair.is_none() {
-                "`between`, two names"
-            } else {
-                "`rank`, `linear` or `normal`, a number"
-            };
-            return Err((
-                RandomProblem::Other(format!("[[random.correlation]] lacks {lacks}")),
-                entry.span(),
-            ));
-        };
-        random.correlations.push((first, second, measure));
-        random.correlation_spans.push(entry.span());
-    }
-    Ok(())
-}
-
-/// The places of two random numbers by their names.
-fn read_pair(item: &Item<'_>, random: &Random) -> ReadResult<(usize, usize)> {
-    let wrong = || wrong(item, "`between`", "two names in a list");
-    let list = item.get_ref().as_array().filter(|list| list.len() == 2).ok_or_else(wrong)?;
-    let mut places = [0; 2];
-    for (place, value) in places.iter_mut().zip(list.iter()) {
-        let name = value.get_ref().as_str().ok_or_else(wrong)?;
-        *place = random.named.iter().position(|named| named.name == name).ok_or_else(|| {
-            let allowed = random.named.iter().map(|named| named.name.clone()).collect();
-            (
-                RandomProblem::Name { what: "[random]".to_owned(), name: name.to_owned(), allowed },
-                value.span(),
-            )
-        })?;
-    }
-    Ok((places[0], places[1]))
-}
-
-/// The years of a return value's name, "10 years".
-pub fn years(name: &str) -> Option<f64> {
-    let number = name.strip_suffix("years").or_else(|| name.strip_suffix("year"))?;
-    number.trim().parse().ok()
 }

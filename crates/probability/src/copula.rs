@@ -273,6 +273,7 @@ impl<'a> Pair<'a> {
             CorrelationMeasure::Rank(rank) => {
                 Some(2.0 * (PI * rank / 6.0).sin()).filter(|_| rank.abs() < 1.0)
             }
+            CorrelationMeasure::Linear(0.0) => Some(0.0),
             CorrelationMeasure::Linear(linear) => {
                 let (mut low, mut high) = (-1.0 + 1e-9, 1.0 - 1e-9);
                 if !(self.measured(low) < linear && linear < self.measured(high)) {

@@ -122,6 +122,47 @@ impl Pieces {
         self.push_all(from, f64::INFINITY, holds);
     }
 
+    /// Moves each end that lies at one of these values, rising, to the side on which it leaves the value, as the outcomes at the value say.
+    fn settle(&mut self, atoms: &[f64], mut at: impl FnMut(f64) -> u64) {
+        /// Relative to a value, how far off a boundary may be found that lies at it.
+        const NEAR: f64 = 1e-12;
+        let near = |end: f64| {
+            let next = atoms.partition_point(|atom| *atom < end);
+            let beside = [next.checked_sub(1), Some(next)];
+            let atoms = beside.into_iter().flatten().filter_map(|place| atoms.get(place).copied());
+            atoms
+                .min_by(|a, b| (a - end).abs().total_cmp(&(b - end).abs()))
+                .filter(|atom| (atom - end).abs() <= NEAR * atom.abs())
+        };
+        let ends = self.pieces.iter().flat_map(|piece| [piece.from, piece.to]);
+        let mut met: Vec<(f64, u64)> = ends.filter_map(near).map(|atom| (atom, 0)).collect();
+        met.sort_by(|a, b| a.0.total_cmp(&b.0));
+        met.dedup_by_key(|(atom, _)| *atom);
+        met.iter_mut().for_each(|(atom, outcomes)| *outcomes = at(*atom));
+        let outcomes_at =
+            |atom: f64| met.iter().find(|(known, _)| *known == atom).map_or(0, |(_, outcomes)| *outcomes);
+        for piece in &mut self.pieces {
+            let holds = |atom: f64| outcomes_at(atom) >> piece.outcome & 1 == 1;
+            let [from, to] = [near(piece.from), near(piece.to)];
+            if let Some(atom) = from {
+                piece.from = if holds(atom) { atom } else { atom.next_up() };
+            }
+            if let Some(atom) = to {
+                piece.to = if holds(atom) { atom.next_up() } else { atom };
+            }
+        }
+        self.pieces.retain(|piece| piece.from < piece.to);
+        // What holds at the value alone.
+        for (atom, outcomes) in met {
+            let has = |outcome: usize| {
+                self.pieces.iter().any(|p| p.outcome == outcome && p.from <= atom && atom < p.to)
+            };
+            let alone: Vec<usize> =
+                (0..64).filter(|outcome| outcomes >> outcome & 1 == 1 && !has(*outcome)).collect();
+            alone.into_iter().for_each(|outcome| self.push(atom, atom.next_up(), outcome));
+        }
+    }
+
     fn push_all(&mut self, from: f64, to: f64, outcomes: u64) {
         let mut rest = outcomes;
         while rest != 0 {
@@ -193,6 +234,8 @@ pub(crate) struct Frame<'a, O> {
     held: Held,
     /// Of the input at each place of the order, the normals between which it is smooth, or has one value, rising.
     breaks: Vec<Vec<f64>>,
+    /// The line's values with a probability of their own.
+    atoms: Vec<f64>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -265,7 +308,22 @@ impl<'a, O: Outcomes> Frame<'a, O> {
             Some(_) => Held::Other,
         };
         let breaks = order.iter().map(|input| inputs.laws[*input].breaks_of_normal()).collect();
-        Frame { inputs, outcomes, order, factor, held, breaks }
+        let atoms = inputs.laws[line].atoms();
+        Frame { inputs, outcomes, order, factor, held, breaks, atoms }
+    }
+
+    /// The intervals of the line for these values of the other inputs. What holds at a value with a probability of its own is decided there: on which
+    /// side of a boundary it lies, an interval's end can't say.
+    fn along(&self, values: &mut [f64], pieces: &mut Pieces) {
+        pieces.clear();
+        self.outcomes.along(values, pieces);
+        if !self.atoms.is_empty() {
+            let line = self.outcomes.line();
+            pieces.settle(&self.atoms, |atom| {
+                values[line] = atom;
+                self.outcomes.at(values)
+            });
+        }
     }
 
     /// Values of the normal with number `depth` between which its input is smooth, or has one value, given the normals before it; rising.
@@ -321,8 +379,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
     pub(crate) fn evaluate(&self, point: &[f64], scratch: &mut Scratch) -> u64 {
         let (mean, deviation) = self.place(point, scratch);
         let Scratch { values, pieces, shares, .. } = scratch;
-        pieces.clear();
-        self.outcomes.along(values, pieces);
+        self.along(values, pieces);
         let law = &self.inputs.laws[self.outcomes.line()];
         let corners = &self.breaks[self.order.len() - 1];
         shares.fill(0.0);
@@ -363,8 +420,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
     pub(crate) fn intervals(&self, point: &[f64], scratch: &mut Scratch, mut each: impl FnMut(OutcomePiece)) {
         let (mean, deviation) = self.place(point, scratch);
         let Scratch { values, pieces, .. } = scratch;
-        pieces.clear();
-        self.outcomes.along(values, pieces);
+        self.along(values, pieces);
         let law = &self.inputs.laws[self.outcomes.line()];
         let reach = |x: f64| (law.z(x) - mean) / deviation;
         for piece in pieces.iter() {
@@ -387,8 +443,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
     pub(crate) fn nearest(&self, point: &[f64], which: u64, scratch: &mut Scratch) -> Option<f64> {
         let (mean, deviation) = self.place(point, scratch);
         let Scratch { values, pieces, .. } = scratch;
-        pieces.clear();
-        self.outcomes.along(values, pieces);
+        self.along(values, pieces);
         let law = &self.inputs.laws[self.outcomes.line()];
         let reach = |x: f64| (law.z(x) - mean) / deviation;
         pieces

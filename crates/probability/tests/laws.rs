@@ -214,6 +214,33 @@ fn gamma_and_beta_are_the_integrals() {
     }
 }
 
+/// A law by its values at some normals: those values, straight between two, and near to the law they are of where they are many.
+#[test]
+fn quantiles_are_met() {
+    let law: Distribution = Law::quantiles(&[-1.0, 0.0, 2.0], &[1.0, 2.0, 5.0]).unwrap().into();
+    for (z, x) in [(-1.0, 1.0), (0.0, 2.0), (2.0, 5.0)] {
+        assert_eq!(law.value(z), x);
+        assert!((law.z(x) - z).abs() < 1e-14);
+    }
+    // Straight beyond the ends.
+    assert_eq!([law.value(-3.0), law.value(4.0)], [-1.0, 8.0]);
+    let straight: Distribution = Law::quantiles(&[-1.0, 1.0], &[0.5, 0.7]).unwrap().into();
+    let normal: Distribution = Law::normal(0.6, 0.1).unwrap().into();
+    let gumbel: Distribution = Law::gumbel_of_mean(4.5, 0.9).unwrap().into();
+    let normals: Vec<f64> = (-9 * 64..=9 * 64).map(|i| f64::from(i) / 64.0).collect();
+    let values: Vec<f64> = normals.iter().map(|z| gumbel.value(*z)).collect();
+    let many: Distribution = Law::quantiles(&normals, &values).unwrap().into();
+    let mut last = f64::NEG_INFINITY;
+    for i in -800..=800 {
+        let z = f64::from(i) / 100.0 + 0.003;
+        assert_close("straight", straight.value(z), normal.value(z), 1e-12);
+        assert!((many.value(z) - gumbel.value(z)).abs() < 2e-7, "{z}");
+        assert!((many.z(many.value(z)) - z).abs() < 1e-9, "{z}");
+        assert!(law.value(z) > last, "{z}");
+        last = law.value(z);
+    }
+}
+
 /// The tails of a mixture are those of its parts by their shares; its far tail is the rare part's.
 #[test]
 fn a_mixture_is_its_parts() {
@@ -332,6 +359,14 @@ fn wrong_laws_are_refused() {
         (
             Law::discrete(&[1.0, 1.0], &[0.5, 0.5]),
             "the law discrete: a value stands twice; expected each once",
+        ),
+        (
+            Law::quantiles(&[0.0], &[1.0]),
+            "the law quantiles: 1 values for 1 places; expected two or more of each",
+        ),
+        (
+            Law::quantiles(&[0.0, 1.0, 2.0], &[1.0, 3.0, 2.0]),
+            "the law quantiles: values 3 and 2 follow each other; expected numbers that rise",
         ),
         (Law::sample(&[]), "the law sample: no values; expected one or more"),
         (Law::sample(&[1.0, f64::NAN]), "the law sample: a value is NaN; expected numbers"),

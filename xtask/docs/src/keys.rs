@@ -82,7 +82,7 @@ bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U`
 |---|---|---|
 | a name | its law in braces | `friction = { normal = { mean = 0.6, sd = 0.1 } }` |
 | `years` | the years of a life | `years = 50` |
-| `[[random.correlation]]` | of a pair, by `rank`, `linear` or `normal` | `between = ["bias.P", "bias.U"]`, `rank = 0.6` |
+| `[[random.correlation]]` | of a pair, by `rank` (Spearman), `linear` (of the values) or `normal` (of the normals behind them); of several a matrix | `between = ["bias.P", "bias.U"]`, `rank = 0.6`; `between = ["a", "b", "c"]`, `rank = [[1, 0.6, 0], [0.6, 1, 0.2], [0, 0.2, 1]]` |
 
 | law | parameters; mean and deviation are those before it is cut |
 |---|---|
@@ -92,6 +92,14 @@ bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U`
 | `gev` | `location`, `scale`, `shape` (above zero: heavy) |
 | `uniform` | `from`, `to` |
 | `triangular` | `from`, `mode`, `to` |
+| `beta` | between `from` and `to`: `mean` and `sd` or `cov`; or `alpha` and `beta` |
+| `gamma` | `mean` and `sd` or `cov`; or `shape` and `scale`; from `location` (0 if not given) on |
+| `exponential` | `mean`, or `scale` above `location` (0 if not given) |
+| `gpd` | the generalised Pareto law, of what exceeds a threshold: `location`, `scale`, `shape` (above zero: heavy) |
+| `discrete` | `values`, and the `probabilities` of each |
+| `sample` | a list of values, each as likely: `sample = ["4.1 m", "3.7 m", "5.2 m"]` |
+| `quantiles` | `values` with the `probabilities` below them, as `values = ["4 m", "5.5 m", "6.6 m"]`, `probabilities = [0.5, 0.9, 0.99]`; between them a curve that rises, beyond them straight on normal paper. `normals` in place of probabilities |
+| `mixture` | a list of laws, each with its `probability`, and `lower` and `upper` of its own: `mixture = [{ probability = 0.9, gumbel = { … } }, { probability = 0.1, gpd = { … } }]` |
 | `max_of` | `count`, and the law of which it is the largest, with its own `lower` and `upper` |
 | beside any | `lower`, `upper` cut the law; `every = "year"` draws it anew each year, `"life"` (if not given) once |
 

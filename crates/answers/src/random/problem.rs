@@ -139,7 +139,7 @@ impl ChanceProblem {
             return Err(file.error(plan.not_for("a bias that is random")));
         }
         let lines = Lines::of(&inputs, Some(&case));
-        let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
+        let line = lines.first(&inputs, &laws, |_| true).unwrap_or(Line::Scan(0));
         let mut unnamed = file.inputs().clone();
         [Key::Title, Key::Note].into_iter().for_each(|key| unnamed.remove(key.into()));
         let is_random = |key| inputs.iter().any(|input| input.is_key(key));
@@ -186,7 +186,7 @@ impl ChanceProblem {
     ) -> ReadResult<ChanceProblem> {
         let (inputs, laws) = Resolve(Names::Point(point)).all(random)?;
         let lines = Lines::of(&inputs, None);
-        let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
+        let line = lines.first(&inputs, &laws, |_| true).unwrap_or(Line::Scan(0));
         let (model, years) = (Model::Point(point), years.or(random.years));
         let reaches = reaches(&laws);
         Ok(ChanceProblem { id: unique(), model, random: inputs, laws, years, lines, reaches, count: 1, line })
@@ -267,7 +267,8 @@ impl ChanceProblem {
 
     /// Problem along a number that is drawn yearly, as a life needs it; none if there is no such number.
     pub(super) fn along_yearly(&self) -> Option<ChanceProblem> {
-        let line = self.lines.first(&self.random, |place| self.random[place].every == Rate::Year)?;
+        let line =
+            self.lines.first(&self.random, &self.laws, |place| self.random[place].every == Rate::Year)?;
         Some(ChanceProblem { line, ..self.clone() })
     }
 
@@ -585,18 +586,32 @@ impl Lines {
         Lines { friction: !held && !kinetic && is_apart, loads: !bends, directions }
     }
 
-    /// The first along which the modes are known, of those for which this holds.
-    fn first(self, inputs: &[RandomInput], among: impl Fn(usize) -> bool) -> Option<Line> {
-        let find = |of: &dyn Fn(&RandomInput) -> bool| {
-            (0..inputs.len()).find(|place| among(*place) && of(&inputs[*place]))
+    /// The first along which the modes are known, of those for which this holds. One whose law has many steps is the last to be taken where
+    /// others are integrated: over each step a probability jumps.
+    fn first(
+        self,
+        inputs: &[RandomInput],
+        laws: &RandomVector,
+        among: impl Fn(usize) -> bool,
+    ) -> Option<Line> {
+        /// So many steps are found one by one along another number.
+        const FEW: usize = 8;
+        let is_smooth = |place: usize| laws.laws()[place].breaks_of_normal().len() <= FEW;
+        let find = |of: &dyn Fn(&RandomInput) -> bool, smooth: bool| {
+            let suits =
+                |place: &usize| among(*place) && of(&inputs[*place]) && (!smooth || is_smooth(*place));
+            (0..inputs.len()).find(suits)
         };
         // Over directions a body rests, or not, on arcs that are too narrow to be seen from outside.
-        let direction = find(&RandomInput::is_direction).filter(|_| self.directions).map(Line::Scan);
+        let direction = find(&RandomInput::is_direction, false).filter(|_| self.directions).map(Line::Scan);
         let is_friction = |input: &RandomInput| input.friction_of().is_some();
-        let friction = find(&is_friction).filter(|_| self.friction).map(Line::Friction);
+        let friction = |smooth| find(&is_friction, smooth).filter(|_| self.friction).map(Line::Friction);
         // On a base that gives way, or opens, a load is scanned, which is quicker than another number.
-        let load = || find(&RandomInput::is_linear).map(if self.loads { Line::Load } else { Line::Scan });
-        let scan = || find(&|_| true).map(Line::Scan);
-        direction.or(friction).or_else(load).or_else(scan)
+        let of_load = if self.loads { Line::Load } else { Line::Scan };
+        let load = |smooth| find(&RandomInput::is_linear, smooth).map(of_load);
+        let scan = |smooth| find(&|_| true, smooth).map(Line::Scan);
+        let is_integrated = inputs.len() <= MOST_DIMENSIONS + 1;
+        let smooth = friction(true).or_else(|| load(true)).or_else(|| scan(true).filter(|_| is_integrated));
+        direction.or(smooth).or_else(|| friction(false)).or_else(|| load(false)).or_else(|| scan(false))
     }
 }

@@ -74,9 +74,9 @@ impl Atoms {
         (self.values[0], self.values[self.values.len() - 1])
     }
 
-    /// Each value, and the number above it.
-    pub(super) fn breaks(&self) -> Vec<f64> {
-        self.values.iter().flat_map(|value| [*value, value.next_up()]).collect()
+    /// The values.
+    pub(super) fn values(&self) -> &[f64] {
+        &self.values
     }
 
     pub(super) fn tails(&self, x: f64) -> Tails {

@@ -26,18 +26,15 @@ impl Mixture {
         ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), (a, b)| (from.min(a), to.max(b)))
     }
 
-    pub(super) fn has_atoms(&self) -> bool {
-        self.0.iter().any(|(_, part)| part.law().has_atoms())
+    pub(super) fn atoms(&self) -> Vec<f64> {
+        rising(self.0.iter().flat_map(|(_, part)| part.atoms()))
     }
 
     /// Ends and breaks of its parts.
     pub(super) fn breaks(&self) -> Vec<f64> {
         let ends = |part: &Distribution| [part.support().0, part.support().1];
         let own = self.0.iter().flat_map(|(_, part)| part.breaks().into_iter().chain(ends(part)));
-        let mut breaks: Vec<f64> = own.filter(|x| x.is_finite()).collect();
-        breaks.sort_by(f64::total_cmp);
-        breaks.dedup();
-        breaks
+        rising(own.filter(|x| x.is_finite()))
     }
 
     pub(super) fn tails(&self, x: f64) -> Tails {
@@ -60,4 +57,12 @@ impl Mixture {
         let z = at.z();
         where_met(low, high, |x| self.tails(x).z() - z)
     }
+}
+
+/// Numbers in rising order, each once.
+fn rising(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut numbers: Vec<f64> = numbers.collect();
+    numbers.sort_by(f64::total_cmp);
+    numbers.dedup();
+    numbers
 }

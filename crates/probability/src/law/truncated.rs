@@ -37,7 +37,7 @@ impl Distribution {
         }
         // A value at a bound that has a probability of its own is within.
         let (at_lower, at_upper) =
-            (law.tails(lower), law.tails(if law.has_atoms() { upper.next_up() } else { upper }));
+            (law.tails(lower), law.tails(if law.atoms().is_empty() { upper } else { upper.next_up() }));
         let mass = if at_lower.below > 0.5 {
             at_lower.above - at_upper.above
         } else {
@@ -138,7 +138,15 @@ impl Distribution {
 
     /// True if each of its values has a probability of its own.
     pub fn is_discrete(&self) -> bool {
-        self.law.atoms().is_some()
+        self.law.is_discrete()
+    }
+
+    /// The values with a probability of their own, rising.
+    pub fn atoms(&self) -> Vec<f64> {
+        let mut atoms = self.law.atoms();
+        let (from, to) = self.support();
+        atoms.retain(|x| from <= *x && *x <= to);
+        atoms
     }
 
     /// The value that is exceeded as often as not.
