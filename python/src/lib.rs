@@ -19,6 +19,7 @@ mod onset;
 mod operand;
 mod probability;
 mod reader;
+mod reliability;
 mod rows;
 mod run;
 mod sheet;
@@ -130,6 +131,8 @@ mod _standfast {
     use super::limits::limit_states;
     #[pymodule_export]
     use super::probability::{ChanceAnswer, draws, plain_effort, probability};
+    #[pymodule_export]
+    use super::reliability::reliability;
     #[pymodule_export]
     use super::sheet::{sheet, title_block};
     #[pymodule_export]

@@ -23,6 +23,7 @@ mod joined;
 mod mechanics;
 mod outcome;
 mod overturn;
+mod own;
 mod plan;
 mod point;
 mod problem;
@@ -35,8 +36,8 @@ mod subject;
 mod template;
 
 pub use answer::{
-    ChanceRequest, Chances, FirstDeparture, FirstJoint, Happening, LifeChances, Method, MethodAsked,
-    Probability, RandomNumber,
+    ChanceRequest, Chances, FirstDeparture, FirstJoint, Happening, LifeChances, MethodAsked, Probability,
+    RandomNumber,
 };
 pub(crate) use criterion::asked_of_file;
 pub use criterion::{AskedChances, ChanceCriterion};
@@ -45,6 +46,7 @@ pub use error::ProbabilityError;
 pub use fragility::{Fit, Fragility, FragilityPoint, ValueRange};
 pub use joined::JoinedChance;
 pub use overturn::{Overturning, PeakChances};
+pub use standfast_probability::method::Method;
 pub use standfast_probability::sample::{Effort, Estimate};
 
 pub use storm::{
@@ -54,6 +56,7 @@ pub use storm::{
 pub use spread::{Spread, spreads};
 pub use template::{ProposedLaw, template};
 
+pub use own::own_laws;
 pub use problem::ChanceProblem;
 pub use quantity::{Bias, Coordinate, Quantity};
 pub use standfast_inputs::random::{RANDOM, Random, RandomEntry, RandomProblem, Rate};

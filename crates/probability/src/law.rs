@@ -156,7 +156,7 @@ impl Law {
             Kind::Triangular { .. } => "triangular",
             Kind::Gamma { .. } => "gamma",
             Kind::Beta { .. } => "beta",
-            Kind::Pareto { shape, .. } if shape == 0.0 => "exponential",
+            Kind::Pareto { shape: 0.0, .. } => "exponential",
             Kind::Pareto { .. } => "gpd",
             Kind::Discrete(_) => "discrete",
             Kind::Sample(_) => "sample",

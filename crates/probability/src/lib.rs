@@ -14,6 +14,8 @@
 //! | [`life`] | years drawn, intervals of the line united | at least once in a life |
 //! | [`sums`] | means integrated, lives drawn by what adds | sums over many events |
 //! | [`lognormal`] | the nearest curve, as of counts the likeliest | fragility along a number |
+//! | [`method`] | one of these by its name, or the one that suits | |
+//! | [`limit_state`] | a function whose sign tells, scanned along one input | published problems |
 //! | [`form`] | nearest points, β and α, without gradients | which input matters |
 //!
 //! Laws ([`law`]) and their correlation by a normal copula ([`copula`]) are accurate in both tails.
@@ -53,10 +55,13 @@ pub mod integrate;
 pub mod law;
 pub mod legendre;
 pub mod life;
+pub mod limit_state;
 pub mod lognormal;
+pub mod method;
 pub mod normal;
 pub mod points;
 pub mod problem;
+mod roots;
 pub mod sample;
 pub mod sums;
 

@@ -191,6 +191,16 @@ pub trait Outcomes: Sync {
     /// The intervals of the line for these values of the inputs; that of the line itself is not to be read.
     fn along(&self, values: &[f64], pieces: &mut Pieces);
 
+    /// Number of lines that are best asked for at once, where that is quicker than one after the other.
+    fn at_once(&self) -> usize {
+        1
+    }
+
+    /// The intervals of several lines, as [`along`](Outcomes::along) adds them.
+    fn along_each(&self, values: &[Vec<f64>], pieces: &mut [Pieces]) {
+        values.iter().zip(pieces).for_each(|(values, pieces)| self.along(values, pieces));
+    }
+
     /// True if the outcomes are quicker to find again for another value of this input alone.
     fn is_quick(&self, input: usize) -> bool {
         let _ = input;
@@ -199,6 +209,16 @@ pub trait Outcomes: Sync {
 
     /// The outcomes that hold for these values of all inputs, a bit for each.
     fn at(&self, values: &[f64]) -> u64;
+
+    /// The outcomes that hold at several points: of each input a column of its values, all of one length. Asked for where more is best done
+    /// [at once](Outcomes::at_once).
+    fn at_each(&self, columns: &[Vec<f64>], found: &mut [u64]) {
+        let mut values = vec![0.0; columns.len()];
+        for (row, found) in found.iter_mut().enumerate() {
+            values.iter_mut().zip(columns).for_each(|(value, column)| *value = column[row]);
+            *found = self.at(&values);
+        }
+    }
 }
 
 /// An end of a piece: its value, the line's independent normal there, and the probability beyond it in the nearer tail.
@@ -317,6 +337,11 @@ impl<'a, O: Outcomes> Frame<'a, O> {
     fn along(&self, values: &mut [f64], pieces: &mut Pieces) {
         pieces.clear();
         self.outcomes.along(values, pieces);
+        self.settle(values, pieces);
+    }
+
+    /// Decides what holds at the line's values with probabilities of their own.
+    fn settle(&self, values: &mut [f64], pieces: &mut Pieces) {
         if !self.atoms.is_empty() {
             let line = self.outcomes.line();
             pieces.settle(&self.atoms, |atom| {
@@ -377,9 +402,32 @@ impl<'a, O: Outcomes> Frame<'a, O> {
 
     /// The outcomes' probabilities given a point, in `scratch.shares`, and the signature of the pattern there.
     pub(crate) fn evaluate(&self, point: &[f64], scratch: &mut Scratch) -> u64 {
-        let (mean, deviation) = self.place(point, scratch);
-        let Scratch { values, pieces, shares, .. } = scratch;
-        self.along(values, pieces);
+        let line = self.place(point, scratch);
+        self.along(&mut scratch.values, &mut scratch.pieces);
+        self.share(line, scratch)
+    }
+
+    /// As [`evaluate`](Self::evaluate), of several points at once; a scratch for each.
+    pub(crate) fn evaluate_each(&self, points: &[Vec<f64>], scratches: &mut [Scratch]) {
+        let scratches = &mut scratches[..points.len()];
+        let lines: Vec<(f64, f64)> =
+            points.iter().zip(&mut *scratches).map(|(point, scratch)| self.place(point, scratch)).collect();
+        let mut values: Vec<Vec<f64>> =
+            scratches.iter_mut().map(|one| std::mem::take(&mut one.values)).collect();
+        let mut pieces: Vec<Pieces> =
+            scratches.iter_mut().map(|one| std::mem::take(&mut one.pieces)).collect();
+        pieces.iter_mut().for_each(Pieces::clear);
+        self.outcomes.along_each(&values, &mut pieces);
+        values.iter_mut().zip(&mut pieces).for_each(|(values, pieces)| self.settle(values, pieces));
+        for (((scratch, line), values), pieces) in scratches.iter_mut().zip(lines).zip(values).zip(pieces) {
+            (scratch.values, scratch.pieces) = (values, pieces);
+            self.share(line, scratch);
+        }
+    }
+
+    /// The outcomes' probabilities of the intervals that were found, given mean and deviation of the line's normal, and the signature.
+    fn share(&self, (mean, deviation): (f64, f64), scratch: &mut Scratch) -> u64 {
+        let Scratch { pieces, shares, .. } = scratch;
         let law = &self.inputs.laws[self.outcomes.line()];
         let corners = &self.breaks[self.order.len() - 1];
         shares.fill(0.0);

@@ -14,7 +14,7 @@ use standfast_watch::Portion;
 
 use crate::normal;
 use crate::points::{Sobol, Stream};
-use crate::problem::{Frame, Outcomes, RandomVector};
+use crate::problem::{Frame, Outcomes, RandomVector, Scratch};
 
 /// Seed, precision and limits of a sampling.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -158,24 +158,81 @@ fn scrambles<O: Outcomes>(frame: &Frame<O>, sets: &[u64], about: &[Vec<f64>], wo
     if let Some(nearest) = about.first() {
         order.sort_by(|a, b| nearest[*b].abs().total_cmp(&nearest[*a].abs()));
     }
-    let order = &order;
-    let mut sampled = averages.take(work, || {
-        let mut scratch = frame.scratch();
-        let mut point = vec![0.0; dimensions];
-        move |_: usize, _: u64, coordinates: &[f64], sums: &mut [f64]| {
-            let component = if picked == 1 { coordinates[dimensions] } else { 0.0 };
-            for (place, p) in order.iter().zip(coordinates) {
-                point[*place] = normal::quantile(*p);
-            }
-            let weight = displaced(&mut point, component, about);
-            frame.evaluate(&point, &mut scratch);
-            for (sum, set) in sums.iter_mut().zip(sets) {
-                *sum += weight * scratch.of_set(*set);
-            }
-        }
+    let at_once = frame.outcomes.at_once().max(1);
+    let mut sampled = averages.take(work, || Weighed {
+        frame,
+        sets,
+        about,
+        order: &order,
+        scratches: (0..at_once).map(|_| frame.scratch()).collect(),
+        points: Vec::with_capacity(at_once),
+        weights: Vec::with_capacity(at_once),
     });
     sampled.are_probabilities();
     sampled
+}
+
+/// Points weighed by what they are drawn too often, so many at once as the outcomes like to be asked.
+struct Weighed<'a, 'f, O> {
+    frame: &'a Frame<'f, O>,
+    sets: &'a [u64],
+    about: &'a [Vec<f64>],
+    /// The places of the coordinates.
+    order: &'a [usize],
+    scratches: Vec<Scratch>,
+    /// Points that wait to be evaluated, and their weights.
+    points: Vec<Vec<f64>>,
+    weights: Vec<f64>,
+}
+
+impl<O: Outcomes> Worker for Weighed<'_, '_, O> {
+    fn point(&mut self, _: usize, _: u64, coordinates: &[f64], sums: &mut [f64]) {
+        let dimensions = self.order.len();
+        let component = if self.about.is_empty() { 0.0 } else { coordinates[dimensions] };
+        let mut point = vec![0.0; dimensions];
+        for (place, p) in self.order.iter().zip(coordinates) {
+            point[*place] = normal::quantile(*p);
+        }
+        self.weights.push(displaced(&mut point, component, self.about));
+        self.points.push(point);
+        if self.points.len() == self.scratches.len() {
+            self.finish(sums);
+        }
+    }
+
+    fn finish(&mut self, sums: &mut [f64]) {
+        match &self.points[..] {
+            [] => return,
+            [point] => {
+                self.frame.evaluate(point, &mut self.scratches[0]);
+            }
+            points => self.frame.evaluate_each(points, &mut self.scratches),
+        }
+        for (scratch, weight) in self.scratches.iter().zip(&self.weights) {
+            for (sum, set) in sums.iter_mut().zip(self.sets) {
+                *sum += weight * scratch.of_set(*set);
+            }
+        }
+        self.points.clear();
+        self.weights.clear();
+    }
+}
+
+/// What adds to sums what points give, one by one; a function does.
+pub(crate) trait Worker {
+    /// Adds what a point of a scramble, by its number and its coordinates, gives, now or later.
+    fn point(&mut self, scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]);
+
+    /// Adds what points give that were left for later.
+    fn finish(&mut self, sums: &mut [f64]) {
+        let _ = sums;
+    }
+}
+
+impl<F: FnMut(usize, u64, &[f64], &mut [f64])> Worker for F {
+    fn point(&mut self, scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]) {
+        self(scramble, index, coordinates, sums);
+    }
 }
 
 /// Means over scrambled Sobol' points, with the interval that their spread from scramble to scramble gives.
@@ -193,9 +250,8 @@ pub(crate) struct Averages {
 }
 
 impl Averages {
-    /// Takes points until the means are as precise as asked. A worker adds to the sums what a point of a scramble, the point's
-    /// number and its coordinates give.
-    pub(crate) fn take<W: FnMut(usize, u64, &[f64], &mut [f64])>(
+    /// Takes points until the means are as precise as asked.
+    pub(crate) fn take<W: Worker>(
         &self,
         Work { effort, portion }: Work<'_>,
         worker: impl Fn() -> W + Sync,
@@ -229,8 +285,9 @@ impl Averages {
                     let mut sums = vec![0.0; count];
                     for index in (from..to).take_while(|_| !is_over(portion, taken)) {
                         point.iter_mut().zip(sequences[scramble].point(index)).for_each(|(x, p)| *x = p);
-                        work(scramble, index, &point, &mut sums);
+                        work.point(scramble, index, &point, &mut sums);
                     }
+                    work.finish(&mut sums);
                     pace.advance(to - from);
                     sums
                 }
@@ -332,10 +389,21 @@ pub fn monte_carlo<'w, O: Outcomes>(
                 if is_over(portion, blocks) {
                     return hits;
                 }
-                draw_block(inputs, effort.seed, blocks + block as u64, |values| {
-                    let holds = outcomes.at(values);
+                let mut count = |holds: u64| {
                     hits.iter_mut().zip(sets).for_each(|(hits, set)| *hits += u64::from(holds & set != 0));
-                });
+                };
+                let block = blocks + block as u64;
+                if outcomes.at_once() > 1 {
+                    let mut columns = vec![Vec::with_capacity(BLOCK as usize); inputs.laws().len()];
+                    draw_block(inputs, effort.seed, block, |values| {
+                        columns.iter_mut().zip(values).for_each(|(column, value)| column.push(*value));
+                    });
+                    let mut found = vec![0; BLOCK as usize];
+                    outcomes.at_each(&columns, &mut found);
+                    found.into_iter().for_each(count);
+                } else {
+                    draw_block(inputs, effort.seed, block, |values| count(outcomes.at(values)));
+                }
                 pace.advance(BLOCK);
                 hits
             }

@@ -15,6 +15,7 @@ the least width, the greatest force that is enough        :func:`design`
 which direction of the loads is the worst?                :func:`directions`
 what becomes of it in time: slide, rock, overturn         :func:`simulate`, :func:`spectrum`
 how likely is each mode, if numbers are random            :func:`probability`, :func:`draws`
+how likely is a limit state of my own below zero?         :func:`reliability`
 the calculation, to be filed and signed                   :func:`sheet`
 ========================================================  ==================================
 
@@ -38,6 +39,7 @@ from ._mode_arrays import ModeArray, ModeNames
 from ._modes import Mode, Modes
 from ._new import examples, new
 from ._probability import Probability, draws, probability
+from ._reliability import DesignPoint, Reliability, reliability
 from ._sheet import sheet
 from ._simulate import Simulation, simulate
 from ._spectrum import Spectrum, spectrum
@@ -59,6 +61,7 @@ __all__ = [
     "Criterion",
     "Curve",
     "Design",
+    "DesignPoint",
     "Diagram",
     "Directions",
     "Explanation",
@@ -77,6 +80,7 @@ __all__ = [
     "OnsetArrays",
     "Probability",
     "Region",
+    "Reliability",
     "ResultColumn",
     "Simulation",
     "Situation",
@@ -100,6 +104,7 @@ __all__ = [
     "new",
     "onset",
     "probability",
+    "reliability",
     "sheet",
     "simulate",
     "spectrum",

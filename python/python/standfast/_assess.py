@@ -18,6 +18,7 @@ from ._advice import short, unit_of
 from ._answer import Lazy, copied, parts, with_infinity
 from ._figure import Figure, figures_of
 from ._schema import attribute
+from ._scipy_laws import is_distribution, law_of
 from ._standfast import CaseError
 from ._warnings import mind
 from .answers import Document, OnlySituation, Situation
@@ -195,6 +196,8 @@ def _toml(case: Mapping[str, Any]) -> str:
         for key, value in content.items():
             if not isinstance(key, str):
                 raise CaseError(f"{path or 'the case'} has the key {key!r}; expected a text")
+            if is_distribution(value):
+                value = law_of(value, f"{path}.{key}" if path else key)
             is_tables = isinstance(value, (list, tuple)) and value and all(isinstance(part, Mapping) for part in value)
             if isinstance(value, Mapping) or is_tables:
                 inner.append((key, value))

@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use standfast::Verdict;
 use standfast_probability::form::{FormPoint, generalized};
+use standfast_probability::method::Method;
 use standfast_probability::sample::{Effort, Estimate};
 use standfast_watch::Portion;
 
@@ -25,40 +26,6 @@ use crate::digits::digits;
 use crate::units::Dimension;
 use standfast_inputs::random::Rate;
 use standfast_model::{CaseFile, Criterion, Warning};
-
-/// Method by which probabilities are found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
-    /// Integration between the kinks: all digits, three random numbers at most.
-    Integrate,
-    /// Scrambled Sobol' points.
-    Sobol,
-    /// Scrambled Sobol' points about the design points.
-    Importance,
-    /// Everything drawn, nothing integrated.
-    MonteCarlo,
-}
-
-impl Method {
-    /// All of them.
-    pub const ALL: [Method; 4] = [Method::Integrate, Method::Sobol, Method::Importance, Method::MonteCarlo];
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Method::Integrate => "integrate",
-            Method::Sobol => "sobol",
-            Method::Importance => "importance",
-            Method::MonteCarlo => "monte-carlo",
-        }
-    }
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
 
 /// A method as it is asked for by its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

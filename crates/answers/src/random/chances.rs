@@ -3,26 +3,20 @@
 use std::borrow::Cow;
 
 use standfast_probability::form::{FormPoint, design_point, distance, local_design_points};
-use standfast_probability::integrate::{
-    Integrated, Life, MOST_DIMENSIONS, OutOfBounds, Within, integrate, integrate_known, integrate_life,
-};
+use standfast_probability::integrate::{Life, MOST_DIMENSIONS, Within, integrate_life};
 use standfast_probability::life::lives;
-use standfast_probability::points::MOST_COORDINATES;
-use standfast_probability::problem::{Outcomes, RandomVector};
-use standfast_probability::sample::{
-    Effort, Estimate, Sampled, Work, importance, monte_carlo, sampled_known, sobol,
-};
+use standfast_probability::method::{Found, Method, by, by_known, integral_or, within};
+use standfast_probability::problem::Outcomes;
+use standfast_probability::sample::{Effort, Estimate};
 use standfast_watch::Portion;
 
-use super::answer::{ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Method};
+use super::answer::{ChanceRequest, Chances, FirstDeparture, Happening, LifeChances};
 use super::departure::{AT_ONCE, Departures, NEVER};
 use super::error::ProbabilityError;
 use super::joined::{AnyOf, MOVES};
 use super::outcome::{LIFTED, NOT_UNIQUE, REST, not_rest};
 use super::problem::ChanceProblem;
 
-/// Above this index probabilities are looked for about the design points.
-const FAR: f64 = 2.5;
 /// Φ(−β) is not a probability, but none is so many times as likely.
 const UNLIKELIER: f64 = 1e-2;
 /// Least distance of two points about which is drawn, in deviations.
@@ -69,84 +63,12 @@ pub(super) fn method(
     points: &[FormPoint],
 ) -> Result<Method, ProbabilityError> {
     let numbers = problem.laws().laws().len();
-    let few = numbers <= MOST_DIMENSIONS + 1;
-    let too_many = |method, most| Err(ProbabilityError::TooMany { method, most, numbers });
-    let far = points.first().is_some_and(|point| point.beta > FAR);
-    let suits = numbers <= problem.most_integrated();
-    let method = request.method.unwrap_or(match (suits, far) {
-        (true, _) => Method::Integrate,
-        (false, true) => Method::Importance,
-        (false, false) => Method::Sobol,
-    });
-    match method {
-        Method::Integrate if !few => too_many(method, MOST_DIMENSIONS + 1),
-        Method::Sobol | Method::Importance if numbers > MOST_COORDINATES => {
-            too_many(method, MOST_COORDINATES)
-        }
-        method => Ok(method),
-    }
-}
-
-/// Probabilities of sets of outcomes, and the method by which they were found.
-pub(super) struct Found {
-    /// Method that was taken.
-    pub(super) method: Method,
-    /// Its probabilities.
-    pub(super) sampled: Sampled,
-    /// True if an integration was begun and given up.
-    pub(super) given_up: bool,
-}
-
-/// The probabilities of sets of outcomes by a method; about these points where it takes any. An integration that its bounds do not leave as
-/// precise as asked is given up for Sobol' points.
-pub(super) fn by<O: Outcomes>(
-    method: Method,
-    laws: &RandomVector,
-    outcomes: &O,
-    sets: &[u64],
-    about: &[Vec<f64>],
-    (work, cost): (Work<'_>, u64),
-) -> Found {
-    let sampled = match method {
-        Method::Integrate => {
-            let [integral, points] = work.portion.parts([1.0, 1.0]);
-            let within = within(&work.effort, cost, integral);
-            let integrated = integrate(laws, outcomes, sets, within);
-            return integral_or(integrated, &work.effort, || {
-                sobol(laws, outcomes, sets, work.effort.within(points))
-            });
-        }
-        Method::Sobol => sobol(laws, outcomes, sets, work),
-        Method::Importance => importance(laws, outcomes, sets, about, work),
-        Method::MonteCarlo => monte_carlo(laws, outcomes, sets, work),
-    };
-    Found { method, sampled, given_up: false }
-}
-
-/// Bounds of an integration: a floor of a millionth leaves a probability of 1e-16 its digits.
-fn within<'w>(effort: &Effort, cost: u64, portion: Portion<'w>) -> Within<'w> {
-    /// The most evaluations of an integral of which each costs no more than one decision: seldom more than a second. What takes more is as
-    /// precise as it is asked to be by far fewer Sobol' points.
-    const MOST: u64 = 1 << 19;
-    /// Digits below the floor that are sought.
-    const BELOW_FLOOR: f64 = 1e-12;
-    let evaluations = (effort.points.min(MOST) / cost).max(1);
-    Within { negligible: BELOW_FLOOR * effort.floor, evaluations, portion }
-}
-
-/// An integral where it is as precise as asked, or what takes its place.
-fn integral_or(
-    integrated: Result<Integrated, OutOfBounds>,
-    effort: &Effort,
-    otherwise: impl FnOnce() -> Sampled,
-) -> Found {
-    let found = integrated.map(|integrated| estimates(&integrated)).ok();
-    let precise = |sampled: &Sampled| {
-        sampled.estimates.iter().all(|estimate| estimate.is_precise(effort.precision, effort.floor))
-    };
-    match found.filter(precise) {
-        Some(sampled) => Found { method: Method::Integrate, sampled, given_up: false },
-        None => Found { method: Method::Sobol, sampled: otherwise(), given_up: true },
+    let beta = points.first().map(|point| point.beta);
+    let suited = || Method::suited(numbers, problem.most_integrated(), beta);
+    let method = request.method.unwrap_or_else(suited);
+    match method.most_numbers() {
+        Some(most) if numbers > most => Err(ProbabilityError::TooMany { method, most, numbers }),
+        _ => Ok(method),
     }
 }
 
@@ -217,7 +139,6 @@ pub(super) fn chances(
     let problem = &*problem;
     let laws = problem.laws();
     let numbers = laws.laws().len();
-    let few = numbers <= MOST_DIMENSIONS + 1;
     let effort = &request.effort;
     let of_life = if problem.life().is_some() { 2.0 } else { 0.0 };
     let [of_modes, each_known, of_departure, of_life] = portion.parts([2.0, numbers as f64, 2.0, of_life]);
@@ -227,21 +148,14 @@ pub(super) fn chances(
         Method::Importance => points.iter().map(|point| point.u.clone()).collect(),
         _ => Vec::new(),
     };
-    // What would be gained is worth no more points than what is.
-    let of_known = &Effort { points: sampled.points.min(effort.points), ..*effort };
     let known = (0..numbers).map(|number| {
         let portion = each_known.part(number, numbers);
         portion.check()?;
-        let set = [not_rest()];
-        let drawn = || sampled_known(laws, problem, &set, number, &about, of_known.within(portion));
-        let found = if few {
-            let within = within(effort, problem.cost(), portion);
-            integral_or(integrate_known(laws, problem, &set, number, within), effort, drawn).sampled
-        } else {
-            drawn()
-        };
+        // What would be gained is worth no more points than what is.
+        let (drawn, work) = ((&about[..], sampled.points), (effort.within(portion), problem.cost()));
+        let found = by_known(laws, problem, not_rest(), number, drawn, work);
         portion.reached(1.0);
-        Ok(found.estimates[0])
+        Ok(found)
     });
     let known: Vec<Estimate> =
         if numbers > 1 { known.collect::<Result<_, ProbabilityError>>()? } else { Vec::new() };
@@ -373,18 +287,4 @@ fn life(
     let modes = problem.exclusive().map(Happening::of).zip(modes.iter().copied()).collect();
     let (years, precise) = (life.years, found.precise);
     Ok(Some(LifeChances { years, not_rest: *not_rest, modes, method, precise }))
-}
-
-/// Integrals with their errors as intervals.
-fn estimates(integrated: &Integrated) -> Sampled {
-    let with = |(value, error): (&f64, &f64)| {
-        let value = value.clamp(0.0, 1.0);
-        Estimate { value, low: (value - error).max(0.0), high: (value + error).min(1.0) }
-    };
-    Sampled {
-        estimates: integrated.probabilities.iter().zip(&integrated.errors).map(with).collect(),
-        points: integrated.evaluations,
-        precise: true,
-        course: Vec::new(),
-    }
 }

@@ -3,7 +3,7 @@
 use standfast::Mode;
 use standfast_probability::sample;
 
-use super::answer::{Happening, Method, Probability};
+use super::answer::{Happening, Probability};
 use super::error::ProbabilityError;
 use super::mechanics::Mechanics;
 use super::problem::ChanceProblem;
@@ -12,6 +12,7 @@ use super::stack::Asked;
 use super::subject::ChanceSubject;
 use crate::units::Dimension;
 use standfast_model::CaseFile;
+use standfast_probability::method::Method;
 
 /// Draws of the random numbers of a case, with the mode under each: those of plain Monte Carlo with the same seed, the first of
 /// them for any count.

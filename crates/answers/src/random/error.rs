@@ -5,13 +5,13 @@ use std::fmt;
 use standfast_watch::Stopped;
 use thiserror::Error;
 
-use super::answer::Method;
 use super::criterion::{OF_LIFE, OF_SLIDES};
 use super::storm::SlidingError;
 use crate::error::CaseError;
 use crate::explained::Explained;
 use crate::key::Key;
 use standfast_model::Criterion;
+use standfast_probability::method::Method;
 
 /// Reason why there are no probabilities.
 #[derive(Debug, Error)]

@@ -9,10 +9,11 @@ use standfast_probability::problem::{Outcomes, Pieces};
 use standfast_probability::sample::Estimate;
 use standfast_watch::Portion;
 
-use super::answer::{ChanceRequest, Method};
+use super::answer::ChanceRequest;
 use super::chances;
 use super::error::ProbabilityError;
 use super::problem::ChanceProblem;
+use standfast_probability::method::{Method, by};
 
 /// The chance that any of several sets of loads moves the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,7 +102,7 @@ pub(super) fn joined(
     let method = chances::method(first, request, &points)?;
     let about: Vec<Vec<f64>> = points.into_iter().map(|point| point.u).collect();
     let work = (request.effort.within(portion), first.cost());
-    let found = chances::by(method, first.laws(), &any, &[1 << MOVES], &about, work);
+    let found = by(method, first.laws(), &any, &[1 << MOVES], &about, work);
     portion.check()?;
     let not_rest = found.sampled.estimates[0];
     Ok(Some(JoinedChance { count: problems.len(), method: found.method, not_rest }))

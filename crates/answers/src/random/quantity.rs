@@ -17,6 +17,8 @@ pub enum Quantity {
     Point(Coordinate),
     /// A number of a pure problem of sliding.
     Storm(StormField),
+    /// A number of a limit state that is the user's own, by its name.
+    Own(String),
 }
 
 /// A number of the report's problem.
@@ -83,7 +85,7 @@ impl RandomInput {
     pub(super) fn variable(&self) -> Option<&Variable> {
         match &self.quantity {
             Quantity::Key(variable) => Some(variable),
-            Quantity::Bias(_) | Quantity::Point(_) | Quantity::Storm(_) => None,
+            Quantity::Bias(_) | Quantity::Point(_) | Quantity::Storm(_) | Quantity::Own(_) => None,
         }
     }
 
@@ -95,6 +97,7 @@ impl RandomInput {
             Quantity::Bias(bias) => bias.words().to_owned(),
             Quantity::Point(coordinate) => Id::from(coordinate.key()).words(),
             Quantity::Storm(field) => Id::from(field.key()).words(),
+            Quantity::Own(name) => name.clone(),
         }
     }
 
@@ -117,7 +120,7 @@ impl RandomInput {
                 _ => None,
             },
             Quantity::Point(Coordinate::Mu) => Some(FrictionOf::Base),
-            Quantity::Bias(_) | Quantity::Storm(_) | Quantity::Point(_) => None,
+            Quantity::Bias(_) | Quantity::Storm(_) | Quantity::Point(_) | Quantity::Own(_) => None,
         }
     }
 
@@ -146,7 +149,7 @@ impl RandomInput {
     pub(super) fn is_linear(&self) -> bool {
         match &self.quantity {
             Quantity::Bias(_) | Quantity::Point(Coordinate::K) => true,
-            Quantity::Point(_) | Quantity::Storm(_) => false,
+            Quantity::Point(_) | Quantity::Storm(_) | Quantity::Own(_) => false,
             Quantity::Key(variable) => variable.id().key == Key::Force,
         }
     }

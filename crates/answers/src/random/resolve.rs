@@ -26,6 +26,8 @@ pub(super) enum Names<'a> {
     Point([f64; 4]),
     /// A storm without a body.
     Storm([f64; 6]),
+    /// A limit state that is the user's own: any name is of one of its numbers.
+    Own,
 }
 
 impl Resolve<'_> {
@@ -86,6 +88,7 @@ impl Resolve<'_> {
         let (file, case, moving) = match self.0 {
             Names::Case(file, case, moving) => (file, case, moving),
             Names::Storm(_) => return of_storm(named),
+            Names::Own => return Ok(Quantity::Own(named.name.clone())),
             Names::Point(_) => {
                 let found = Coordinate::ALL.into_iter().find(|coordinate| coordinate.name() == named.name);
                 return found.map(Quantity::Point).ok_or_else(|| {

@@ -59,12 +59,11 @@ pub(super) fn read(item: &Item<'_>, random: &mut Random) -> ReadResult<()> {
     Ok(())
 }
 
-/// What lies above the diagonal of a matrix of correlations: row, column, value and place.
-fn read_matrix(
-    item: &Item<'_>,
-    key: &str,
-    count: usize,
-) -> ReadResult<Vec<(usize, usize, f64, Span<usize>)>> {
+/// An entry of a matrix: row, column, value and place.
+type Entry = (usize, usize, f64, Span<usize>);
+
+/// What lies above the diagonal of a matrix of correlations.
+fn read_matrix(item: &Item<'_>, key: &str, count: usize) -> ReadResult<Vec<Entry>> {
     let what = format!("`{key}`");
     let wrong_size = || {
         let expected =

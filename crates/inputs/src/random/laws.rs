@@ -170,8 +170,9 @@ fn read_law(named: &mut RandomEntry, item: &Item<'_>) -> ReadResult<()> {
 /// The law of which the largest of several is meant: everything in the table but the count.
 fn read_largest(named: &mut RandomEntry, item: &Item<'_>, what: &str) -> ReadResult<()> {
     let table = table(item, what, "its parameters in braces")?;
-    let (counts, others) = in_order(table).into_iter().partition(|(key, _)| *key == "count");
-    for (key, value) in Vec::<(&str, &Item<'_>)>::from(counts) {
+    let (counts, others): (Vec<_>, Vec<_>) =
+        in_order(table).into_iter().partition(|(key, _)| *key == "count");
+    for (key, value) in counts {
         read_beside(named, key, value)?;
     }
     let mut inner = part_of(named);

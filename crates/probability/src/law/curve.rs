@@ -1,7 +1,7 @@
 //! A law known by some of its values: between them a cubic of each that rises as they do, over the standard normal.
 
 use super::LawError;
-use super::standard::where_met;
+use crate::roots::where_met;
 
 /// Values over the normals that belong to them, both rising, and the slope at each.
 #[derive(Debug, Clone, PartialEq)]

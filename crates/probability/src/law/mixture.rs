@@ -1,8 +1,8 @@
 //! One of several laws, as chance has it: two populations of storms, a gate that is open or shut.
 
 use super::atoms::checked_shares;
-use super::standard::where_met;
 use super::{Distribution, LawError, Tails};
+use crate::roots::where_met;
 
 /// Laws, and how likely each is.
 #[derive(Debug, Clone, PartialEq)]

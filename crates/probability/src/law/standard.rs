@@ -1,6 +1,7 @@
 //! Values of laws that have no closed form for them: the normal that belongs to a value rises with it, and is met by iteration.
 
 use super::Tails;
+use crate::roots::where_met;
 use crate::{beta, gamma};
 
 /// The value of the gamma law of scale 1 with these probabilities below and above it.
@@ -46,48 +47,4 @@ fn positive_value(most: f64, at: Tails, tails: impl Fn(f64) -> Tails) -> f64 {
         if beyond(x) <= 0.0 { low = x } else { high = x }
     }
     where_met(low, high, beyond)
-}
-
-/// Where a function that rises from `low` to `high` passes zero: the largest number at which it is not above, to two units in the last place;
-/// where it jumps, exactly. By Chandrupatla's choice between inverse quadratic interpolation and bisection (Advances in Engineering
-/// Software 28, 1997).
-pub(super) fn where_met(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    if low >= high {
-        return low;
-    }
-    let (mut a, mut b) = (high, low);
-    let (mut fa, mut fb) = (f(a), f(b));
-    if fa <= 0.0 {
-        return high;
-    }
-    if fb > 0.0 {
-        return low;
-    }
-    let mut t = 0.5;
-    // 64 halvings of a distance reach the last bit; as many again for steps that are less.
-    for _ in 0..200 {
-        let x = a + t * (b - a);
-        let x = x.clamp(a.min(b), a.max(b));
-        let fx = f(x);
-        let (c, fc) = if (fx > 0.0) == (fa > 0.0) { (a, fa) } else { (b, fb) };
-        if (fx > 0.0) != (fa > 0.0) {
-            (b, fb) = (a, fa);
-        }
-        (a, fa) = (x, fx);
-        let (below, above) = if fa > 0.0 { (b, a) } else { (a, b) };
-        if fa == 0.0 || below.next_up() >= above {
-            return below;
-        }
-        let width = (b - a).abs();
-        let least = (above.abs().max(below.abs()) * f64::EPSILON).max(f64::MIN_POSITIVE) / width;
-        let (xi, phi) = ((a - b) / (c - b), (fa - fb) / (fc - fb));
-        let is_smooth = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
-        let inverse = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb);
-        t = if is_smooth && inverse.is_finite() {
-            inverse.clamp(least.min(0.5), 1.0 - least.min(0.5))
-        } else {
-            0.5
-        };
-    }
-    if fa > 0.0 { b } else { a }
 }

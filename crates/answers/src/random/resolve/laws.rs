@@ -62,18 +62,21 @@ impl Resolve<'_> {
             (RandomProblem::Other(message), named.span.clone())
         };
         // The case's value, and 1 of a bias.
-        let own = || match (quantity, self.0) {
-            (Quantity::Key(variable), Names::Case(file, case, moving)) => {
-                let own = moving.filter(|_| variable.id().table.is_of_motion()).unwrap_or(file.inputs());
-                variable.value(own, case)
-            }
-            (Quantity::Point(coordinate), Names::Point(point)) => point[*coordinate as usize],
-            (Quantity::Storm(field), Names::Storm(values)) => values[*field as usize],
-            _ => 1.0,
+        let own = || -> ReadResult<f64> {
+            Ok(match (quantity, self.0) {
+                (Quantity::Key(variable), Names::Case(file, case, moving)) => {
+                    let own = moving.filter(|_| variable.id().table.is_of_motion()).unwrap_or(file.inputs());
+                    variable.value(own, case)
+                }
+                (Quantity::Point(coordinate), Names::Point(point)) => point[*coordinate as usize],
+                (Quantity::Storm(field), Names::Storm(values)) => values[*field as usize],
+                (Quantity::Own(_), _) => return Err(lacks("`mean`")),
+                _ => 1.0,
+            })
         };
         // Mean and deviation.
         let moments = || -> ReadResult<(f64, f64)> {
-            let mean = measured("mean")?.unwrap_or_else(own);
+            let mean = measured("mean")?.map_or_else(own, Ok)?;
             match (measured("sd")?, plain("cov")?) {
                 (Some(_), Some(_)) => Err(both("`sd` and `cov`")),
                 (Some(sd), None) => Ok((mean, sd)),
@@ -125,7 +128,7 @@ impl Resolve<'_> {
                 let scale = match (measured("mean")?, measured("scale")?) {
                     (Some(_), Some(_)) => return Err(both("`mean` and `scale`")),
                     (_, Some(scale)) => scale,
-                    (mean, None) => mean.unwrap_or_else(own) - location,
+                    (mean, None) => mean.map_or_else(own, Ok)? - location,
                 };
                 Law::exponential(scale, location)
             }
@@ -287,6 +290,7 @@ fn range(quantity: &Quantity) -> Range {
         Quantity::Bias(_) => Range::NotNegative,
         Quantity::Point(coordinate) => coordinate.range(),
         Quantity::Storm(field) => field.range(),
+        Quantity::Own(_) => Range::Finite,
     }
 }
 

@@ -31,7 +31,7 @@ use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level};
 use crate::error::{CaseError, Fault, Place};
 use crate::key::{Key, Range, Table};
 use crate::random::answer::{
-    ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Method, Probability, RandomNumber,
+    ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Probability, RandomNumber,
 };
 use crate::random::error::ProbabilityError;
 use crate::random::outcome::exclusive;
@@ -41,6 +41,7 @@ use crate::random::subject::alone;
 use crate::units::Dimension;
 use standfast_inputs::random::{Random, RandomProblem, Rate, ReadResult};
 use standfast_model::CaseFile;
+use standfast_probability::method::Method;
 
 /// A number of a pure problem of sliding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,0 +1,30 @@
+//! Numbers of a limit state that is the user's own: names and laws, without a case.
+
+use standfast_inputs::random::RandomProblem;
+use standfast_inputs::{CaseError, CaseText};
+use standfast_probability::problem::RandomVector;
+
+use super::resolve::{Names, Resolve};
+
+/// The names and laws of a text that is a table `[random]`, and how they are correlated. Any name is one of a number of the user's own.
+///
+/// # Errors
+/// If there is no such table, or a law or a correlation is wrong.
+///
+/// ```
+/// use standfast_answers::random::own_laws;
+/// use standfast_inputs::CaseText;
+///
+/// let text = "[random]\nresistance = { normal = { mean = 0.6, sd = 0.06 } }\nload = { gumbel = { mean = 0.3, cov = 0.2 } }\n";
+/// let (names, laws) = own_laws(&CaseText::parse("laws.toml", text)?)?;
+/// assert_eq!((names, laws.laws().len()), (vec!["resistance".to_owned(), "load".to_owned()], 2));
+/// # Ok::<(), standfast_inputs::CaseError>(())
+/// ```
+pub fn own_laws(text: &CaseText) -> Result<(Vec<String>, RandomVector), CaseError> {
+    let Some(random) = text.random() else {
+        return Err(text.random_error(RandomProblem::Nothing, 0..0));
+    };
+    let found = Resolve(Names::Own).all(random);
+    let (inputs, laws) = found.map_err(|(problem, span)| text.random_error(problem, span))?;
+    Ok((inputs.into_iter().map(|input| input.name).collect(), laws))
+}
