@@ -221,8 +221,7 @@ impl Sweep {
                 inputs.put(id, Value::InGravity(value));
             }
         }
-        let mut case = Case::sharing(Arc::clone(shared))?;
-        case.biases = biases(varied())?;
+        let case = Case::sharing(Arc::clone(shared))?.biased(biases(varied())?)?;
         let assessment = Assessment::owning(case).map_err(|error| blamed(shared, error))?;
         Ok(Answer::of(assessment))
     }

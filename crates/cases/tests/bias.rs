@@ -127,3 +127,158 @@ fn results_of_the_sea_are_those_of_the_file() {
     assert_eq!(found[..5], expected);
     assert_eq!(found[found.len() - 4..], [goda.p1, goda.p3, goda.p4, goda.pu]);
 }
+
+/// The text of Goda's caisson with other heights.
+fn with_heights(text: &str, heights: &str) -> String {
+    text.replace("deep_water_height = \"6.3 m\"\n", heights)
+}
+
+/// A factor on the height in deep water is that height times it; one on those at the wall, these as they are found times it; in tables and
+/// combinations.
+#[test]
+fn heights_are_multiplied() {
+    let results = ["P", "U", "H13", "Hmax", "SF_sliding", "load_factor"];
+    let near = |found: Vec<f64>, expected: Vec<f64>| {
+        found
+            .iter()
+            .zip(expected)
+            .for_each(|(found, expected)| assert_near(*found, expected, expected.abs()));
+    };
+    for factor in [0.5, 0.87, 1.2] {
+        let typed = with_heights(GODA, &format!("deep_water_height = {}\n", 6.3 * factor));
+        near(
+            answered(GODA, &[("bias.H0", factor)], &results),
+            answered(&typed, &[("friction", 0.6)], &results),
+        );
+        let own = answered(GODA, &[("friction", 0.6)], &results);
+        let heights = format!("H13 = {}\nHmax = {}\n", own[2] * factor, own[3] * factor);
+        let typed = with_heights(GODA, &heights);
+        near(
+            answered(GODA, &[("bias.H", factor)], &results),
+            answered(&typed, &[("friction", 0.6)], &results),
+        );
+        // Of heights that are given at the wall, and beside a factor on the thrust and one in a combination.
+        let given = with_heights(GODA, &format!("H13 = {}\nHmax = {}\n", own[2], own[3]));
+        near(
+            answered(&given, &[("bias.H", factor), ("bias.P", 0.9)], &results),
+            answered(&typed, &[("bias.P", 0.9)], &results),
+        );
+        let combination =
+            "\n[[combination]]\nname = \"storm\"\nset = { friction = 0.5 }\nfactors = { wave = 1.3 }\n";
+        near(
+            answered(&format!("{GODA}{combination}"), &[("bias.H", factor)], &results[4..]),
+            answered(&format!("{typed}{combination}"), &[("wave.water_density", 1030.0)], &results[4..]),
+        );
+    }
+    // Both at once.
+    let both = answered(GODA, &[("bias.H0", 1.1), ("bias.H", 0.8)], &results);
+    let typed = with_heights(GODA, "deep_water_height = 6.93\n");
+    near(both, answered(&typed, &[("bias.H", 0.8)], &results));
+}
+
+/// A factor on what the base bears is a strength times it; of ground its resistance.
+#[test]
+fn what_the_base_bears_is_multiplied() {
+    let text = |strength: f64| format!("{GODA}\n[ground]\nstrength = {strength}\n");
+    let results = ["load_factor", "SF_bearing"];
+    let known: Vec<&str> = results.into_iter().filter(|name| SweepResult::find(name).is_some()).collect();
+    let found = answered(&text(600e3), &[("bias.R", 0.75)], &known);
+    assert_eq!(found, answered(&text(450e3), &[("friction", 0.6)], &known));
+    let soil = include_str!("../../../examples/goda-on-sand.toml");
+    let factor = |bias: f64| answered(soil, &[("bias.R", bias)], &["ground_factor"])[0];
+    assert_near(factor(0.8), 0.8 * factor(1.0), 1.0);
+}
+
+/// As random numbers they are the same: one value of each, as likely as can be, is a typed one, in modes, over a life and in a storm.
+#[test]
+fn random_factors_are_typed_ones() {
+    use standfast_cases::random::{ChanceRequest, Effort, Probability};
+    let one = |name: &str, value: f64| {
+        format!("{name} = {{ discrete = {{ values = [{value}], probabilities = [1] }} }}\n")
+    };
+    let request =
+        ChanceRequest { effort: Effort { precision: 0.01, ..Effort::default() }, ..ChanceRequest::default() };
+    let answer = |text: &str| {
+        let found = Probability::of(&CaseFile::parse("case", text).unwrap(), request);
+        found.unwrap_or_else(|error| panic!("{error}\n{text}"))
+    };
+    let own = answered(GODA, &[("friction", 0.6)], &["H13", "Hmax"]);
+    let friction = "\n[random]\nfriction = { lognormal = { mean = 0.636, cov = 0.15 } }\n";
+    let not_rest = |text: &str| answer(text).situations[0].not_rest.value;
+    for (random, typed) in [
+        (one("bias.H0", 0.87), with_heights(GODA, &format!("deep_water_height = {}\n", 6.3 * 0.87))),
+        (
+            one("bias.H", 0.87),
+            with_heights(GODA, &format!("H13 = {}\nHmax = {}\n", 0.87 * own[0], 0.87 * own[1])),
+        ),
+    ] {
+        let [found, expected] =
+            [not_rest(&format!("{GODA}{friction}{random}")), not_rest(&format!("{typed}{friction}"))];
+        assert!(expected > 1e-4, "{expected}");
+        assert_near(found, expected, 10.0 * expected);
+    }
+    // Heights of other years, each times the error of the transformation: a Gumbel law times a factor is a Gumbel law.
+    let sea = |mean: f64, sd: f64| {
+        format!(
+            "years = 50\nwave.deep_water_height = {{ gumbel = {{ mean = {mean}, sd = {sd} }}, lower = 0.5, every = \"year\" }}\n"
+        )
+    };
+    let [biased, typed] =
+        [sea(4.5, 0.5) + &one("bias.H0", 1.1), sea(4.95, 0.55).replace("lower = 0.5", "lower = 0.55")]
+            .map(|sea| answer(&format!("{GODA}{friction}{sea}")));
+    let life = |found: &Probability| found.situations[0].life.as_ref().unwrap().not_rest.value;
+    // The one is drawn, the other integrated.
+    assert!((life(&biased) / life(&typed) - 1.0).abs() < 0.02, "{}, {}", life(&biased), life(&typed));
+    let storm = "\n[storm]\nwaves = 500\ntau0 = \"1.5 s\"\n";
+    let slide = |text: String| answer(&text).sliding.unwrap().mean.value;
+    let given = with_heights(GODA, &format!("H13 = {}\nHmax = {}\n", 0.9 * own[0], 0.9 * own[1]));
+    let expected = slide(format!("{given}{storm}{friction}"));
+    let found = slide(format!("{GODA}{storm}{friction}{}", one("bias.H", 0.9)));
+    assert!((found / expected - 1.0).abs() < 0.02, "{found}, {expected}");
+    // Ground: one number more.
+    let soil =
+        include_str!("../../../examples/goda-on-sand.toml").split("[criteria]").next().unwrap().to_owned();
+    let [found, expected] =
+        [(one("bias.R", 0.8), "ec7", 1.0), (String::new(), "ec7", 0.8)].map(|(random, law, share)| {
+            // Without weight of its own below, R is that of its cohesion, which is in proportion.
+            let text =
+                soil.replace("law = \"ec7\"", &format!("law = \"{law}\"\ncohesion = {}", 60e3 * share));
+            let text = text.replace("unit_weight = \"10 kN/m3\"", &format!("unit_weight = {}", 1e4 * share));
+            not_rest(&format!("{text}{friction}{random}"))
+        });
+    assert_near(found, expected, 1e4 * expected);
+}
+
+/// What a factor has nothing to be on is refused by name.
+#[test]
+fn factors_without_anything_to_be_on_are_refused() {
+    let refused = |text: &str, name: &str| {
+        let file = CaseFile::parse("case", text).unwrap();
+        let of_table = Factor::find(name, None, file.inputs()).unwrap_err().to_string();
+        let random = format!("{text}\n[random]\n{name} = {{ normal = {{ mean = 1, sd = 0.1 }} }}\n");
+        let file = CaseFile::parse("case", &random).unwrap();
+        let of_random =
+            standfast_cases::random::Probability::of(&file, Default::default()).unwrap_err().to_string();
+        [of_table, of_random]
+    };
+    let local = with_heights(GODA, "H13 = 5\nHmax = 7\n");
+    for (text, name, lacks) in [
+        (&local[..], "bias.H0", "no wave height in deep water, but those at the wall, on which `bias.H` is"),
+        (GODA, "bias.R", "no [ground] with a strength or a law"),
+        (
+            "[body]\nwidth = 1\nheight = 1\nmass = 200\nfriction = 0.5\n[[load]]\nforce = 3\nelevation = 0.2\n",
+            "bias.H",
+            "no waves",
+        ),
+        (GODA, "bias.force", "no [[load]]"),
+        (
+            include_str!("../../../examples/crown-wall-by-pedersen.toml"),
+            "bias.H",
+            "no waves by Goda’s formulas",
+        ),
+    ] {
+        let [of_table, of_random] = refused(text, name);
+        assert_eq!(of_table, format!("the case has {lacks} for `{name}` to be a factor on"));
+        assert!(of_random.contains(&format!("the case has {lacks}")), "{of_random}");
+    }
+}

@@ -261,7 +261,7 @@ impl Case {
     /// The case of a situation in the numbers as they are written.
     fn written(&self, acting: Acting) -> Option<Case<Ball>> {
         let written = Case::<Ball>::in_scalars(Arc::clone(&self.under(acting).inputs)).ok();
-        written.map(|case| Case { biases: self.biases, ..case })
+        written.and_then(|case| case.biased(self.biases).ok())
     }
 
     /// Its waves by Goda's formulas; `None` without any, and of those by another formula.

@@ -76,7 +76,8 @@ const RANDOM: &str = r#"
 ## `[random]`
 
 For `standfast probability`; see [theory](../theory/probability.md). Names are the keys above, a load by its name as in `load.push.force`, or a
-bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U` are given) and `bias.force` (every `[[load]]`).
+bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U` are given), `bias.force` (every `[[load]]`), `bias.H0` (the wave height in deep water),
+`bias.H` (the wave heights at the wall, found or given) and `bias.R` (what the base bears).
 
 | entry | what it is | example |
 |---|---|---|

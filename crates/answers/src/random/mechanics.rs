@@ -10,7 +10,7 @@ use super::base;
 use super::outcome::LIFTED;
 use super::quantity::Bias;
 use super::stack::{self, Asked};
-use crate::case::{Acting, Case, Foundation, GodaWaves, Trial, biased};
+use crate::case::{Acting, Biases, Case, Foundation, GodaWaves, Trial, biased};
 
 /// The contact problem that values make.
 #[derive(Debug, Clone)]
@@ -156,23 +156,25 @@ impl Quick {
         Some(Quick { waves, components, scale })
     }
 
-    fn goda(&self, heights: Heights) -> Option<Goda> {
-        let GodaWaves { sea, section, choices, goda: as_given, .. } = &self.waves;
-        match heights {
-            Heights::DeepWater(height) => as_given.from_deep_water(sea, section, choices, height),
-            heights => goda(sea, &heights, section, choices).ok(),
-        }
+    /// The waves with these heights, times their biases.
+    fn waves(&self, heights: Heights, biases: &Biases) -> Option<GodaWaves> {
+        let GodaWaves { sea, section, goda: as_given, .. } = &self.waves;
+        let choices = biases.on_heights(self.waves.choices);
+        let goda = match heights {
+            Heights::DeepWater(height) => as_given.from_deep_water(sea, section, &choices, height)?,
+            heights => goda(sea, &heights, section, &choices).ok()?,
+        };
+        Some(GodaWaves { heights, goda, choices, ..self.waves.clone() })
     }
 
-    pub(super) fn components(&self, heights: Heights) -> Option<Components> {
-        let goda = self.goda(heights)?;
+    pub(super) fn components(&self, heights: Heights, biases: &Biases) -> Option<Components> {
+        let goda = self.waves(heights, biases)?.goda;
         let [thrust, uplift] = Components::of_wave(&goda, &self.components.block, self.scale);
         Some(Components { thrust, uplift, formulas: goda.formulas, ..self.components.clone() })
     }
 
     /// The case, of which this is, with these heights.
-    pub(super) fn case(&self, case: &Case, heights: Heights) -> Option<Case> {
-        let goda = self.goda(heights)?;
-        Some(case.with_goda(GodaWaves { heights, goda, ..self.waves.clone() }))
+    pub(super) fn case(&self, case: &Case, heights: Heights, biases: &Biases) -> Option<Case> {
+        Some(case.with_goda(self.waves(heights, biases)?))
     }
 }

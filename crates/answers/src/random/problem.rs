@@ -14,7 +14,7 @@ use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
 use super::quantity::{Bias, FrictionOf, Quantity, RandomInput};
 use super::resolve::{Names, Resolve};
-use crate::case::{Acting, Case, ChangeBy, Shaking, Trial, Waves};
+use crate::case::{Acting, Biases, Case, ChangeBy, Shaking, Trial, Waves};
 use crate::couple::{Variable, vary};
 use crate::digits::digits;
 use crate::error::{CaseError, Fault, Problem};
@@ -432,7 +432,10 @@ impl ChanceProblem {
 
     /// Components of the loads, unbiased, with these values of all numbers but friction; those of the last two calls if they are the same.
     pub(super) fn components(&self, values: &[f64]) -> Option<Components> {
-        let slow = |place: &usize| self.random[*place].variable().is_some() && !self.is_apart(*place);
+        let slow = |place: &usize| {
+            let input = &self.random[*place];
+            input.is_bias_of_case() || input.variable().is_some() && !self.is_apart(*place)
+        };
         let keys: Vec<f64> = (0..self.random.len()).filter(slow).map(|place| values[place]).collect();
         let is_of = |(id, of, _): &Assembled| *id == self.id && *of == keys;
         let known = LAST.with_borrow(|last| {
@@ -452,7 +455,7 @@ impl ChanceProblem {
     fn assembled(&self, values: &[f64]) -> Option<Components> {
         let Model::Case { acting, shaking, quick, .. } = &self.model else { return None };
         if let Some(quick) = quick {
-            return quick.components(self.heights(values)?);
+            return quick.components(self.heights(values)?, &self.biases_of_case(values));
         }
         let case = self.case_with(values)?;
         let trial = Trial::shaken(*shaking);
@@ -477,7 +480,7 @@ impl ChanceProblem {
     pub(super) fn case_with(&self, values: &[f64]) -> Option<Case> {
         let Model::Case { inputs, case, quick, .. } = &self.model else { return None };
         if let Some(quick) = quick {
-            return quick.case(case, self.heights(values)?);
+            return quick.case(case, self.heights(values)?, &self.biases_of_case(values));
         }
         let named: Vec<(&Variable, f64)> = self
             .random
@@ -492,7 +495,19 @@ impl ChanceProblem {
                 !variable.id().table.is_of_motion() || inputs.get(variable.id()).is_some()
             })
             .collect();
-        Case::of(&vary(inputs, case, &named)).ok()
+        Case::of(&vary(inputs, case, &named)).ok()?.biased(self.biases_of_case(values)).ok()
+    }
+
+    /// The biases among these values that change the case itself.
+    fn biases_of_case(&self, values: &[f64]) -> Biases {
+        let mut biases = Biases::default();
+        for (input, value) in self.random.iter().zip(values) {
+            match input.quantity {
+                Quantity::Bias(bias) if bias.is_of_case() => biases.set(bias, *value),
+                _ => {}
+            }
+        }
+        biases
     }
 
     /// The wave heights of the case, with these values of those that are random.
@@ -556,6 +571,9 @@ fn unique() -> u64 {
 /// True if of a case's numbers, beside friction, only heights of waves are random.
 fn only_heights(inputs: &[RandomInput]) -> bool {
     let heights = [Key::DeepWaterHeight, Key::H13, Key::Hmax];
+    if inputs.iter().any(|input| input.quantity == Quantity::Bias(Bias::Bearing)) {
+        return false;
+    }
     let of_case =
         inputs.iter().filter(|input| input.friction_of().is_none()).filter_map(RandomInput::variable);
     of_case.into_iter().all(|variable| heights.contains(&variable.id().key))

@@ -140,6 +140,11 @@ impl RandomInput {
         self.variable().is_some_and(|variable| of_key(variable.id().key))
     }
 
+    /// True if it is a factor on the case itself, so that its formulas are worked out again.
+    pub(super) fn is_bias_of_case(&self) -> bool {
+        matches!(self.quantity, Quantity::Bias(bias) if bias.is_of_case())
+    }
+
     /// True if it is a bias of some loads.
     pub(super) fn is_bias(&self) -> bool {
         matches!(self.quantity, Quantity::Bias(_))
@@ -148,7 +153,8 @@ impl RandomInput {
     /// True if the wrench is linear in it.
     pub(super) fn is_linear(&self) -> bool {
         match &self.quantity {
-            Quantity::Bias(_) | Quantity::Point(Coordinate::K) => true,
+            Quantity::Bias(bias) => !bias.is_of_case(),
+            Quantity::Point(Coordinate::K) => true,
             Quantity::Point(_) | Quantity::Storm(_) | Quantity::Own(_) => false,
             Quantity::Key(variable) => variable.id().key == Key::Force,
         }

@@ -99,22 +99,18 @@ impl Resolve<'_> {
             }
         };
         if let Some(bias) = Bias::ALL.into_iter().find(|bias| bias.name() == named.name) {
-            let waves = case.wave.is_some();
-            let there = if bias == Bias::Force { !case.forces.is_empty() } else { waves };
             // Water that follows an opening follows each force as it is.
             let follows = bias == Bias::Force && case.follows_opening();
-            if there && !follows {
-                return Ok(Quantity::Bias(bias));
-            }
-            let known = match bias {
-                _ if follows => {
+            let known = match bias.lacks(file.inputs()) {
+                Some(lacks) => format!("the case has {lacks}"),
+                None if follows => {
                     "water under the base follows an opening, which a factor behind it would miss: make each load.…force random, or set \
                      opening = \"closed\" in [water]"
+                        .to_owned()
                 }
-                Bias::Force => "the case has no [[load]]",
-                _ => "the case has no waves",
+                None => return Ok(Quantity::Bias(bias)),
             };
-            let (name, known) = (named.name.clone(), known.to_owned());
+            let name = named.name.clone();
             return Err((RandomProblem::NoNumber { name, suggestion: None, known }, named.span.clone()));
         }
         let name = &named.name;
@@ -131,8 +127,11 @@ impl Resolve<'_> {
                 Err((RandomProblem::NoNumber { name, suggestion: None, known }, named.span.clone()))
             }
             Err(unknown) => {
-                let biases = Bias::ALL.map(Bias::name);
-                let suggestion = unknown.suggestion.or_else(|| closest(name, biases).map(str::to_owned));
+                let on = |bias: &Bias| bias.lacks(file.inputs()).is_none();
+                let biases: Vec<&str> = Bias::ALL.into_iter().filter(on).map(Bias::name).collect();
+                let suggestion = unknown
+                    .suggestion
+                    .or_else(|| closest(name, Bias::ALL.map(Bias::name)).map(str::to_owned));
                 let known = match unknown.unwritten {
                     Some((table, _))
                         if file.inputs().choice(Key::EarthquakeDirection).is_some()

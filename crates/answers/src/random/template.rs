@@ -5,6 +5,8 @@
 
 use std::fmt::Write;
 
+use standfast::wave::Heights;
+
 use crate::case::{Case, Weight};
 use crate::digits::digits;
 use crate::error::CaseError;
@@ -164,6 +166,24 @@ pub(super) fn proposed(case: &Case, inputs: &Inputs) -> Vec<ProposedLaw> {
                 moments,
                 format!(
                     "Measured over Goda's {of}: van der Meer, d'Angremond and Juhl (ICCE 1994) for vertical walls; {NOT_READ}"
+                ),
+            ));
+        }
+    }
+    if let Some(waves) = case.goda() {
+        if matches!(waves.heights, Heights::DeepWater(_)) {
+            lines.push(line(
+                "bias.H0",
+                "normal",
+                (Some(1.0), 0.10),
+                format!("How well the waves in deep water are known: Goda and Takagi (2000); {NOT_READ}"),
+            ));
+            lines.push(line(
+                "bias.H",
+                "normal",
+                (Some(0.87), 0.10),
+                format!(
+                    "Heights at the wall over those that the formulas for transformation give: Goda and Takagi (2000); {NOT_READ}"
                 ),
             ));
         }

@@ -58,10 +58,12 @@ pub enum NoFactor {
         names: Vec<String>,
     },
     /// A factor on loads that the case does not have.
-    #[error("the case has no {} for `{}` to be a factor on", if *bias == Bias::Force { "[[load]]" } else { "waves" }, bias.name())]
+    #[error("the case has {lacks} for `{}` to be a factor on", bias.name())]
     NoLoad {
         /// The factor.
         bias: Bias,
+        /// What it lacks.
+        lacks: &'static str,
     },
     /// A unit of something else.
     #[error("`{name}` in `{unit}`: the unit does not fit; expected {expected}")]
@@ -156,8 +158,8 @@ impl Factor {
     }
 
     fn of_bias(bias: Bias, unit: Option<&str>, inputs: &Inputs) -> Result<Factor, NoFactor> {
-        if !inputs.has(bias.table()) {
-            return Err(NoFactor::NoLoad { bias });
+        if let Some(lacks) = bias.lacks(inputs) {
+            return Err(NoFactor::NoLoad { bias, lacks });
         }
         if let Some(unit) = unit.filter(|unit| !PLAIN.contains(unit)) {
             let (name, unit, expected) = (bias.name().to_owned(), unit.to_owned(), expected(None, false));
@@ -168,7 +170,7 @@ impl Factor {
 
     /// What of a case can vary: the numbers that its file has, those that it leaves to what is taken for them, and factors on its loads.
     pub fn names(inputs: &Inputs) -> Vec<String> {
-        let biases = Bias::ALL.into_iter().filter(|bias| inputs.has(bias.table()));
+        let biases = Bias::ALL.into_iter().filter(|bias| bias.lacks(inputs).is_none());
         let numbers = Variable::all(inputs).chain(silent(inputs)).map(|id| id.to_string());
         numbers.chain(biases.map(|bias| bias.name().to_owned())).collect()
     }

@@ -3,10 +3,18 @@
 //! A force times its bias acts where the force acts. A moment with a bias of its own is that about the heel O, where engineers have M_p
 //! and M_U; the force then acts elsewhere.
 
+use std::sync::Arc;
+
 use standfast::loads::{Action, Load, LoadSource};
+use standfast::wave::{Choices, Heights, goda};
 use standfast::{Body, Scalar, Wrench};
 
-use crate::key::Table;
+use super::Case;
+use super::reader::Reader;
+use super::waves::{GODA, GodaWaves, WaveFormula, Waves};
+use crate::error::{Fault, Problem};
+use crate::inputs::Inputs;
+use crate::key::{Id, Key, Table};
 
 /// A factor between what formulas give and what acts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,12 +29,26 @@ pub enum Bias {
     UpliftMoment,
     /// On every force of `[[load]]`.
     Force,
+    /// On the wave height in deep water.
+    DeepWaterHeight,
+    /// On the wave heights at the wall, as they are found from that in deep water, or given.
+    Height,
+    /// On what the base bears.
+    Bearing,
 }
 
 impl Bias {
     /// All of them.
-    pub const ALL: [Bias; 5] =
-        [Bias::Thrust, Bias::Uplift, Bias::ThrustMoment, Bias::UpliftMoment, Bias::Force];
+    pub const ALL: [Bias; 8] = [
+        Bias::Thrust,
+        Bias::Uplift,
+        Bias::ThrustMoment,
+        Bias::UpliftMoment,
+        Bias::Force,
+        Bias::DeepWaterHeight,
+        Bias::Height,
+        Bias::Bearing,
+    ];
 
     /// Its name in a case file.
     pub fn name(self) -> &'static str {
@@ -36,6 +58,9 @@ impl Bias {
             Bias::ThrustMoment => "bias.M_p",
             Bias::UpliftMoment => "bias.M_U",
             Bias::Force => "bias.force",
+            Bias::DeepWaterHeight => "bias.H0",
+            Bias::Height => "bias.H",
+            Bias::Bearing => "bias.R",
         }
     }
 
@@ -47,6 +72,9 @@ impl Bias {
             Bias::ThrustMoment => "factor on the moment of the thrust",
             Bias::UpliftMoment => "factor on the moment of the uplift",
             Bias::Force => "factor on the forces",
+            Bias::DeepWaterHeight => "factor on the wave height in deep water",
+            Bias::Height => "factor on the wave heights at the wall",
+            Bias::Bearing => "factor on what the base bears",
         }
     }
 
@@ -57,7 +85,34 @@ impl Bias {
 
     /// The table of a case without which it is on nothing.
     pub fn table(self) -> Table {
-        if self == Bias::Force { Table::Load } else { Table::Wave }
+        match self {
+            Bias::Force => Table::Load,
+            Bias::Bearing => Table::Ground,
+            _ => Table::Wave,
+        }
+    }
+
+    /// What a case of these inputs lacks for it to be on; `None` if nothing.
+    pub fn lacks(self, inputs: &Inputs) -> Option<&'static str> {
+        let is_goda = inputs.choice(Key::WaveFormula).is_none_or(|formula| formula == GODA);
+        let bears = [Key::Strength, Key::GroundLaw, Key::GroundAngle]
+            .into_iter()
+            .any(|key| inputs.get(key).is_some());
+        match self {
+            Bias::Force => (!inputs.has(Table::Load)).then_some("no [[load]]"),
+            Bias::Bearing => (!bears).then_some("no [ground] with a strength or a law"),
+            _ if !inputs.has(Table::Wave) => Some("no waves"),
+            Bias::Height | Bias::DeepWaterHeight if !is_goda => Some("no waves by Goda’s formulas"),
+            Bias::DeepWaterHeight if inputs.get(Key::DeepWaterHeight).is_none() => {
+                Some("no wave height in deep water, but those at the wall, on which `bias.H` is")
+            }
+            _ => None,
+        }
+    }
+
+    /// True if it changes the case itself, and not a load where it is found.
+    pub fn is_of_case(self) -> bool {
+        matches!(self, Bias::DeepWaterHeight | Bias::Height | Bias::Bearing)
     }
 
     /// The biases of what is from a source: of its force, and of its moment about the heel.
@@ -86,6 +141,12 @@ impl Biases {
         self.0[bias as usize]
     }
 
+    /// The choices in Goda's formulas with the factors on heights, in deep water and at the wall.
+    pub fn on_heights(&self, choices: Choices) -> Choices {
+        let factors = [Bias::DeepWaterHeight, Bias::Height].map(|bias| self.get(bias).unwrap_or(1.0));
+        Choices { height_factors: factors, ..choices }
+    }
+
     /// A load on a body times its biases.
     pub(super) fn on<T: Scalar>(&self, load: Load<T>, body: &Body<T>, gravity: T) -> Load<T> {
         let Some((force, moment)) = Bias::of(load.source) else { return load };
@@ -100,6 +161,56 @@ impl Biases {
                 Load { action: Action::Resultant(biased(wrench, centre, of_force, of_moment)), ..load }
             }
         }
+    }
+}
+
+impl<T: Scalar> Case<T> {
+    /// The case under these biases: wave heights and what the base bears times theirs at once, loads where each is found.
+    ///
+    /// # Errors
+    /// If the waves cannot have such heights, or a combination sets heights at the wall where that in deep water has a bias.
+    pub fn biased(self, biases: Biases) -> Result<Case<T>, Fault> {
+        let mut case = Case { biases, ..self };
+        case.changed = std::mem::take(&mut case.changed)
+            .into_iter()
+            .enumerate()
+            .map(|(index, changed)| {
+                let Some(changed) = changed else { return Ok(None) };
+                let is_deep = |wave: &Option<Waves>| {
+                    let goda = wave.as_ref().and_then(Waves::goda);
+                    goda.is_some_and(|waves| matches!(waves.heights, Heights::DeepWater(_)))
+                };
+                if biases.get(Bias::DeepWaterHeight).is_some()
+                    && is_deep(&case.wave)
+                    && !is_deep(&changed.wave)
+                {
+                    let name = Id::from(Key::DeepWaterHeight).to_string();
+                    return Err(Fault::new(
+                        Problem::SetAndRandom { name },
+                        Id::new(Key::CombinationName, index),
+                    ));
+                }
+                Ok(Some(Arc::new(Case::clone(&changed).with_own_biases(&biases)?)))
+            })
+            .collect::<Result<_, Fault>>()?;
+        case.with_own_biases(&biases)
+    }
+
+    /// The case with wave heights and what the base bears times their biases.
+    fn with_own_biases(mut self, biases: &Biases) -> Result<Case<T>, Fault> {
+        if let Some(factor) = biases.get(Bias::Bearing) {
+            self.ground = self.ground.map(|ground| ground.divided(factor.recip()));
+        }
+        let Some(waves) = self.wave.as_ref().and_then(Waves::goda) else { return Ok(self) };
+        let choices = biases.on_heights(waves.choices);
+        if choices == waves.choices {
+            return Ok(self);
+        }
+        let goda = goda(&waves.sea, &waves.heights, &waves.section, &choices)
+            .map_err(|error| Reader { inputs: &self.inputs }.blame(Table::Wave, error))?;
+        let waves = GodaWaves { choices, goda, ..waves.clone() };
+        self.wave = self.wave.map(|wave| Waves { formula: WaveFormula::Goda(waves), ..wave });
+        Ok(self)
     }
 }
 

@@ -182,7 +182,7 @@ impl Case {
 }
 
 /// The word for the formula that a case takes where it names none.
-const GODA: &str = "goda";
+pub(super) const GODA: &str = "goda";
 
 /// The keys of waves that a formula takes.
 fn takes(formula: &str, key: Key) -> bool {
@@ -317,6 +317,7 @@ impl Reader<'_> {
             impulsive: self.inputs.truth(Key::Impulsive).unwrap_or(default.impulsive),
             turn_deg: factor(Key::TurnDeg, default.turn_deg),
             uplift: self.inputs.truth(Key::WaveUplift).unwrap_or(default.uplift),
+            ..default
         };
         let goda =
             goda(&sea, &heights, &section, &choices).map_err(|error| self.blame(Table::Wave, error))?;

@@ -117,12 +117,14 @@ pub struct Choices {
     pub turn_deg: f64,
     /// True if the waves press under the base; false where it is sealed.
     pub uplift: bool,
+    /// Factors on the height in deep water, and on those at the wall once they are found: 1 unless an error of the estimate is looked at.
+    pub height_factors: [f64; 2],
 }
 
 impl Default for Choices {
     /// A plain wall, with the impulsive coefficient, waves not turned.
     fn default() -> Choices {
-        Choices { lambda: [1.0; 3], impulsive: true, turn_deg: 0.0, uplift: true }
+        Choices { lambda: [1.0; 3], impulsive: true, turn_deg: 0.0, uplift: true, height_factors: [1.0; 2] }
     }
 }
 

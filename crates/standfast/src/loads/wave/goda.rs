@@ -112,14 +112,19 @@ pub fn goda(
     let Sea { water_depth: h, period, gravity: g, .. } = *sea;
     let l0 = deep_water_wavelength(period, g);
     let l = wavelength(period, h, g);
-    let (computed, h_13, h_max) = match *heights {
+    let [in_deep_water, at_wall] = choices.height_factors;
+    let (computed, found) = match *heights {
         Heights::DeepWater(height) => {
+            let height = height * in_deep_water;
+            Heights::DeepWater(height).check()?;
             let computed = DesignHeights::from_deep_water(sea, height);
-            (Some(computed), computed.significant, computed.maximum)
+            (Some(computed), [computed.significant, computed.maximum])
         }
-        Heights::Local { significant, maximum } => (None, significant, maximum),
+        Heights::Local { significant, maximum } => (None, [significant, maximum]),
     };
-    let mut goda = pressures(sea, (l0, l), computed, [h_13, h_max], section, choices);
+    let [significant, maximum] = found.map(|height| at_wall * height);
+    Heights::Local { significant, maximum }.check()?;
+    let mut goda = pressures(sea, (l0, l), computed, [significant, maximum], section, choices);
     goda.warnings = WaveWarning::all(sea, heights, section, &goda);
     Ok(goda)
 }
@@ -210,10 +215,15 @@ impl Goda {
         choices: &Choices,
         height: f64,
     ) -> Option<Goda> {
+        let [in_deep_water, at_wall] = choices.height_factors;
+        let height = height * in_deep_water;
         Heights::DeepWater(height).check().ok()?;
         let computed = DesignHeights::shoaled(sea, self.heights?.shoaling, height);
         let lengths = (self.deep_water_wavelength, self.wavelength);
-        let heights = [computed.significant, computed.maximum];
+        let heights = [computed.significant, computed.maximum].map(|height| at_wall * height);
+        if heights[0] <= 0.0 {
+            return None;
+        }
         Some(pressures(sea, lengths, Some(computed), heights, section, choices))
     }
 
