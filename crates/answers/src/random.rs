@@ -37,7 +37,7 @@ mod template;
 
 pub use answer::{
     ChanceRequest, Chances, FirstDeparture, FirstJoint, Happening, LifeChances, MethodAsked, Probability,
-    RandomNumber,
+    RandomNumber, Stood,
 };
 pub(crate) use criterion::asked_of_file;
 pub use criterion::{AskedChances, ChanceCriterion};
@@ -59,4 +59,4 @@ pub use template::{ProposedLaw, template};
 pub use own::own_laws;
 pub use problem::ChanceProblem;
 pub use quantity::{Bias, Coordinate, Quantity};
-pub use standfast_inputs::random::{RANDOM, Random, RandomEntry, RandomProblem, Rate};
+pub use standfast_inputs::random::{Lifetime, RANDOM, Random, RandomEntry, RandomProblem, Rate};

@@ -34,8 +34,8 @@ pub const RANDOM: &str = "random";
 /// The random numbers of a case, as they are written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Random {
-    /// The years of a life, where they are given.
-    pub years: Option<f64>,
+    /// The life that is asked for.
+    pub lifetime: Lifetime,
     /// The numbers that are random, in the order in which they stand.
     pub named: Vec<RandomEntry>,
     /// Records of shakings, each as likely, in the place of the case's own.
@@ -46,6 +46,17 @@ pub struct Random {
     pub correlation_spans: Vec<Span<usize>>,
     /// Span of the table in the file.
     pub span: Span<usize>,
+}
+
+/// Life that is asked for; what is not given is not asked, or as plain as can be.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Lifetime {
+    /// Its years.
+    pub years: Option<f64>,
+    /// Number of events a year on average, by Poisson's law; one each year where it is not given.
+    pub events_per_year: Option<f64>,
+    /// Years before it through which the body stayed at rest.
+    pub survived: Option<f64>,
 }
 
 /// A record of a shaking, by its files.
@@ -132,6 +143,8 @@ pub enum Rate {
     Life,
     /// Each year.
     Year,
+    /// In each event, of which there are some a year on average.
+    Event,
 }
 
 /// A number under a name, as it is written.
@@ -295,7 +308,7 @@ type Item<'a> = Spanned<DeValue<'a>>;
 pub fn read(item: &Item<'_>) -> ReadResult<Random> {
     let table = table(item, "`random`", "a table")?;
     let mut random = Random {
-        years: None,
+        lifetime: Lifetime::default(),
         named: Vec::new(),
         records: Vec::new(),
         correlations: Vec::new(),
@@ -305,7 +318,11 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
     let mut correlations = None;
     for (name, value) in in_order(table) {
         match name {
-            "years" => random.years = Some(positive(value, "`years`")?),
+            "years" => random.lifetime.years = Some(positive(value, "`years`")?),
+            "survived" => random.lifetime.survived = Some(positive(value, "`survived`")?),
+            "events_per_year" => {
+                random.lifetime.events_per_year = Some(positive(value, "`events_per_year`")?);
+            }
             "correlation" => correlations = Some(value),
             "records" => random.records = records(value)?,
             _ => laws::numbers(name.to_owned(), value, &mut random.named)?,
@@ -314,10 +331,38 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
     if random.named.is_empty() {
         return Err((RandomProblem::Nothing, item.span()));
     }
+    rates_go_together(&random)?;
     if let Some(list) = correlations {
         correlation::read(list, &mut random)?;
     }
     Ok(random)
+}
+
+/// Refuses events without a rate, a rate without events, and years beside events.
+fn rates_go_together(random: &Random) -> ReadResult<()> {
+    let find = |rate: Rate| random.named.iter().find(|entry| entry.every == rate);
+    let refused = |message: String, span: &Span<usize>| Err((RandomProblem::Other(message), span.clone()));
+    match (random.lifetime.events_per_year, find(Rate::Event), find(Rate::Year)) {
+        (None, Some(entry), _) => {
+            let message = format!(
+                "`{}` is drawn in each event; expected `events_per_year`, how many there are on average",
+                entry.name
+            );
+            refused(message, &entry.span)
+        }
+        (Some(_), _, Some(entry)) => {
+            let message = format!(
+                "`{}` is drawn each year, and `events_per_year` counts events; expected every = \"event\", or \"life\"",
+                entry.name
+            );
+            refused(message, &entry.span)
+        }
+        (Some(_), None, None) => {
+            let message = "`events_per_year` counts events, and no number has every = \"event\"".to_owned();
+            refused(message, &random.span)
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The records of a list: of each the file, or one for the sides and one for up and down.

@@ -9,6 +9,7 @@
 use standfast_watch::Portion;
 use thiserror::Error;
 
+use crate::life::Life;
 use crate::problem::{Frame, Outcomes, RandomVector, Scratch, mixed};
 use crate::{REACH, legendre, normal};
 
@@ -84,17 +85,8 @@ pub fn integrate_known<O: Outcomes>(
     Nest::of(&Frame::holding(inputs, outcomes, known), sets, None, within)
 }
 
-/// Inputs of which some are drawn anew each year, and the others once.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Life {
-    /// Length of the life in years, not necessarily a whole number.
-    pub years: f64,
-    /// Of each input, whether it is drawn yearly.
-    pub yearly: Vec<bool>,
-}
-
 /// The probability that each set of outcomes is met at least once in a life, E[1 − (1 − p)ⁿ] with the yearly probability p for what
-/// is drawn once. The line has to be drawn yearly.
+/// is drawn once, or E[1 − e^(−λnp)] of events. The line has to be drawn yearly, or in each event.
 ///
 /// # Errors
 /// As [`integrate`].
@@ -112,7 +104,7 @@ pub fn integrate_life<O: Outcomes>(
     assert!(life.yearly[outcomes.line()], "the line is drawn yearly");
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();
     let frame = Frame::last(inputs, outcomes, |input| life.yearly[input]);
-    Nest::of(&frame, sets, Some((once, life.years)), within)
+    Nest::of(&frame, sets, Some((once, life)), within)
 }
 
 /// Integrals within integrals.
@@ -120,7 +112,7 @@ struct Nest<'f, 'a, 'w, O> {
     frame: &'f Frame<'a, O>,
     sets: &'f [u64],
     /// From which depth on a year is integrated, and how many years follow each other.
-    life: Option<(usize, f64)>,
+    life: Option<(usize, &'f Life)>,
     within: Within<'w>,
     scratch: Scratch,
     point: Vec<f64>,
@@ -174,7 +166,7 @@ impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
     fn of(
         frame: &'f Frame<'a, O>,
         sets: &'f [u64],
-        life: Option<(usize, f64)>,
+        life: Option<(usize, &'f Life)>,
         within: Within<'w>,
     ) -> Result<Integrated, OutOfBounds> {
         let n = frame.dimensions();
@@ -220,11 +212,10 @@ impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
     /// The integral over the normals from number `depth` on, those before being given; `weight` is the density already there.
     fn from(&mut self, depth: usize, weight: f64) -> Sum {
         let mut sum = if depth == self.point.len() { self.at_point() } else { self.over(depth, weight) };
-        if let Some((_, years)) = self.life.filter(|(from, _)| *from == depth) {
+        if let Some((_, life)) = self.life.filter(|(from, _)| *from == depth) {
             for (value, error) in sum.values.iter_mut().zip(&mut sum.errors) {
-                let never = years * libm::log1p(-value.min(1.0));
-                *error *= years * (never * (1.0 - 1.0 / years)).exp();
-                *value = -libm::expm1(never);
+                *error *= life.slope(*value);
+                *value = -libm::expm1(life.log_never(*value));
             }
         }
         sum

@@ -5,7 +5,6 @@
 //! years. So the line is not sampled here either. What is drawn once comes from scrambled Sobol' points, the years from a stream of
 //! each life's own.
 
-use crate::integrate::Life;
 use crate::normal;
 use crate::points::Stream;
 use crate::problem::{Frame, Outcomes, RandomVector};
@@ -16,11 +15,68 @@ const FIRST: u64 = 16;
 /// Largest dependence of the line on a yearly input that counts as none.
 const NONE: f64 = 1e-12;
 
+/// Inputs of which some are drawn anew each year, or in each event, and the others once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Life {
+    /// Length of the life in years, not necessarily a whole number.
+    pub years: f64,
+    /// Of each input, whether it is drawn yearly.
+    pub yearly: Vec<bool>,
+    /// Number of events a year on average, by Poisson's law, in each of which these are drawn anew; `None` of one each year.
+    pub events: Option<f64>,
+}
+
+impl Life {
+    /// The logarithm of the chance that what has this probability each time is never met.
+    pub(crate) fn log_never(&self, probability: f64) -> f64 {
+        match self.events {
+            None => self.years * libm::log1p(-probability.min(1.0)),
+            Some(rate) => -rate * self.years * probability,
+        }
+    }
+
+    /// By how much the chance that it is met at least once grows with this probability.
+    pub(crate) fn slope(&self, probability: f64) -> f64 {
+        let log_never = self.log_never(probability);
+        match self.events {
+            None => self.years * (log_never * (1.0 - 1.0 / self.years)).exp(),
+            Some(rate) => rate * self.years * log_never.exp(),
+        }
+    }
+
+    /// Number of times that what is drawn yearly is drawn in a life, on average.
+    pub fn times(&self) -> f64 {
+        self.years * self.events.unwrap_or(1.0)
+    }
+
+    /// Panics unless years are whole, where they follow each other, and the list is of as many inputs.
+    pub(crate) fn check(&self, inputs: &RandomVector) {
+        assert_eq!(self.yearly.len(), inputs.laws().len(), "an entry for each input");
+        let is_whole = self.years >= 1.0 && self.years.fract() == 0.0;
+        assert!(is_whole || self.events.is_some(), "whole years");
+    }
+
+    /// Number of times that it is drawn in one life.
+    pub(crate) fn draw_times(&self, stream: &mut Stream) -> u64 {
+        let mean = match self.events {
+            None => return self.years as u64,
+            Some(rate) => rate * self.years,
+        };
+        // The gaps of a Poisson process are exponential.
+        let (mut count, mut at) = (0, -stream.draw().ln());
+        while at <= mean {
+            count += 1;
+            at -= stream.draw().ln();
+        }
+        count
+    }
+}
+
 /// The probability that each set of outcomes (a bit for each outcome) is met at least once in a life, for any number of inputs.
-/// Points count years.
+/// Points count years, or events.
 ///
 /// # Panics
-/// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
+/// If years that follow each other are no whole number, or the list of what is drawn yearly is of another length than the inputs.
 pub fn lives<'w, O: Outcomes>(
     inputs: &RandomVector,
     outcomes: &O,
@@ -29,19 +85,18 @@ pub fn lives<'w, O: Outcomes>(
     work: impl Into<Work<'w>>,
 ) -> Sampled {
     let work @ Work { effort, .. } = work.into();
-    assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
-    assert!(life.years >= 1.0 && life.years.fract() == 0.0, "whole years");
+    life.check(inputs);
     let line = outcomes.line();
     let frame = &Frame::last(inputs, outcomes, |input| life.yearly[input]);
     let once = frame.order().iter().filter(|input| **input != line && !life.yearly[**input]).count();
     let others = frame.dimensions();
     // What is drawn yearly depends on what is drawn once. If that is the line, it has to be drawn before.
     let line_first = !life.yearly[line] && frame.line_on()[once..others].iter().any(|on| on.abs() > NONE);
-    let years = life.years as u64;
-    let drawn = DrawnLives { inputs, outcomes, sets, life, years };
+    let drawn = DrawnLives { inputs, outcomes, sets, life };
+    let times = (life.times().ceil() as u64).max(1);
     // One coordinate at least: a life is no fixed number, even if nothing is drawn once.
     let dimensions = (once + usize::from(line_first)).max(1);
-    let averages = Averages { dimensions, first: FIRST, cost: years, count: sets.len(), precise: sets.len() };
+    let averages = Averages { dimensions, first: FIRST, cost: times, count: sets.len(), precise: sets.len() };
     let mut sampled = if line_first {
         averages.take(work, || drawn.worker(effort.seed))
     } else {
@@ -55,7 +110,7 @@ pub fn lives<'w, O: Outcomes>(
                 let mut stream = stream(effort.seed, scramble, index);
                 met.iter_mut().for_each(Vec::clear);
                 missed.fill(0.0);
-                for _ in 0..years {
+                for _ in 0..life.draw_times(&mut stream) {
                     point[once..].iter_mut().for_each(|u| *u = normal::quantile(stream.draw()));
                     if life.yearly[line] {
                         frame.evaluate(&point, &mut scratch);
@@ -76,8 +131,8 @@ pub fn lives<'w, O: Outcomes>(
             }
         })
     };
-    sampled.points *= years;
-    sampled.course.iter_mut().for_each(|(points, _)| *points *= years);
+    sampled.points *= times;
+    sampled.course.iter_mut().for_each(|(points, _)| *points *= times);
     sampled.are_probabilities();
     sampled
 }
@@ -106,7 +161,6 @@ struct DrawnLives<'a, O> {
     outcomes: &'a O,
     sets: &'a [u64],
     life: &'a Life,
-    years: u64,
 }
 
 impl<O: Outcomes> DrawnLives<'_, O> {
@@ -115,7 +169,8 @@ impl<O: Outcomes> DrawnLives<'_, O> {
         move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
             let mut stream = stream(seed, scramble, index);
             values.begin(coordinates);
-            let met = (0..self.years).fold(0, |met, _| met | self.outcomes.at(values.of_year(&mut stream)));
+            let times = self.life.draw_times(&mut stream);
+            let met = (0..times).fold(0, |met, _| met | self.outcomes.at(values.of_year(&mut stream)));
             for (sum, set) in sums.iter_mut().zip(self.sets) {
                 *sum += f64::from(u8::from(met & set != 0));
             }

@@ -7,8 +7,7 @@
 //! * the *law* of the sum is that of lives drawn year by year. Of a year's events only those that add something are drawn: their
 //!   number is binomial, their amounts those of the tail.
 
-use crate::integrate::Life;
-use crate::life::{Values, stream};
+use crate::life::{Life, Values, stream};
 use crate::normal;
 use crate::points::{Sobol, Stream};
 use crate::problem::RandomVector;
@@ -177,7 +176,7 @@ pub struct Lives {
 /// the effort are years for.
 ///
 /// # Panics
-/// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
+/// If years that follow each other are no whole number, or the list of what is drawn yearly is of another length than the inputs.
 pub fn lives<'w, S: Sums>(
     inputs: &RandomVector,
     sums: &S,
@@ -187,11 +186,10 @@ pub fn lives<'w, S: Sums>(
     are_enough: impl Fn(&Lives) -> bool,
 ) -> Lives {
     let Work { effort, portion } = work.into();
-    assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
-    assert!(life.years >= 1.0 && life.years.fract() == 0.0, "whole years");
+    life.check(inputs);
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();
-    let years = life.years as u64;
-    let most = (effort.points / (years * SCRAMBLES as u64)).max(16);
+    let times = (life.times().ceil() as u64).max(1);
+    let most = (effort.points / (times * SCRAMBLES as u64)).max(16);
     let each = 1 << most.ilog2();
     let sequences: Vec<Sobol> =
         (0..SCRAMBLES as u64).map(|scramble| Sobol::new(once, effort.seed, scramble)).collect();
@@ -222,7 +220,7 @@ pub fn lives<'w, S: Sums>(
                     values.begin(&point);
                     let mut stream = stream(effort.seed, scramble, index);
                     let mut of_life = LifeSums::default();
-                    for _ in 0..years {
+                    for _ in 0..life.draw_times(&mut stream) {
                         if of_life.ended || portion.is_stopped() {
                             break;
                         }

@@ -3,10 +3,9 @@
 
 use standfast_probability::copula::{Copula, Correlation, CorrelationMeasure};
 use standfast_probability::form::{design_point, local_design_points};
-use standfast_probability::integrate::{
-    Life, OutOfBounds, Within, integrate, integrate_known, integrate_life,
-};
+use standfast_probability::integrate::{OutOfBounds, Within, integrate, integrate_known, integrate_life};
 use standfast_probability::law::{Distribution, Law};
+use standfast_probability::life::Life;
 use standfast_probability::normal;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::{Effort, importance, monte_carlo, sobol};
@@ -254,7 +253,7 @@ fn what_is_drawn_once_is_not_drawn_yearly() {
     let (mode, scale): (f64, f64) = (0.27, 0.04);
     let inputs =
         RandomVector::independent(vec![resistance.clone(), Law::gumbel(mode, scale).unwrap().into()]);
-    let life = |yearly| Life { years: 50.0, yearly };
+    let life = |yearly| Life { years: 50.0, yearly, events: None };
     let once = integrate_life(&inputs, &Above, &[1], &life(vec![false, true]), Within::ALL_DIGITS).unwrap();
     let tail = |x: f64, n: f64| -libm::expm1(-n * (-(x - mode) / scale).exp());
     let exact = mean(|z| tail(resistance.value(z), 50.0));

@@ -1,9 +1,9 @@
 //! Lives and sums over many events, against integrals written out here and against events drawn one by one.
 
 use standfast_probability::copula::{Copula, Correlation, CorrelationMeasure};
-use standfast_probability::integrate::{Life, Within, integrate_life};
+use standfast_probability::integrate::{Within, integrate_life};
 use standfast_probability::law::Law;
-use standfast_probability::life::lives;
+use standfast_probability::life::{Life, lives};
 use standfast_probability::normal::below;
 use standfast_probability::points::Stream;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
@@ -61,7 +61,7 @@ fn effort(points: u64) -> Effort {
 /// multiplied: it is E[1 − Φ((R − 2.2)/0.5)ⁿ].
 #[test]
 fn a_life_is_as_weak_as_its_worst_year() {
-    let life = Life { years: YEARS, yearly: vec![false, true, true] };
+    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None };
     let by_hand = mean(|z| 1.0 - below((3.8 + 0.5 * z - 2.2) / 0.5).powf(YEARS));
     let integrated = integrate_life(&inputs(0.0), &Fails { line: 1 }, &[1], &life, Within::ALL_DIGITS)
         .unwrap()
@@ -75,11 +75,32 @@ fn a_life_is_as_weak_as_its_worst_year() {
     }
 }
 
+/// Events by Poisson's law: E[1 − exp(−λn Φ(…))], integrated and drawn, of any length of life.
+#[test]
+fn events_come_by_poissons_law() {
+    let (rate, years) = (4.5, 7.3);
+    let life = Life { years, yearly: vec![false, true, true], events: Some(rate) };
+    let by_hand = mean(|z| -(-rate * years * (1.0 - below((3.8 + 0.5 * z - 2.2) / 0.5))).exp_m1());
+    let integrated = integrate_life(&inputs(0.0), &Fails { line: 1 }, &[1], &life, Within::ALL_DIGITS)
+        .unwrap()
+        .probabilities[0];
+    assert!((integrated / by_hand - 1.0).abs() < 1e-8, "{integrated} {by_hand}");
+    for line in [0, 1] {
+        let e = lives(&inputs(0.0), &Fails { line }, &[1], &life, &effort(1 << 22)).estimates[0];
+        assert!((e.value - by_hand).abs() < e.high - e.low, "line {line}: {e:?} {by_hand}");
+    }
+    // Sums: as many events on average, each with 30 of its own; the variance of a sum has the variance of their number.
+    let found = expected(&inputs(0.0), &Exceeds, 30.0, &Effort { precision: 1e-3, ..effort(1 << 22) });
+    let drawn = sums_of_lives(&inputs(0.0), &Exceeds, 30, &life, &effort(1 << 19), |_| false);
+    let m = drawn.mean(|life| life.sum);
+    assert!((m.value - life.times() * found.estimates[0].value).abs() < m.high - m.low, "{m:?} {found:?}");
+}
+
 /// A load that depends on the resistance: R is drawn before the years are, which no line can be then.
 #[test]
 fn what_a_year_depends_on_is_drawn_before_it() {
     let rho = 0.6f64;
-    let life = Life { years: YEARS, yearly: vec![false, true, true] };
+    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None };
     // Given z of R, a load is N(1 + 0.4ρz, 0.4√(1 − ρ²)).
     let deviation = (0.4f64.powi(2) * (1.0 - rho * rho) + 0.3f64.powi(2)).sqrt();
     let by_hand = mean(|z| 1.0 - below((3.8 + 0.5 * z - 2.2 - 0.4 * rho * z) / deviation).powf(YEARS));
@@ -92,7 +113,7 @@ fn what_a_year_depends_on_is_drawn_before_it() {
 /// More threads, the same bytes.
 #[test]
 fn threads_do_not_matter() {
-    let life = Life { years: YEARS, yearly: vec![false, true, true] };
+    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None };
     let of = |threads| {
         let effort = Effort { threads, ..effort(1 << 18) };
         lives(&inputs(0.0), &Fails { line: 0 }, &[1], &life, &effort)
@@ -100,7 +121,7 @@ fn threads_do_not_matter() {
     assert_eq!(of(1), of(3));
     let sums = |threads| {
         let effort = Effort { threads, ..effort(1 << 14) };
-        let of_life = Life { years: 4.0, yearly: vec![false, true, true] };
+        let of_life = Life { years: 4.0, yearly: vec![false, true, true], events: None };
         sums_of_lives(&inputs(0.0), &Exceeds, 30, &of_life, &effort, |_| false)
     };
     assert_eq!(sums(1), sums(3));
@@ -109,7 +130,7 @@ fn threads_do_not_matter() {
 /// Lives are doubled until they are enough, and those that were drawn first stay: fewer are the first of more.
 #[test]
 fn lives_are_drawn_until_they_are_enough() {
-    let life = Life { years: 4.0, yearly: vec![false, true, true] };
+    let life = Life { years: 4.0, yearly: vec![false, true, true], events: None };
     let drawn = |most: u64, are_enough: &dyn Fn(&Lives) -> bool| {
         sums_of_lives(&inputs(0.0), &Exceeds, 30, &life, &effort(most), are_enough)
     };
@@ -150,7 +171,7 @@ impl Sums for Exceeds {
 fn sums_are_those_of_every_event() {
     let inputs = inputs(0.0);
     let (years, events) = (4.0, 30u64);
-    let life = Life { years, yearly: vec![false, true, true] };
+    let life = Life { years, yearly: vec![false, true, true], events: None };
     // R − S is N(2.8, √(0.5² + 0.4²)).
     let spread = 0.41f64.sqrt();
     let by_hand = years * events as f64 * mean(|z| (-(2.8 + spread * z).max(0.0)).exp());

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
     ChanceRequest, Chances, Estimate, Happening, Method, Probability, ProbabilityError, Random, Rate,
-    criterion_words, period, period_of,
+    after_rest, criterion_words, over_life, period, period_of,
 };
 use standfast_cases::{Bound, CaseFile, Portion};
 
@@ -72,7 +72,7 @@ fn laws(random: &Random) -> Markup {
                     tr {
                         td { code { (named.name) } }
                         td { (named.law_words()) }
-                        td { (match named.every { Rate::Life => "once", Rate::Year => "each year" }) }
+                        td { (match named.every { Rate::Life => "once", Rate::Year => "each year", Rate::Event => "in each event" }) }
                     }
                 }
             }
@@ -179,9 +179,10 @@ fn situation(answer: &Probability, chances: &Chances, place: usize) -> Markup {
         }
         @if place == 0 { (index(chances)) (matters(answer, chances)) }
         @if let Some(life) = &chances.life {
-            h3 { "At least once in " (digits(life.years)) " years" }
+            h3 { (over_life(life)) }
             @let moving: Vec<_> = life.modes.iter().copied().filter(|(h, _)| *h != Happening::REST).collect();
             (modes(answer, &moving, life.not_rest, ("life", &format!("in {} years", digits(life.years)))))
+            @if let Some(sentence) = after_rest(life) { p { (sentence) } }
         }
     }
 }

@@ -130,14 +130,34 @@ pub struct FirstDeparture {
 pub struct LifeChances {
     /// The years.
     pub years: f64,
+    /// Number of events a year on average, where they come by Poisson's law.
+    pub events: Option<f64>,
     /// That the body ever leaves rest.
     pub not_rest: Estimate,
+    /// The same of one that stayed at rest for years before.
+    pub stood: Option<Stood>,
     /// Each mode, at least once.
     pub modes: Vec<(Happening, Estimate)>,
     /// Method by which it was found: years are integrated, or drawn.
     pub method: Method,
     /// True if every probability above the floor is as precise as asked.
     pub precise: bool,
+}
+
+impl LifeChances {
+    /// That the body leaves rest in the years to come: of one that stayed at rest before, by what that says.
+    pub fn ahead(&self) -> Estimate {
+        self.stood.map_or(self.not_rest, |stood| stood.not_rest)
+    }
+}
+
+/// What years at rest say of those that follow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stood {
+    /// The years through which it stayed at rest.
+    pub years: f64,
+    /// That it leaves rest in the years that follow.
+    pub not_rest: Estimate,
 }
 
 /// Outcome of a draw.

@@ -3,14 +3,14 @@
 use std::borrow::Cow;
 
 use standfast_probability::form::{FormPoint, design_point, distance, local_design_points};
-use standfast_probability::integrate::{Life, MOST_DIMENSIONS, Within, integrate_life};
-use standfast_probability::life::lives;
+use standfast_probability::integrate::{MOST_DIMENSIONS, Within, integrate_life};
+use standfast_probability::life::{Life, lives};
 use standfast_probability::method::{Found, Method, by, by_known, integral_or, within};
 use standfast_probability::problem::Outcomes;
 use standfast_probability::sample::{Effort, Estimate};
 use standfast_watch::Portion;
 
-use super::answer::{ChanceRequest, Chances, FirstDeparture, Happening, LifeChances};
+use super::answer::{ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Stood};
 use super::departure::{AT_ONCE, Departures, NEVER};
 use super::error::ProbabilityError;
 use super::joined::{AnyOf, MOVES};
@@ -224,7 +224,7 @@ fn first_departure(
     Ok(FirstDeparture { modes, never: of(NEVER), at_once: of(AT_ONCE), precise })
 }
 
-/// That the body ever leaves rest over a life, under any of these problems, which have the same random numbers.
+/// That the body ever leaves rest over a life, after those through which it stayed at rest if there are any, under any of these problems, which have the same random numbers.
 pub(super) fn life_of(
     problems: &[&ChanceProblem],
     effort: &Effort,
@@ -233,15 +233,39 @@ pub(super) fn life_of(
     let [first, others @ ..] = problems else { return Err(ProbabilityError::NoLife) };
     let years = first.life().ok_or(ProbabilityError::NoLife)?;
     if others.is_empty() {
-        return Ok(life(first, effort, portion)?.ok_or(ProbabilityError::NoLife)?.not_rest);
+        return Ok(life(first, effort, portion)?.ok_or(ProbabilityError::NoLife)?.ahead());
     }
     let yearly: Option<Vec<ChanceProblem>> = problems.iter().map(|problem| problem.along_yearly()).collect();
     let yearly = yearly.ok_or(ProbabilityError::NothingYearly { years: years.years })?;
     let any = AnyOf(yearly.iter().collect());
     let sets = [1 << MOVES];
-    let found = over_years(&yearly[0], &any, &any, &sets, &years, (effort, portion))?.sampled;
-    portion.check()?;
-    Ok(found.estimates[0])
+    let over = |life: &Life, portion: Portion<'_>| {
+        let found = over_years(&yearly[0], &any, &any, &sets, life, (effort, portion))?.sampled;
+        portion.check()?;
+        Ok(found.estimates[0])
+    };
+    match first.lifetime().survived {
+        None => over(&years, portion),
+        Some(survived) => after(survived, &years, portion, over),
+    }
+}
+
+/// That rest ends in a life that follows years of rest, P(T + t) − P(T) over 1 − P(T); the interval is as wide as both together allow.
+fn after(
+    survived: f64,
+    life: &Life,
+    portion: Portion<'_>,
+    over: impl Fn(&Life, Portion<'_>) -> Result<Estimate, ProbabilityError>,
+) -> Result<Estimate, ProbabilityError> {
+    let [first, second] = portion.parts([1.0, 1.0]);
+    let before = over(&Life { years: survived, ..life.clone() }, first)?;
+    let whole = over(&Life { years: survived + life.years, ..life.clone() }, second)?;
+    let given = |whole: f64, before: f64| ((whole - before) / (1.0 - before)).clamp(0.0, 1.0);
+    Ok(Estimate {
+        value: given(whole.value, before.value),
+        low: given(whole.low, before.high),
+        high: given(whole.high, before.low),
+    })
 }
 
 /// Outcomes over years: integrated along a yearly number where they are few, or drawn.
@@ -254,7 +278,7 @@ fn over_years<O: Outcomes, D: Outcomes>(
     (effort, portion): (&Effort, Portion<'_>),
 ) -> Result<Found, ProbabilityError> {
     let laws = yearly.laws();
-    let is_whole = life.years.fract() == 0.0;
+    let is_whole = life.years.fract() == 0.0 || life.events.is_some();
     // A scan for each pair of the others would take minutes.
     if laws.laws().len() <= MOST_DIMENSIONS + usize::from(!yearly.is_scanned()) {
         // Of part of a year there are no draws that could take the place of the integral.
@@ -276,8 +300,16 @@ fn life(
     effort: &Effort,
     portion: Portion<'_>,
 ) -> Result<Option<LifeChances>, ProbabilityError> {
-    let Some(life) = problem.life() else { return Ok(None) };
+    let Some(life) = problem.life() else {
+        return match problem.lifetime().survived {
+            Some(_) => Err(ProbabilityError::NoLife),
+            None => Ok(None),
+        };
+    };
     let sets: Vec<u64> = problem.exclusive().map(|outcome| 1 << outcome).chain([not_rest()]).collect();
+    let survived = problem.lifetime().survived;
+    let of_stood = if survived.is_some() { 2.0 } else { 0.0 };
+    let [portion, of_stood] = portion.parts([1.0, of_stood]);
     let yearly = problem.along_yearly().ok_or(ProbabilityError::NothingYearly { years: life.years })?;
     let Found { method, sampled: found, .. } =
         over_years(&yearly, &yearly, problem, &sets, &life, (effort, portion))?;
@@ -285,6 +317,16 @@ fn life(
     portion.reached(1.0);
     let [modes @ .., not_rest] = &found.estimates[..] else { unreachable!("as many as sets") };
     let modes = problem.exclusive().map(Happening::of).zip(modes.iter().copied()).collect();
-    let (years, precise) = (life.years, found.precise);
-    Ok(Some(LifeChances { years, not_rest: *not_rest, modes, method, precise }))
+    let stood = survived.map(|years| {
+        let sets = [self::not_rest()];
+        let over = |life: &Life, portion: Portion<'_>| {
+            let found = over_years(&yearly, &yearly, problem, &sets, life, (effort, portion))?.sampled;
+            portion.check()?;
+            Ok(found.estimates[0])
+        };
+        Ok::<_, ProbabilityError>(Stood { years, not_rest: after(years, &life, of_stood, over)? })
+    });
+    let (years, events, precise) = (life.years, life.events, found.precise);
+    let stood = stood.transpose()?;
+    Ok(Some(LifeChances { years, events, not_rest: *not_rest, stood, modes, method, precise }))
 }

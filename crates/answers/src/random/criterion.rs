@@ -215,7 +215,7 @@ fn asked(
             });
         }
         if asks(&OF_LIFE) {
-            let answered = answered.and_then(|chances| Some(chances.life.as_ref()?.not_rest));
+            let answered = answered.and_then(|chances| Some(chances.life.as_ref()?.ahead()));
             chances.years = problems[0].years();
             chances.life = Some(answered.map_or_else(|| life_of(&same, &request.effort, of_life), Ok)?);
         }

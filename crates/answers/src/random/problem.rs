@@ -7,7 +7,8 @@ use standfast::contact::Block;
 use standfast::loads::Earthquake;
 use standfast::wave::Heights;
 use standfast::{Point, Situation, Wrench};
-use standfast_probability::integrate::{Life, MOST_DIMENSIONS};
+use standfast_probability::integrate::MOST_DIMENSIONS;
+use standfast_probability::life::Life;
 use standfast_probability::problem::RandomVector;
 
 use super::mechanics::{Components, Mechanics, Quick};
@@ -21,7 +22,7 @@ use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Table};
 use standfast::ground::Base;
-use standfast_inputs::random::{Random, Rate, ReadResult};
+use standfast_inputs::random::{Lifetime, Random, Rate, ReadResult};
 use standfast_model::CaseFile;
 
 /// A case, its random numbers, and the loads that act.
@@ -31,7 +32,7 @@ pub struct ChanceProblem {
     model: Model,
     random: Vec<RandomInput>,
     laws: RandomVector,
-    years: Option<f64>,
+    lifetime: Lifetime,
     lines: Lines,
     /// Of each number a value that it has as good as never more than.
     reaches: Vec<f64>,
@@ -162,7 +163,7 @@ impl ChanceProblem {
                     model: Model::Case { inputs: inputs_of_case, case, acting, shaking, quick },
                     random: inputs.clone(),
                     laws: laws.clone(),
-                    years: years.or(random.years),
+                    lifetime: Lifetime { years: years.or(random.lifetime.years), ..random.lifetime },
                     lines,
                     reaches: reaches(&laws),
                     count: 1,
@@ -187,9 +188,20 @@ impl ChanceProblem {
         let (inputs, laws) = Resolve(Names::Point(point)).all(random)?;
         let lines = Lines::of(&inputs, None);
         let line = lines.first(&inputs, &laws, |_| true).unwrap_or(Line::Scan(0));
-        let (model, years) = (Model::Point(point), years.or(random.years));
+        let lifetime = Lifetime { years: years.or(random.lifetime.years), ..random.lifetime };
+        let model = Model::Point(point);
         let reaches = reaches(&laws);
-        Ok(ChanceProblem { id: unique(), model, random: inputs, laws, years, lines, reaches, count: 1, line })
+        Ok(ChanceProblem {
+            id: unique(),
+            model,
+            random: inputs,
+            laws,
+            lifetime,
+            lines,
+            reaches,
+            count: 1,
+            line,
+        })
     }
 
     /// Random numbers, in the order of the file.
@@ -256,19 +268,24 @@ impl ChanceProblem {
 
     /// The years of the life that is asked for, where one is.
     pub fn years(&self) -> Option<f64> {
-        self.years
+        self.lifetime.years
+    }
+
+    /// The life that is asked for, as it is written.
+    pub fn lifetime(&self) -> Lifetime {
+        self.lifetime
     }
 
     /// The life that is asked for, where one is.
     pub(super) fn life(&self) -> Option<Life> {
-        let yearly = self.random.iter().map(|input| input.every == Rate::Year).collect();
-        self.years.map(|years| Life { years, yearly })
+        let yearly = self.random.iter().map(|input| input.every != Rate::Life).collect();
+        self.lifetime.years.map(|years| Life { years, yearly, events: self.lifetime.events_per_year })
     }
 
     /// Problem along a number that is drawn yearly, as a life needs it; none if there is no such number.
     pub(super) fn along_yearly(&self) -> Option<ChanceProblem> {
         let line =
-            self.lines.first(&self.random, &self.laws, |place| self.random[place].every == Rate::Year)?;
+            self.lines.first(&self.random, &self.laws, |place| self.random[place].every != Rate::Life)?;
         Some(ChanceProblem { line, ..self.clone() })
     }
 

@@ -303,10 +303,19 @@ struct DesignPointDocument<'a> {
 #[derive(Serialize)]
 struct LifeDocument {
     years: f64,
+    events_per_year: Option<f64>,
+    stood: Option<StoodDocument>,
     method: &'static str,
     precise: bool,
     not_rest: Interval,
     modes: Vec<ModeDocument>,
+}
+
+/// What years at rest say of those that follow.
+#[derive(Serialize)]
+struct StoodDocument {
+    years: f64,
+    not_rest: Interval,
 }
 
 /// Document with the files of figures that were written.
@@ -389,6 +398,10 @@ fn document<'a>(answer: &'a Probability, chances: &'a Chances) -> ChancesDocumen
         design_points: chances.design_points.as_ref().map(|points| points.iter().map(of_mode).collect()),
         life: chances.life.as_ref().map(|life| LifeDocument {
             years: life.years,
+            events_per_year: life.events,
+            stood: life
+                .stood
+                .map(|stood| StoodDocument { years: stood.years, not_rest: interval(stood.not_rest) }),
             method: life.method.name(),
             precise: life.precise,
             not_rest: interval(life.not_rest),

@@ -88,7 +88,7 @@ pub(super) fn groups(answer: &Probability, worst: &Chances) -> Vec<(String, Vec<
     if let Some(life) = &worst.life {
         let moved: Vec<_> =
             life.modes.iter().copied().filter(|(mode, _)| mode.mode() != Some(Mode::Rest)).collect();
-        let heading = format!("At least once in {} years", digits(life.years));
+        let heading = super::summary::over_life(life);
         groups.push((heading, in_words(&chosen(&moved), life.not_rest)));
     }
     groups

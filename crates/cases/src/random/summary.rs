@@ -5,8 +5,8 @@ use standfast_probability::sample::Estimate;
 
 use super::text::{below_or, probability, within};
 use super::{
-    ChanceCriterion, Chances, Fragility, FragilityPoint, Happening, Overturning, PeakChances, Probability,
-    Sliding,
+    ChanceCriterion, Chances, Fragility, FragilityPoint, Happening, LifeChances, Overturning, PeakChances,
+    Probability, Sliding, Stood,
 };
 use crate::json::RequiredBound;
 use crate::key::Key;
@@ -107,6 +107,25 @@ fn not_resting(answer: &Probability) -> String {
 /// Share of a probability from which on what is not meant by it is told.
 const NOTED: f64 = 1e-3;
 
+/// Period of a life, as a heading.
+pub fn over_life(life: &LifeChances) -> String {
+    let events =
+        life.events.map_or(String::new(), |rate| format!(" of {} events each on average", digits(rate)));
+    format!("At least once in {}{events}", years(life.years))
+}
+
+/// What years at rest say of those that follow, in a sentence.
+pub fn after_rest(life: &LifeChances) -> Option<String> {
+    let Stood { years: stood, not_rest } = life.stood?;
+    Some(format!(
+        "After {} at rest the probability of the next {} is {} (of one that is new {}).",
+        years(stood),
+        years(life.years),
+        known(not_rest),
+        known(life.not_rest)
+    ))
+}
+
 /// That the body moves in an event, and at least once in a life.
 fn moves(answer: &Probability, worst: &Chances) -> String {
     let not_rest = answer.joined.as_ref().map_or(worst.not_rest, |joint| joint.not_rest);
@@ -123,7 +142,10 @@ fn moves(answer: &Probability, worst: &Chances) -> String {
         _ => format!(" It then {}.", super::text::words(answer, *mode)),
     });
     let life = worst.life.as_ref().map_or(String::new(), |life| {
-        format!(" At least once in {}: {}.", years(life.years), known(life.not_rest))
+        let stood = life.stood.map_or(String::new(), |stood| {
+            format!(", or {} after {} at rest", known(stood.not_rest), years(stood.years))
+        });
+        format!(" {}: {}{stood}.", over_life(life), known(life.not_rest))
     });
     let impossible =
         worst.modes.iter().find(|(mode, _)| *mode == Happening::NotABody).map_or(0.0, |(_, e)| e.value);

@@ -230,10 +230,11 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
     text += &matters(answer, chances);
     text += &nearest(answer, chances);
     if let Some(life) = &chances.life {
-        let _ = writeln!(text, "\nAt least once in {} years", digits(life.years));
+        let _ = writeln!(text, "\n{}", super::summary::over_life(life));
         // Rest is what a life begins with.
         let moved: Vec<_> = life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::REST).collect();
         text += &modes_table(answer, life.method, &moved, life.not_rest);
+        text += &paragraphs(super::summary::after_rest(life).as_slice());
         if answer.sliding.is_some() {
             text += &paragraph(
                 "Here each year has a wave of the whole H_max. The slides above are those of waves drawn up to H_max, which slide the body \

@@ -109,12 +109,14 @@ fn read_beside(named: &mut RandomEntry, key: &str, value: &Item<'_>) -> ReadResu
             named.every = match value.get_ref().as_str() {
                 Some("life") => Rate::Life,
                 Some("year") => Rate::Year,
+                Some("event") => Rate::Event,
                 Some(other) => {
                     let (what, written) = ("`every`".to_owned(), format!("\"{other}\""));
-                    let expected = "\"life\", drawn once, or \"year\", drawn each year".to_owned();
+                    let expected =
+                        "\"life\", drawn once, or \"year\", drawn each year, or \"event\", drawn in each event".to_owned();
                     return Err((RandomProblem::Value { what, written, expected }, value.span()));
                 }
-                None => return Err(wrong(value, "`every`", "\"life\" or \"year\"")),
+                None => return Err(wrong(value, "`every`", "\"life\", \"year\" or \"event\"")),
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Slides of the body over a life of storms.
 
-use standfast_probability::integrate::Life;
+use standfast_probability::life::Life;
 use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::{Effort, Estimate};
 use standfast_probability::sums::{LifeSums, Lives, expected, lives};
@@ -121,6 +121,9 @@ pub enum SlidingError {
         /// The random number.
         name: String,
     },
+    /// Years before the life.
+    #[error("the case has a [storm] and `survived`: what years at rest say of slides is not found")]
+    Survived,
     /// No whole number of years.
     #[error("storms over {years} years; expected a whole number, because they come once a year")]
     PartOfYear {
@@ -206,7 +209,7 @@ pub(in crate::random) fn sliding<S: Storms>(
     told.dedup();
     let effort = &request.effort;
     let years = life.years;
-    if years.fract() != 0.0 {
+    if years.fract() != 0.0 && life.events.is_none() {
         return Err(SlidingError::PartOfYear { years });
     }
     let slides = Slides(storms);
@@ -236,10 +239,10 @@ pub(in crate::random) fn sliding<S: Storms>(
         storm: storm.clone(),
         years,
         // Where nothing was met the bound is one of a chance, and no slide follows from it.
-        mean: if mean.value == 0.0 { Estimate { high: 0.0, ..mean } } else { times(mean, years) },
+        mean: if mean.value == 0.0 { Estimate { high: 0.0, ..mean } } else { times(mean, life.times()) },
         precise: means.precise,
         wave: Estimate { high: moving.high.min(1.0), ..moving },
-        waves: times(moving, years * storm.waves as f64),
+        waves: times(moving, life.times() * storm.waves as f64),
         lives: drawn.count() as u64,
         ever: slid(0.0),
         quantiles: SHARES.map(|share| Quantile { share, slide: drawn.quantile(share) }).to_vec(),

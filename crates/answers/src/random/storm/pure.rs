@@ -20,7 +20,7 @@
 //! A wave slides the body where P + μU > μW'.
 
 use standfast::{Mode, Verdict};
-use standfast_probability::integrate::Life;
+use standfast_probability::life::Life;
 use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::Estimate;
 use standfast_watch::Portion;
@@ -39,7 +39,7 @@ use crate::random::quantity::{Bias, Quantity, RandomInput};
 use crate::random::resolve::{Names, Resolve};
 use crate::random::subject::alone;
 use crate::units::Dimension;
-use standfast_inputs::random::{Random, RandomProblem, Rate, ReadResult};
+use standfast_inputs::random::{Lifetime, Random, RandomProblem, Rate, ReadResult};
 use standfast_model::CaseFile;
 use standfast_probability::method::Method;
 
@@ -106,7 +106,7 @@ pub(in crate::random) struct PureStorm {
     tau0: f64,
     pub(in crate::random) random: Vec<RandomInput>,
     pub(in crate::random) laws: RandomVector,
-    years: Option<f64>,
+    lifetime: Lifetime,
 }
 
 /// The problem, if the file is of a storm without a body; none if it is of a case.
@@ -164,7 +164,8 @@ impl PureStorm {
         years: Option<f64>,
     ) -> ReadResult<PureStorm> {
         let (inputs, laws) = Resolve(Names::Storm(values)).all(random)?;
-        Ok(PureStorm { storm, values, tau0, random: inputs, laws, years: years.or(random.years) })
+        let lifetime = Lifetime { years: years.or(random.lifetime.years), ..random.lifetime };
+        Ok(PureStorm { storm, values, tau0, random: inputs, laws, lifetime })
     }
 
     /// The answer: the modes of any one wave of a storm, and the slides of a life.
@@ -177,6 +178,9 @@ impl PureStorm {
         let life = self.life();
         if request.follow {
             return Err(SlidingError::NoTurns.into());
+        }
+        if self.lifetime.survived.is_some() {
+            return Err(SlidingError::Survived.into());
         }
         let sliding = sliding(&self.storm, self, &self.laws, &life, (&request, &[]), portion)?;
         portion.check()?;
@@ -196,7 +200,7 @@ impl PureStorm {
             line: ("the height of waves".to_owned(), true),
             method: Method::Sobol,
             given_up: false,
-            points: sliding.lives * life.years as u64,
+            points: sliding.lives * life.times().ceil() as u64,
             precise: sliding.precise,
             modes: all(sliding.wave),
             not_rest: sliding.wave,
@@ -212,8 +216,10 @@ impl PureStorm {
             design_points: None,
             known: Vec::new(),
             course: Vec::new(),
-            life: self.years.map(|years| LifeChances {
+            life: self.lifetime.years.map(|years| LifeChances {
                 years,
+                events: self.lifetime.events_per_year,
+                stood: None,
                 not_rest: sliding.ever,
                 // Any wave that does not slide it is one at rest.
                 modes: all(sliding.ever)
@@ -243,8 +249,9 @@ impl PureStorm {
 
     /// The life that is asked for; one year where none is.
     pub(in crate::random) fn life(&self) -> Life {
-        let yearly = self.random.iter().map(|input| input.every == Rate::Year).collect();
-        Life { years: self.years.unwrap_or(1.0), yearly }
+        let yearly = self.random.iter().map(|input| input.every != Rate::Life).collect();
+        let Lifetime { years, events_per_year: events, .. } = self.lifetime;
+        Life { years: years.unwrap_or(1.0), yearly, events }
     }
 }
 

@@ -3,7 +3,7 @@
 use standfast::contact::{Block, rests_surely, solve};
 use standfast::wave::Goda;
 use standfast::{Mode, Wrench};
-use standfast_probability::integrate::Life;
+use standfast_probability::life::Life;
 use standfast_probability::sums::OtherEvent;
 use standfast_watch::Portion;
 
@@ -165,7 +165,10 @@ pub(in crate::random) fn of_case(
     if kinetic != friction {
         return Err(SlidingError::TwoFrictions { kinetic, friction });
     }
-    let plain = Life { years: 1.0, yearly: vec![false; problem.random().len()] };
+    let plain = Life { years: 1.0, yearly: vec![false; problem.random().len()], events: None };
+    if problem.lifetime().survived.is_some() {
+        return Err(SlidingError::Survived);
+    }
     let life = problem.life().unwrap_or(plain);
     let storms = SeaStorm { problem, storm, follow: request.follow };
     sliding(storm, &storms, problem.laws(), &life, (request, over), portion)

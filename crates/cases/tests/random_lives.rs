@@ -1,0 +1,132 @@
+//! Lives of events that come by Poisson's law, and of bodies that have stood: against closed forms written out here.
+
+use standfast_cases::random::{ChanceRequest, Effort, Probability, ProbabilityError};
+use standfast_cases::{CaseFile, Document};
+
+const LOW: &str = "[point]\ngamma = 0.5\nk_prime = 0\nmu = 0.5\nk = 0.3\n[random]\n";
+
+fn try_answer(text: &str) -> Result<Probability, ProbabilityError> {
+    let effort = Effort { precision: 0.01, ..Effort::default() };
+    let file = CaseFile::parse("case.toml", text)?;
+    Probability::of(&file, ChanceRequest { effort, ..ChanceRequest::default() })
+}
+
+fn answer(random: &str) -> Probability {
+    try_answer(&format!("{LOW}{random}"))
+        .unwrap_or_else(|error| panic!("{random}\n{}", standfast_cases::report(&error)))
+}
+
+fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
+    assert!((value / expected - 1.0).abs() <= relative, "{what}: {value} where {expected} is expected");
+}
+
+fn life(found: &Probability) -> f64 {
+    found.situations[0].life.as_ref().unwrap().not_rest.value
+}
+
+/// Peaks over a threshold of 0.2 by an exponential law, four a year, have Gumbel's law of yearly maxima with the mode 0.2 + 0.05 ln 4: beyond the
+/// threshold the two are one.
+#[test]
+fn peaks_over_a_threshold_have_the_law_of_yearly_maxima() {
+    let peaks = "years = 50\nevents_per_year = 4\nk = { exponential = { scale = 0.05, location = 0.2 }, every = \"event\" }\n";
+    let mode = 0.2 + 0.05 * 4f64.ln();
+    let maxima = format!(
+        "years = 50\nk = {{ gumbel = {{ mode = {mode}, scale = 0.05 }}, lower = 0, every = \"year\" }}\n"
+    );
+    let [of_peaks, of_maxima] = [answer(peaks), answer(&maxima)];
+    assert_close("life", life(&of_peaks), life(&of_maxima), 1e-9);
+    assert_close("by hand", life(&of_peaks), -(-200.0 * (-6.0f64).exp()).exp_m1(), 1e-10);
+    // One event is one peak.
+    assert_close("event", of_peaks.situations[0].not_rest.value, (-6.0f64).exp(), 1e-10);
+    let text = of_peaks.text(&());
+    assert!(text.contains("At least once in 50 years of 4 events each on average"), "{text}");
+    assert!(text.contains("does not stay at rest in one event"), "{text}");
+    let json = of_peaks.json(&(), &[]);
+    assert!(json.contains("\"events_per_year\": 4.0") || json.contains("\"events_per_year\": 4"), "{json}");
+    // Part of a year is no matter, as events are not in step with years.
+    let part = answer(&peaks.replace("years = 50", "years = 0.5"));
+    assert_close("half a year", life(&part), -(-2.0 * (-6.0f64).exp()).exp_m1(), 1e-9);
+}
+
+/// Friction is one of two for the whole life. What survives is more likely the rough one: by Bayes' rule, written out.
+#[test]
+fn years_at_rest_tell_of_those_that_follow() {
+    let random = "years = 20\nsurvived = 30\nmu = { discrete = { values = [0.4, 0.6], probabilities = [0.5, 0.5] } }\n\
+                  k = { exponential = { scale = 0.05, location = 0.2 }, every = \"year\" }\n";
+    let found = answer(random);
+    let never = |mu: f64, years: f64| (1.0 - (-(mu - 0.2) / 0.05f64).exp()).powf(years);
+    let survives = |years: f64| 0.5 * never(0.4, years) + 0.5 * never(0.6, years);
+    assert_close("new", life(&found), 1.0 - survives(20.0), 1e-9);
+    let stood = found.situations[0].life.as_ref().unwrap().stood.unwrap();
+    assert_eq!(stood.years, 30.0);
+    let expected = 1.0 - survives(50.0) / survives(30.0);
+    assert_close("after 30 years", stood.not_rest.value, expected, 1e-9);
+    assert!(expected < 0.8 * life(&found));
+    let text = found.text(&());
+    assert!(text.contains("After 30 years at rest the probability of the next 20 years is"), "{text}");
+    // Drawn, as two numbers are drawn each year beside one for life.
+    let drawn = format!(
+        "{random}k_prime = {{ uniform = {{ from = -0.1, to = 0.1 }}, every = \"year\" }}\ngamma = {{ uniform = {{ from = 0.4, to = 0.5 }} }}\n"
+    );
+    let stood = answer(&drawn).situations[0].life.as_ref().unwrap().stood.unwrap().not_rest;
+    assert!(stood.low - 1e-12 <= expected && expected <= stood.high + 1e-12, "{stood:?}, {expected}");
+    assert!(stood.high - stood.low < 0.3 * expected, "{stood:?}");
+    // With Poisson's law: what survives weighs the two frictions, and what follows does.
+    let events = random.replace("survived", "events_per_year = 2\nsurvived").replace("\"year\"", "\"event\"");
+    let never = |mu: f64, years: f64| (-2.0 * years * (-(mu - 0.2) / 0.05f64).exp()).exp();
+    let survives = |years: f64| 0.5 * never(0.4, years) + 0.5 * never(0.6, years);
+    let stood = answer(&events).situations[0].life.as_ref().unwrap().stood.unwrap();
+    assert_close("events", stood.not_rest.value, 1.0 - survives(50.0) / survives(30.0), 1e-9);
+}
+
+/// A criterion on the life is on that of a body that has stood.
+#[test]
+fn criteria_are_of_what_has_stood() {
+    let block = "[body]\nwidth = 2\nheight = 1\nmass = 1000\nfriction = 0.5\n[[load]]\nforce = 3000\nelevation = 0.5\n[criteria]\np_life = 0.5\n\
+                 [random]\nyears = 20\nSURVIVED\nfriction = { discrete = { values = [0.4, 0.6], probabilities = [0.5, 0.5] } }\n\
+                 \"load[1].force\" = { gumbel = { mean = 2000, sd = 600 }, lower = 0, every = \"year\" }\n";
+    let value = |survived: &str| {
+        let found = try_answer(&block.replace("SURVIVED", survived)).unwrap();
+        let life = found.situations[0].life.clone().unwrap();
+        (found.criteria[0].counted, life)
+    };
+    let (new, life) = value("");
+    assert_close("new", new, life.not_rest.high, 1e-9);
+    let (stood, life) = value("survived = 40");
+    assert_close("stood", stood, life.stood.unwrap().not_rest.high, 1e-9);
+    assert!(stood < new);
+}
+
+#[test]
+fn rates_that_do_not_go_together_are_refused() {
+    let event = "k = { exponential = { scale = 0.05, location = 0.2 }, every = \"event\" }\n";
+    let year = event.replace("\"event\"", "\"year\"");
+    for (random, expected) in [
+        (
+            event.to_owned(),
+            "`k` is drawn in each event; expected `events_per_year`, how many there are on average",
+        ),
+        (
+            format!("events_per_year = 4\n{year}"),
+            "`k` is drawn each year, and `events_per_year` counts events",
+        ),
+        (
+            format!("events_per_year = 4\n{}", year.replace("year", "life")),
+            "`events_per_year` counts events, and no number has every",
+        ),
+        (format!("events_per_year = -4\n{event}"), "`events_per_year` is -4; expected a number above zero"),
+        (format!("survived = 0\n{year}"), "`survived` is 0; expected a number above zero"),
+        (format!("survived = 10\n{year}"), "a life is asked for, and nothing says how many years it has"),
+    ] {
+        let text = format!("{LOW}{random}");
+        let error = try_answer(&text).expect_err(&text);
+        assert!(error.to_string().contains(expected), "{random}\n{error}");
+    }
+    let storm = include_str!("../../../examples/goda-2000-storm.toml");
+    let stood = storm.replace("years = 50", "years = 50\nsurvived = 20");
+    let error = try_answer(&stood).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "the case has a [storm] and `survived`: what years at rest say of slides is not found"
+    );
+}
