@@ -119,7 +119,7 @@ def test_a_key_of_a_case_is_looked_for_in_its_table() -> None:
 
 #: Names that no law has, and laws with a wrong parameter.
 LAWS = [
-    {"beta": {"mean": 0.6, "sd": 0.1, "from": 0.3, "to": 0.9}},
+    {"beta": {"mean": 0.6, "sd": 0.4, "from": 0.3, "to": 0.9}},
     {"beat": {"mean": 0.6}},
     {"normal": {"mean": 0.6, "sdd": 0.1}},
     {"uniform": {"from": 0.7, "to": 0.4}},

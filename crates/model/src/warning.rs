@@ -6,6 +6,7 @@ mod search;
 use std::fmt;
 
 use standfast::loads::Face;
+use standfast::wave::STEEPEST;
 use standfast::{Slip, wave};
 
 use crate::digits::{apart, digits, percent};
@@ -36,6 +37,11 @@ pub enum Warning {
         base: f64,
         /// That of the body, m.
         body: f64,
+    },
+    /// Seas are drawn that are steeper than waves can be.
+    SteepSeas {
+        /// The share of all that are drawn.
+        share: f64,
     },
     /// The buoyant weight acts beside the base.
     WeightBesideBase {
@@ -433,6 +439,7 @@ impl Warning {
         match self {
             Warning::BaseBeyondBody { .. } => "base-beyond-body",
             Warning::PlanBeyondBody { .. } => "plan-beyond-body",
+            Warning::SteepSeas { .. } => "steep-seas",
             Warning::WeightBesideBase { .. } => "weight-beside-base",
             Warning::MeanDensity { .. } => "mean-density",
             Warning::PartDensity { .. } => "part-density",
@@ -551,6 +558,12 @@ impl fmt::Display for Warning {
                 "the base is {} m across, the body {} m: lengths without a unit are in m",
                 digits(*base),
                 digits(*body)
+            ),
+            Warning::SteepSeas { share } => write!(
+                f,
+                "{} of the seas drawn are steeper than waves in deep water can be, H0'/L0 above {STEEPEST}; their height is cut to \
+                 that: look at the laws of height and period, and how they are correlated",
+                digits(*share)
             ),
             Warning::WeightBesideBase { arm, base } => write!(
                 f,

@@ -308,10 +308,11 @@ pub struct Probability {
 impl Probability {
     /// Unusual numbers of the case at its present values.
     pub fn warnings(&self) -> Vec<Warning> {
-        self.problem
-            .as_ref()
-            .and_then(|problem| problem.case())
-            .map_or(Vec::new(), |(case, _)| case.warnings())
+        let Some(problem) = &self.problem else { return Vec::new() };
+        let mut warnings = problem.case().map_or(Vec::new(), |(case, _)| case.warnings());
+        let share = problem.share_of_steep_seas();
+        warnings.extend((share > 0.0).then_some(Warning::SteepSeas { share }));
+        warnings
     }
 
     /// True if the body stands on joints of its own, of which it is answered which leaves rest first.

@@ -164,7 +164,7 @@ impl Quick {
             Heights::DeepWater(height) => as_given.from_deep_water(sea, section, &choices, height)?,
             heights => goda(sea, &heights, section, &choices).ok()?,
         };
-        Some(GodaWaves { heights, goda, choices, ..self.waves.clone() })
+        GodaWaves { heights, goda, choices, ..self.waves.clone() }.broken()
     }
 
     pub(super) fn components(&self, heights: Heights, biases: &Biases) -> Option<Components> {

@@ -5,11 +5,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use standfast::contact::Block;
 use standfast::loads::Earthquake;
-use standfast::wave::Heights;
+use standfast::wave::{Heights, STEEPEST, deep_water_wavelength};
 use standfast::{Point, Situation, Wrench};
 use standfast_probability::integrate::MOST_DIMENSIONS;
 use standfast_probability::life::Life;
 use standfast_probability::problem::RandomVector;
+use standfast_probability::sample::draws;
 
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
@@ -512,7 +513,34 @@ impl ChanceProblem {
                 !variable.id().table.is_of_motion() || inputs.get(variable.id()).is_some()
             })
             .collect();
-        Case::of(&vary(inputs, case, &named)).ok()?.biased(self.biases_of_case(values)).ok()
+        let case = Case::of(&vary(inputs, case, &named)).ok()?.biased(self.biases_of_case(values)).ok()?;
+        match case.goda().filter(|waves| waves.share_of_steepest().is_some_and(|share| share > 1.0)) {
+            Some(waves) => Some(case.with_goda(waves.clone().broken()?)),
+            None => Some(case),
+        }
+    }
+
+    /// The share of all draws in which the sea is steeper than waves in deep water can be.
+    pub(super) fn share_of_steep_seas(&self) -> f64 {
+        /// So many draws tell a share that is worth a word.
+        const DRAWS: u64 = 1 << 14;
+        let Some((case, _)) = self.case() else { return 0.0 };
+        let Some(waves) = case.goda() else { return 0.0 };
+        let place = |key: Key| self.random.iter().position(|input| input.is_key(key));
+        let of_bias = Quantity::Bias(Bias::DeepWaterHeight);
+        let bias = self.random.iter().position(|input| input.quantity == of_bias);
+        let [height, period] = [Key::DeepWaterHeight, Key::Period].map(place);
+        let (Heights::DeepWater(own), true) = (waves.heights, height.or(period).or(bias).is_some()) else {
+            return 0.0;
+        };
+        let mut steep = 0u64;
+        draws(&self.laws, 1, DRAWS, |values| {
+            let value = |place: Option<usize>, own: f64| place.map_or(own, |place| values[place]);
+            let height = value(height, own) * value(bias, 1.0);
+            let steepest = STEEPEST * deep_water_wavelength(value(period, waves.sea.period), case.gravity);
+            steep += u64::from(height > steepest);
+        });
+        steep as f64 / DRAWS as f64
     }
 
     /// The biases among these values that change the case itself.

@@ -433,7 +433,7 @@ fn modes_table(
         let each = if names.len() > 1 { "each " } else { "" };
         let (names, bound) = (names.join(", "), probability(bound));
         let words = match below.iter().all(|(_, e)| e.value == 0.0) {
-            true => format!("Never met: {names} ({each}below {bound})."),
+            true => format!("Never met, so a bound is all that is known: {names} ({each}below {bound})."),
             false => format!("{names}: {each}below {bound}."),
         };
         text += &paragraph(&words, 2);

@@ -2,8 +2,8 @@
 
 use standfast::loads::Load;
 use standfast::wave::{
-    Armour, CaissonSection, Choices, CrownSea, CrownWave, Goda, Heights, PedersenWall, Sainflou, Sea,
-    StandingWall, VanGentWall, WavePhase, WaveWarning, goda, pedersen, sainflou, van_gent,
+    Armour, CaissonSection, Choices, CrownSea, CrownWave, Goda, Heights, PedersenWall, STEEPEST, Sainflou,
+    Sea, StandingWall, VanGentWall, WavePhase, WaveWarning, goda, pedersen, sainflou, van_gent,
 };
 use standfast::{Body, History};
 
@@ -57,6 +57,28 @@ pub struct GodaWaves {
     /// The pressures, forces and moments.
     pub goda: Goda,
 }
+
+impl GodaWaves {
+    /// H₀' over the steepest that waves of its period can have, times the factor on it; `None` where the heights are those at the wall.
+    pub fn share_of_steepest(&self) -> Option<f64> {
+        let Heights::DeepWater(height) = self.heights else { return None };
+        let [in_deep_water, _] = self.choices.height_factors;
+        Some(height * in_deep_water / (STEEPEST * self.goda.deep_water_wavelength))
+    }
+
+    /// The waves with a height in deep water that is no steeper than waves can be; `None` if they cannot be found.
+    pub fn broken(self) -> Option<GodaWaves> {
+        let Some(share) = self.share_of_steepest().filter(|share| *share > 1.0) else { return Some(self) };
+        let Heights::DeepWater(height) = self.heights else { return Some(self) };
+        let height = height / share;
+        let mut goda = self.goda.from_deep_water(&self.sea, &self.section, &self.choices, height)?;
+        goda.formulas |= BROKEN;
+        Some(GodaWaves { heights: Heights::DeepWater(height), goda, ..self })
+    }
+}
+
+/// Mark in the set of formulas that applied: the height in deep water was cut.
+const BROKEN: u32 = 1 << 31;
 
 /// Waves by Sainflou's formula.
 #[derive(Debug, Clone, PartialEq)]

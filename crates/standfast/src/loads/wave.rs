@@ -55,7 +55,7 @@ pub use dispersion::{deep_water_wavelength, shoaling, wavelength};
 pub use goda::{Goda, Impulsive, goda};
 pub use heights::{BreakingTerms, DesignHeights};
 pub use sainflou::{Sainflou, StandingWall, WavePhase, sainflou};
-pub use warning::{CrownRatio, WaveWarning};
+pub use warning::{CrownRatio, STEEPEST, WaveWarning};
 
 use crate::error::InputError;
 use crate::quantity::{Expected, Quantity};

@@ -55,6 +55,11 @@ pub enum WaveWarning {
         /// T_1/3, s.
         period: f64,
     },
+    /// H₀'/L₀ > 0.142: steeper than waves in deep water can be.
+    SteepSea {
+        /// H₀'/L₀.
+        steepness: f64,
+    },
     /// tanθ > 0.1: steeper than the beds for which the wave heights were computed.
     SteepBed {
         /// tanθ.
@@ -99,9 +104,12 @@ pub(super) fn breaks_by_bed(bed_slope: f64, steepness: f64) -> bool {
     bed_slope > 0.02 && steepness < 0.03
 }
 
+/// The steepest that waves in deep water can be, H₀'/L₀: steeper ones break.
+pub const STEEPEST: f64 = 0.142;
+
 /// Miche's limit of the height of waves, m, for the depth at the wall.
 pub(super) fn breaking_limit(wavelength: f64, depth: f64) -> f64 {
-    0.142 * wavelength * (TAU * depth / wavelength).tanh()
+    STEEPEST * wavelength * (TAU * depth / wavelength).tanh()
 }
 
 /// Longest period of wind waves and swell, s.
@@ -139,6 +147,9 @@ impl WaveWarning {
                 bed_slope,
                 steepness,
             });
+        }
+        if steepness > STEEPEST && matches!(heights, Heights::DeepWater(_)) {
+            warnings.push(WaveWarning::SteepSea { steepness });
         }
         let ratio = h / goda.deep_water_wavelength;
         if ratio >= 0.2 && matches!(heights, Heights::DeepWater(_)) {
@@ -180,6 +191,7 @@ impl WaveWarning {
             WaveWarning::BermBelowBase { .. } => "berm-below-base",
             WaveWarning::LongPeriod { .. } => "long-period",
             WaveWarning::SteepBed { .. } => "steep-bed",
+            WaveWarning::SteepSea { .. } => "steep-sea",
             WaveWarning::StandingWaveBreaks { .. } => "sainflou-breaking",
             WaveWarning::CrownWallRange(_) => "crown-wall-range",
         }
@@ -223,6 +235,10 @@ impl fmt::Display for WaveWarning {
                 f,
                 "period = {period} s is longer than that of wind waves and swell ({LONGEST_PERIOD} s at most), for which \
                  the formulas were found"
+            ),
+            WaveWarning::SteepSea { steepness } => write!(
+                f,
+                "steepness H0'/L0 = {steepness:.3} is more than waves in deep water can have, {STEEPEST}: they break"
             ),
             WaveWarning::SteepBed { bed_slope } => write!(
                 f,
