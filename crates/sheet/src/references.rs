@@ -88,7 +88,7 @@ const SOURCES: [Source; 12] = [
         year: "2004",
         title: "EN 1997-1, Eurocode 7: Geotechnical design, Part 1: General rules",
         place: "Annex D, bearing resistance of spread foundations",
-        used: "bearing and inclination factors of a strip",
+        used: "bearing, inclination and shape factors",
         applies: |case| law(case) == Some(Law::Ec7),
     },
     Source {
@@ -96,7 +96,7 @@ const SOURCES: [Source; 12] = [
         year: "2011",
         title: "API RP 2GEO, Geotechnical and foundation design considerations",
         place: "bearing capacity of shallow foundations, after J. Brinch Hansen",
-        used: "bearing and inclination factors of a strip; checked against a program that carries them",
+        used: "bearing, inclination and shape factors; checked against a program that carries them",
         applies: |case| law(case) == Some(Law::Hansen),
     },
     Source {

@@ -65,7 +65,8 @@ fn ground(random: &mut Random) -> Ground {
             let ground = Ground::new(law, random.uniform(20.0, 50.0), random.uniform(5e3, 2e4)).unwrap();
             let surcharge = if random.coin() { random.uniform(0.0, 4e4) } else { 0.0 };
             let cohesion = if random.coin() { random.uniform(0.0, 4e4) } else { 0.0 };
-            ground.with_surcharge(surcharge).unwrap().with_cohesion(cohesion).unwrap()
+            let ground = ground.with_surcharge(surcharge).unwrap().with_cohesion(cohesion).unwrap();
+            if random.coin() { ground.with_length(random.log(0.5, 50.0)).unwrap() } else { ground }
         }
     }
 }

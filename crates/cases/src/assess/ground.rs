@@ -21,6 +21,10 @@ const SOIL: &str = "The formulas hold for level, homogeneous, drained ground und
     pressure and its growth under cycles of load, seepage from uplift, punching. The friction angle of a mound is uncertain: read the load factor with \
     those at 2° less and more. Where the body would turn, the ground under its edge fails first.";
 
+const SHORT: &str = "The formulas hold for level, homogeneous, drained ground; the base of the given length has shape factors. Left out: the shoulder of a berm, \
+    slopes, layers, pore pressure and its growth under cycles of load, seepage from uplift, punching. The friction angle of a mound is uncertain: read the load \
+    factor with those at 2° less and more. Where the body would turn, the ground under its edge fails first.";
+
 const ENVELOPE: &str = "The resistance of the whole base is given by the user. Butterfield and Gottardi's envelope tells how much of it is left under a force that is inclined \
     and eccentric. Left out: pore pressure and its growth under cycles of load, and all that the resistance given does not contain.";
 
@@ -47,6 +51,7 @@ pub fn left_out(case: &Case) -> Vec<&'static str> {
     }
     match foundation.limit {
         Some(Limit::Strength(_)) => notes.push(CRUSHING),
+        Some(Limit::Ground(ground)) if ground.length().is_some() => notes.push(SHORT),
         Some(Limit::Ground(ground)) if ground.friction_angle_deg().is_some() => notes.push(SOIL),
         Some(Limit::Ground(_)) => notes.push(ENVELOPE),
         None => {}

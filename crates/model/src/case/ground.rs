@@ -90,7 +90,7 @@ impl Reader<'_> {
                     return Err(Fault::new(Problem::NotEnvelope { key }, key));
                 }
                 let tells = has(&Key::GroundLaw) || SOIL.iter().any(has);
-                tells.then(|| self.soil().map(Limit::Ground)).transpose()?
+                tells.then(|| self.soil(body).map(Limit::Ground)).transpose()?
             }
         };
         let stiffness = self.number(Key::Stiffness);
@@ -104,7 +104,7 @@ impl Reader<'_> {
     }
 
     /// Ground with a friction angle.
-    fn soil(&self) -> Result<Ground, Fault> {
+    fn soil(&self, body: &Body) -> Result<Ground, Fault> {
         let (angle, weight) = (self.required(Key::GroundAngle)?, self.required(Key::UnitWeight)?);
         let law = match self.inputs.choice(Key::GroundLaw) {
             Some("hansen") => GroundLaw::Hansen,
@@ -113,7 +113,11 @@ impl Reader<'_> {
         let or_none = |key| self.number(key).unwrap_or(0.0);
         let ground = Ground::new(law, angle, weight)
             .and_then(|ground| ground.with_surcharge(or_none(Key::Surcharge)))
-            .and_then(|ground| ground.with_cohesion(or_none(Key::Cohesion)));
+            .and_then(|ground| ground.with_cohesion(or_none(Key::Cohesion)))
+            .and_then(|ground| match (self.number(Key::Length), body.plan()) {
+                (Some(_), Plan::Rectangle { length }) => ground.with_length(length),
+                _ => Ok(ground),
+            });
         ground.map_err(|error| self.blame(Table::Ground, error))
     }
 

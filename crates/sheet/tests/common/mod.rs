@@ -184,6 +184,10 @@ fn more() -> Vec<(String, String)> {
             [[load]]\nforce = 150e3\nelevation = 5\n")),
         ("clayey sand under an object", format!("{body}length = 3\n[ground]\nfriction_angle_deg = 28\nunit_weight = 9e3\ncohesion = 8e3\n\
             [[load]]\nforce = 450e3\nelevation = 2\n")),
+        ("sand with all under an object", format!("{body}length = 6\n[ground]\nfriction_angle_deg = 32\nunit_weight = 9e3\nsurcharge = 12e3\ncohesion = 4e3\nlaw = \"hansen\"\n\
+            [[load]]\nforce = 900e3\nelevation = 3\n")),
+        ("sand under a long object", format!("{body}length = 30\n[ground]\nfriction_angle_deg = 36\nunit_weight = 9e3\nsurcharge = 12e3\n\
+            [[load]]\nforce = 2e6\nelevation = 3\n")),
         ("sand, slides", format!("{body}[ground]\nfriction_angle_deg = 45\nunit_weight = 2e4\nsurcharge = 90e3\n[[load]]\nforce = 600e3\nelevation = 1\n")),
         ("sand, the resultant outside", format!("{body}[ground]\nfriction_angle_deg = 40\nunit_weight = 1e4\n[[load]]\nforce = 700e3\nelevation = 6\n")),
         ("envelope", format!("{body}[ground]\nlaw = \"envelope\"\ncentric_resistance = \"4 MN/m\"\nC = 0.1\n[[load]]\nforce = 200e3\nelevation = 3\n")),

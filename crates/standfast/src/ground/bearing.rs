@@ -38,7 +38,15 @@
 //! RE   μ ≥ k, k ≤ k_BF        SL   μ < k, and R ≥ P under η = μ, ε = γ|μ + kk'|        BF   else
 //! ```
 //!
-//! Limits of the formulas: level, homogeneous, drained ground, a strip that is long. No shoulder of a berm, no layers, no pore pressure or
+//! Of a base of a given length L ([`Ground::with_length`]) the terms have the shape factors of the law, with r the shorter of B' and L over the longer; in the
+//! last term stands the shorter:
+//!
+//! ```text
+//! ec7     s_γ = 1 − 0.3r       s_q = 1 + r sin φ       s_c = (s_q N_q − 1)/(N_q − 1)   i_q = (1−h)^m, i_γ = (1−h)^(m+1), m = (2 + B'/L)/(1 + B'/L)
+//! hansen  s_γ = 1 − 0.4 i_γ r  s_q = 1 + i_q r sin φ   s_c = 1, on the safe side
+//! ```
+//!
+//! Limits of the formulas: level, homogeneous, drained ground. No shoulder of a berm, no layers, no pore pressure or
 //! its growth under cycles, no seepage from uplift. The friction angle of a mound is uncertain, and R grows 2.3 times from 35° to 40°: a
 //! factor is to be read beside those at φ ± 2° ([`LoadFactors`]). No partial factor is applied.
 //!
@@ -89,8 +97,21 @@ pub enum GroundLaw {
 /// Law by which the ground bears: soil, for V₀ and the inclination factors, or an envelope in their place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kind {
-    Soil { law: GroundLaw, angle: Angle, unit_weight: f64, surcharge: f64, cohesion: f64 },
-    Envelope { centric: f64, horizontal: f64, moment: f64, coupling: f64 },
+    /// `length` is that of the base along the wall, m; infinite of a strip.
+    Soil {
+        law: GroundLaw,
+        angle: Angle,
+        unit_weight: f64,
+        surcharge: f64,
+        cohesion: f64,
+        length: f64,
+    },
+    Envelope {
+        centric: f64,
+        horizontal: f64,
+        moment: f64,
+        coupling: f64,
+    },
 }
 
 /// An angle of friction with what the laws make of it, once and not at every reaction.
@@ -212,14 +233,37 @@ impl GroundLaw {
         BearingFactors { n_q, n_c: (n_q - 1.0) / tan, n_gamma: slope * (n_q - 1.0) * tan }
     }
 
-    /// i_q and i_γ under the inclination h; zero where the formula ends.
-    fn inclined(self, h: f64) -> [f64; 2] {
+    /// i_q and i_γ under the inclination h, of a base whose width that bears is this share of its length; zero where the formula ends.
+    fn inclined(self, h: f64, of_length: f64) -> [f64; 2] {
         let power = |share: f64, n: i32| (1.0 - share * h).max(0.0).powi(n);
         match self {
-            GroundLaw::Ec7 => [power(1.0, 2), power(1.0, 3)],
+            GroundLaw::Ec7 if of_length == 0.0 => [power(1.0, 2), power(1.0, 3)],
+            GroundLaw::Ec7 => {
+                let m = inclination_exponent(of_length);
+                [m, m + 1.0].map(|n| (1.0 - h).max(0.0).powf(n))
+            }
             GroundLaw::Hansen => [power(0.5, 5), power(0.7, 5)],
         }
     }
+
+    /// s_c, s_q and s_γ of a base that is not long.
+    fn shape(self, angle: &Angle, of_length: f64, [i_q, i_gamma]: [f64; 2]) -> [f64; 3] {
+        // The shorter side over the longer.
+        let share = of_length.min(of_length.recip());
+        let sin = angle.degrees.to_radians().sin();
+        match self {
+            GroundLaw::Ec7 => {
+                let (n_q, s_q) = (angle.factors.n_q, 1.0 + share * sin);
+                [(s_q * n_q - 1.0) / (n_q - 1.0), s_q, 1.0 - 0.3 * share]
+            }
+            GroundLaw::Hansen => [1.0, 1.0 + i_q * share * sin, 1.0 - 0.4 * i_gamma * share],
+        }
+    }
+}
+
+/// m_B of EN 1997-1 Annex D, where the push is across a base whose width that bears is this share of its length.
+pub fn inclination_exponent(of_length: f64) -> f64 {
+    (2.0 + of_length) / (1.0 + of_length)
 }
 
 /// The least and the largest angle of friction taken, degrees.
@@ -255,7 +299,8 @@ impl Ground {
         )?;
         let unit_weight = InputError::positive(Quantity::UnitWeight, unit_weight)?;
         let angle = Angle::new(law, angle_deg);
-        Ok(Ground::undivided(Kind::Soil { law, angle, unit_weight, surcharge: 0.0, cohesion: 0.0 }))
+        let (surcharge, cohesion, length) = (0.0, 0.0, f64::INFINITY);
+        Ok(Ground::undivided(Kind::Soil { law, angle, unit_weight, surcharge, cohesion, length }))
     }
 
     /// Ground known by what it bears centric and upright, V₀ (N per metre run), and by Butterfield & Gottardi's envelope with their
@@ -310,12 +355,34 @@ impl Ground {
         Ok(self)
     }
 
+    /// Ground under a base of this length (m), with the shape factors of its law; forces stay those per metre run. It means nothing to an
+    /// envelope, which is returned as it is.
+    ///
+    /// # Errors
+    /// If it is not above zero.
+    pub fn with_length(mut self, base: f64) -> Result<Ground, InputError> {
+        let base = InputError::positive(Quantity::Length, base)?;
+        if let Kind::Soil { length, .. } = &mut self.kind {
+            *length = base;
+        }
+        Ok(self)
+    }
+
+    /// The length of the base along the wall, m; `None` of a strip, and of an envelope.
+    pub fn length(&self) -> Option<f64> {
+        match self.kind {
+            Kind::Soil { length, .. } => Some(length).filter(|length| length.is_finite()),
+            Kind::Envelope { .. } => None,
+        }
+    }
+
     /// Ground at another angle of friction, `by` degrees more; `None` for an envelope, which has none. It may leave 20° to 50° by that.
     pub fn turned(&self, by: f64) -> Option<Ground> {
         match self.kind {
-            Kind::Soil { law, angle, unit_weight, surcharge, cohesion } => {
+            Kind::Soil { law, angle, unit_weight, surcharge, cohesion, length } => {
                 let angle = Angle::new(law, angle.degrees + by);
-                Some(Ground { kind: Kind::Soil { law, angle, unit_weight, surcharge, cohesion }, ..*self })
+                let kind = Kind::Soil { law, angle, unit_weight, surcharge, cohesion, length };
+                Some(Ground { kind, ..*self })
             }
             Kind::Envelope { .. } => None,
         }
@@ -357,6 +424,9 @@ impl Ground {
     pub fn centric_resistance(&self, half_width: f64) -> f64 {
         let whole = match self.kind {
             Kind::Envelope { centric, .. } => centric,
+            Kind::Soil { length, .. } if length.is_finite() => {
+                return self.resistance(&Reaction { half_width, p: 1.0, x: 0.0, e: 0.0 });
+            }
             Kind::Soil { angle, unit_weight, surcharge, cohesion, .. } => {
                 let BearingFactors { n_q, n_c, n_gamma } = angle.factors;
                 2.0 * half_width * (cohesion * n_c + surcharge * n_q + unit_weight * half_width * n_gamma)
@@ -370,15 +440,19 @@ impl Ground {
     pub fn resistance(&self, reaction: &Reaction) -> f64 {
         let Reaction { half_width, p, x, e } = *reaction;
         let whole = match self.kind {
-            Kind::Soil { law, angle, unit_weight, surcharge, cohesion } => {
+            Kind::Soil { law, angle, unit_weight, surcharge, cohesion, length } => {
                 let width = reaction.effective_width();
+                let of_length = width / length;
                 let Angle { tan, factors: BearingFactors { n_q, n_c, n_gamma }, .. } = angle;
-                let [i_q, i_gamma] = law.inclined(x.abs() / (p + width * cohesion / tan));
+                let inclined = law.inclined(x.abs() / (p + width * cohesion / tan), of_length);
+                let [i_q, i_gamma] = inclined;
                 let i_c = (i_q - (1.0 - i_q) / (n_c * tan)).max(0.0);
+                let [s_c, s_q, s_gamma] =
+                    if of_length > 0.0 { law.shape(&angle, of_length, inclined) } else { [1.0; 3] };
                 width
-                    * (cohesion * n_c * i_c
-                        + surcharge * n_q * i_q
-                        + unit_weight * width / 2.0 * n_gamma * i_gamma)
+                    * (cohesion * n_c * s_c * i_c
+                        + surcharge * n_q * s_q * i_q
+                        + unit_weight * width.min(length) / 2.0 * n_gamma * s_gamma * i_gamma)
             }
             Kind::Envelope { centric, horizontal, moment, coupling } => {
                 let (η, ε) = ((x / p).abs(), e / half_width * (x * e).signum() * e.signum());

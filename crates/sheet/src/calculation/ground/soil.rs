@@ -1,6 +1,6 @@
 //! Resistance of ground that fails, at one reaction after the other.
 
-use standfast::ground::bearing::{BearingFactors, Ground, Reaction};
+use standfast::ground::bearing::{BearingFactors, Ground, Reaction, inclination_exponent};
 use standfast_cases::Key;
 use standfast_cases::case::{COUPLING, Limit, T_H, T_M};
 
@@ -34,6 +34,23 @@ impl NamedReaction<'_> {
 }
 
 const ENVELOPE: &str = "Butterfield and Gottardi";
+
+/// The shape of a base of a given length: the shorter of its sides over the longer, and the shorter, as they are written.
+struct Shape {
+    share: (String, f64),
+    narrow: String,
+}
+
+impl Shape {
+    fn of(at: &NamedReaction<'_>, length: f64, width: f64) -> Shape {
+        let name = at.width;
+        if width <= length {
+            Shape { share: (format!("{name}/L_b"), width / length), narrow: name.to_owned() }
+        } else {
+            Shape { share: (format!("L_b/{name}"), length / width), narrow: "L_b".to_owned() }
+        }
+    }
+}
 
 impl Sheet<'_> {
     pub(super) fn soil(&self) -> Option<Ground> {
@@ -121,12 +138,30 @@ impl Sheet<'_> {
         };
         let [η, i_q, i_c, i_gamma] = ["η", "i_q", "i_c", "i_γ"].map(|letter| at.name(letter));
         steps.add("Inclination of the resultant", law, [&η, &formula], inclination, NONE, "");
-        let share = |share: f64, n: i32| (1.0 - share * inclination).max(0.0).powi(n);
-        let power = |factor: &str, n: i32| format!("max(0, 1 − {factor}{η})^{n}");
-        let [of_q, of_gamma] = match self.is_hansen() {
-            true => [(power("0.5 ", 5), share(0.5, 5)), (power("0.7 ", 5), share(0.7, 5))],
-            false => [(power("", 2), share(1.0, 2)), (power("", 3), share(1.0, 3))],
+        let length = self.soil().and_then(|ground| ground.length());
+        let share = |share: f64, n: f64| (1.0 - share * inclination).max(0.0).powf(n);
+        let power = |factor: &str, n: &str| format!("max(0, 1 − {factor}{η})^{n}");
+        let [of_q, of_gamma] = match (self.is_hansen(), length) {
+            (true, _) => [(power("0.5 ", "5"), share(0.5, 5.0)), (power("0.7 ", "5"), share(0.7, 5.0))],
+            (false, None) => [(power("", "2"), share(1.0, 2.0)), (power("", "3"), share(1.0, 3.0))],
+            (false, Some(length)) => {
+                let (m, name) = (inclination_exponent(reaction.effective_width() / length), at.name("m_B"));
+                let formula = format!("(2 + {width}/L_b)/(1 + {width}/L_b)");
+                steps.add(
+                    "Exponent of the inclination, of a base that is not long",
+                    law,
+                    [&name, &formula],
+                    m,
+                    NONE,
+                    "",
+                );
+                [
+                    (power("", &name), share(1.0, m)),
+                    (power("", &format!("({name} + 1)")), share(1.0, m + 1.0)),
+                ]
+            }
         };
+        let shape = length.map(|length| Shape::of(at, length, reaction.effective_width()));
         let mut terms = Vec::new();
         if cohesion > 0.0 || surcharge > 0.0 {
             steps.add("Inclination factors", law, [&i_q, &of_q.0], of_q.1, NONE, "");
@@ -140,12 +175,45 @@ impl Sheet<'_> {
         if surcharge > 0.0 {
             terms.push(format!("q' N_q {i_q}"));
         }
-        terms.push(format!("γ' {width}/2 N_γ {i_gamma}"));
         steps.add("Inclination factor", law, [&i_gamma, &of_gamma.0], of_gamma.1, NONE, "");
+        let mut narrow = width.to_string();
+        let mut of_weight = i_gamma.clone();
+        if let Some(shape) = &shape {
+            let sin = self.given(Key::GroundAngle).to_radians().sin();
+            let [s_c, s_q, s_gamma] = ["s_c", "s_q", "s_γ"].map(|letter| at.name(letter));
+            let r = &shape.share.0;
+            let (by_q, by_gamma) = if self.is_hansen() {
+                let by_q = (format!("1 + {i_q} {r} sin(φ)"), 1.0 + of_q.1 * shape.share.1 * sin);
+                (by_q, (format!("1 − 0.4 {i_gamma} {r}"), 1.0 - 0.4 * of_gamma.1 * shape.share.1))
+            } else {
+                let by_q = (format!("1 + {r} sin(φ)"), 1.0 + shape.share.1 * sin);
+                (by_q, (format!("1 − 0.3 {r}"), 1.0 - 0.3 * shape.share.1))
+            };
+            let has_cohesion = cohesion > 0.0 && !self.is_hansen();
+            if surcharge > 0.0 || has_cohesion {
+                steps.add("Shape factors", law, [&s_q, &by_q.0], by_q.1, NONE, "");
+            }
+            if has_cohesion {
+                let value = (by_q.1 * factors.n_q - 1.0) / (factors.n_q - 1.0);
+                steps.add("", law, [&s_c, &format!("({s_q} N_q − 1)/(N_q − 1)")], value, NONE, "");
+                terms[0] = format!("c' N_c {s_c} {i_c}");
+            }
+            if surcharge > 0.0 {
+                let last = terms.len() - 1;
+                terms[last] = format!("q' N_q {s_q} {i_q}");
+            }
+            steps.add("Shape factor", law, [&s_gamma, &by_gamma.0], by_gamma.1, NONE, "");
+            of_weight = format!("{s_gamma} {i_gamma}");
+            narrow.clone_from(&shape.narrow);
+        }
+        terms.push(format!("γ' {narrow}/2 N_γ {of_weight}"));
         let formula = format!("{width}{} ({}){}", self.long, terms.join(" + "), self.divided());
-        let about = match at.of {
-            "" => {
+        let about = match (at.of, &shape) {
+            ("", None) => {
                 "What the ground bears at this eccentricity and inclination; depth, shape and slope have no factors"
+            }
+            ("", Some(_)) => {
+                "What the ground bears at this eccentricity and inclination; depth and slope have no factors"
             }
             _ => "What the ground bears there",
         };

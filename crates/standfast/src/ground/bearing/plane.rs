@@ -73,10 +73,12 @@ impl BearingPlane {
         let share = InputError::positive(Quantity::BearingShare, share)?;
         let centric = 1.0 / share / ground.centric_resistance(1.0);
         let kind = match ground.kind {
-            Kind::Soil { law, angle, unit_weight, surcharge, cohesion } => {
+            // In units of B a base is long.
+            Kind::Soil { law, angle, unit_weight, surcharge, cohesion, .. } => {
+                let length = f64::INFINITY;
                 let [unit_weight, surcharge, cohesion] =
                     [unit_weight, surcharge, cohesion].map(|x| x * centric);
-                Kind::Soil { law, angle, unit_weight, surcharge, cohesion }
+                Kind::Soil { law, angle, unit_weight, surcharge, cohesion, length }
             }
             Kind::Envelope { horizontal, moment, coupling, .. } => {
                 Kind::Envelope { centric: ground.divisor / share, horizontal, moment, coupling }
