@@ -63,7 +63,7 @@ fn years_at_rest_tell_of_those_that_follow() {
     assert_close("after 30 years", stood.not_rest.value, expected, 1e-9);
     assert!(expected < 0.8 * life(&found));
     let text = found.text(&());
-    assert!(text.contains("After 30 years at rest the probability of the next 20 years is"), "{text}");
+    assert!(text.contains("After 30 years at rest the probability in the next 20 years is"), "{text}");
     // Drawn, as two numbers are drawn each year beside one for life.
     let drawn = format!(
         "{random}k_prime = {{ uniform = {{ from = -0.1, to = 0.1 }}, every = \"year\" }}\ngamma = {{ uniform = {{ from = 0.4, to = 0.5 }} }}\n"

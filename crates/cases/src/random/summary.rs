@@ -118,11 +118,10 @@ pub fn over_life(life: &LifeChances) -> String {
 pub fn after_rest(life: &LifeChances) -> Option<String> {
     let Stood { years: stood, not_rest } = life.stood?;
     Some(format!(
-        "After {} at rest the probability of the next {} is {} (of one that is new {}).",
+        "That is of a body that is new. After {} at rest the probability in the next {} is {}.",
         years(stood),
         years(life.years),
-        known(not_rest),
-        known(life.not_rest)
+        known(not_rest)
     ))
 }
 
