@@ -15,6 +15,7 @@ mod base;
 mod chances;
 mod criterion;
 mod departure;
+mod design_values;
 mod draws;
 mod error;
 mod fragility;
@@ -41,6 +42,7 @@ pub use answer::{
 };
 pub(crate) use criterion::asked_of_file;
 pub use criterion::{AskedChances, ChanceCriterion};
+pub use design_values::{DesignValue, DesignValues};
 pub use draws::{Draw, DrawInPlane, Draws, WeighedDraws};
 pub use error::ProbabilityError;
 pub use fragility::{Fit, Fragility, FragilityPoint, ValueRange};

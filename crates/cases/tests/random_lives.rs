@@ -1,4 +1,4 @@
-//! Lives of events that come by Poisson's law, and of bodies that have stood: against closed forms written out here.
+//! Lives of events that come by Poisson's law, bodies that have stood, and design values: against closed forms written out here.
 
 use standfast_cases::random::{ChanceRequest, Effort, Probability, ProbabilityError};
 use standfast_cases::{CaseFile, Document};
@@ -63,7 +63,11 @@ fn years_at_rest_tell_of_those_that_follow() {
     assert_close("after 30 years", stood.not_rest.value, expected, 1e-9);
     assert!(expected < 0.8 * life(&found));
     let text = found.text(&());
-    assert!(text.contains("After 30 years at rest the probability in the next 20 years is"), "{text}");
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("After 30 years at rest the probability in the next 20 years is 0.1177."),
+        "{text}"
+    );
     // Drawn, as two numbers are drawn each year beside one for life.
     let drawn = format!(
         "{random}k_prime = {{ uniform = {{ from = -0.1, to = 0.1 }}, every = \"year\" }}\ngamma = {{ uniform = {{ from = 0.4, to = 0.5 }} }}\n"
@@ -97,6 +101,44 @@ fn criteria_are_of_what_has_stood() {
     assert!(stood < new);
 }
 
+/// Of two normal numbers the design values are μ ∓ αβσ, and characteristic ones lie 1.645 σ from the mean: EN 1990, Annex C. With a correlation
+/// the point in the numbers themselves is that of the covariance: σ_i (Σ c)_i/√(cᵀΣc).
+#[test]
+fn design_values_are_those_of_the_code() {
+    let laws = "target_beta = 3.8\nk = { normal = { mean = 0.3, sd = 0.04 } }\nmu = { normal = { mean = 0.5, sd = 0.05 } }\n";
+    let found = answer(laws);
+    let asked = found.situations[0].design_values.as_ref().unwrap();
+    let sd = 0.04f64.hypot(0.05);
+    let fractile = 1.644_853_626_951_472_7;
+    for (design, (mean, of, alpha)) in
+        asked.numbers.iter().zip([(0.3, 0.04, 0.04 / sd), (0.5, 0.05, -0.05 / sd)])
+    {
+        assert_close("α", design.alpha, alpha, 1e-6);
+        assert_close("value", design.value, mean + alpha * 3.8 * of, 1e-6);
+        let characteristic = mean + f64::signum(alpha) * fractile * of;
+        assert_close("characteristic", design.characteristic, characteristic, 1e-9);
+        let factor = if alpha > 0.0 { design.value / characteristic } else { characteristic / design.value };
+        assert_close("factor", design.factor.unwrap(), factor, 1e-9);
+        assert_eq!(design.fractile, if alpha > 0.0 { 0.95 } else { 0.05 });
+    }
+    let text = found.text(&());
+    assert!(text.contains("Design values at β = 3.8") && text.contains("EN 1990, Annex C"), "{text}");
+    assert!(found.json(&(), &[]).contains("\"design_values\""));
+    // With ρ = −0.5, whichever number is written first.
+    for order in ["\"k\", \"mu\"", "\"mu\", \"k\""] {
+        let found = answer(&format!("{laws}[[random.correlation]]\nbetween = [{order}]\nnormal = -0.5\n"));
+        let asked = found.situations[0].design_values.clone().unwrap();
+        let (a, b, rho) = (0.04, 0.05, -0.5);
+        let whole = f64::sqrt(a * a + b * b - 2.0 * rho * a * b);
+        for (design, (mean, of, z)) in
+            asked.numbers.iter().zip([(0.3, a, (a - rho * b) / whole), (0.5, b, (rho * a - b) / whole)])
+        {
+            assert_close("correlated", design.value, mean + z * 3.8 * of, 1e-6);
+        }
+    }
+    assert!(answer(&laws.replace("target_beta = 3.8\n", "")).situations[0].design_values.is_none());
+}
+
 #[test]
 fn rates_that_do_not_go_together_are_refused() {
     let event = "k = { exponential = { scale = 0.05, location = 0.2 }, every = \"event\" }\n";
@@ -116,6 +158,7 @@ fn rates_that_do_not_go_together_are_refused() {
         ),
         (format!("events_per_year = -4\n{event}"), "`events_per_year` is -4; expected a number above zero"),
         (format!("survived = 0\n{year}"), "`survived` is 0; expected a number above zero"),
+        (format!("target_beta = -1\n{year}"), "`target_beta` is -1; expected a number above zero"),
         (format!("survived = 10\n{year}"), "a life is asked for, and nothing says how many years it has"),
     ] {
         let text = format!("{LOW}{random}");

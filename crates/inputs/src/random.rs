@@ -57,6 +57,8 @@ pub struct Lifetime {
     pub events_per_year: Option<f64>,
     /// Years before it through which the body stayed at rest.
     pub survived: Option<f64>,
+    /// Reliability index for which design values are asked.
+    pub target_beta: Option<f64>,
 }
 
 /// A record of a shaking, by its files.
@@ -320,6 +322,7 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
         match name {
             "years" => random.lifetime.years = Some(positive(value, "`years`")?),
             "survived" => random.lifetime.survived = Some(positive(value, "`survived`")?),
+            "target_beta" => random.lifetime.target_beta = Some(positive(value, "`target_beta`")?),
             "events_per_year" => {
                 random.lifetime.events_per_year = Some(positive(value, "`events_per_year`")?);
             }

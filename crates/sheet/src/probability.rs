@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
-    ChanceRequest, Chances, Estimate, Happening, Method, Probability, ProbabilityError, Random, Rate,
-    after_rest, criterion_words, over_life, period, period_of,
+    ChanceRequest, Chances, DesignValues, Estimate, Happening, Method, Probability, ProbabilityError, Random,
+    Rate, after_rest, criterion_words, over_life, period, period_of,
 };
 use standfast_cases::{Bound, CaseFile, Portion};
 
@@ -229,6 +229,35 @@ fn matters(answer: &Probability, chances: &Chances) -> Markup {
             }
         }
         p.note { "Known means held at its median." }
+        @if let Some(asked) = &chances.design_values { (design_values(answer, asked)) }
+    }
+}
+
+/// Design values at a target index.
+fn design_values(answer: &Probability, asked: &DesignValues) -> Markup {
+    html! {
+        h3 { "Design values at β = " (digits(asked.beta)) }
+        table.numbers data-table="design-values" {
+            thead {
+                tr { th { "Input" } th.n { "α" } th.n { "Design value" } th.n { "Characteristic" } th.n { "Fractile" } th.n { "Partial factor" } }
+            }
+            tbody {
+                @for (number, design) in answer.random.iter().zip(&asked.numbers) {
+                    tr {
+                        td { code { (number.name) } }
+                        td.n { (format!("{:.2}", design.alpha)) }
+                        td.n { (number.written(design.value)) }
+                        td.n { (number.written(design.characteristic)) }
+                        td.n { (digits(100.0 * design.fractile)) " %" }
+                        td.n { (design.factor.map_or(String::new(), |factor| format!("{factor:.2}"))) }
+                    }
+                }
+            }
+        }
+        p.note {
+            "EN 1990, Annex C: F⁻¹(Φ(αβ)), α at the nearest point at which the body does not rest. The factor is the design value over the \
+             characteristic of what is unfavourable where it is high, and the characteristic over it of what is so where it is low."
+        }
     }
 }
 

@@ -11,6 +11,7 @@ use standfast_watch::Portion;
 
 use super::chances::chances;
 use super::criterion::{ChanceCriterion, Known, checked, slides_asked};
+use super::design_values::DesignValues;
 use super::error::ProbabilityError;
 use super::fragility::Fragility;
 use super::joined::{JoinedChance, joined};
@@ -104,6 +105,8 @@ pub struct Chances {
     pub design_point: Option<FormPoint>,
     /// The nearest point of every mode that has one within reach, and of numbers that do not go together; none unless asked for.
     pub design_points: Option<Vec<(Happening, FormPoint)>>,
+    /// The values of the numbers for the index that is asked for.
+    pub design_values: Option<DesignValues>,
     /// The probability of not resting if one number were known to have its median, for each.
     pub known: Vec<Estimate>,
     /// Over the years of a life.

@@ -12,6 +12,7 @@ use standfast_watch::Portion;
 
 use super::answer::{ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Stood};
 use super::departure::{AT_ONCE, Departures, NEVER};
+use super::design_values::DesignValues;
 use super::error::ProbabilityError;
 use super::joined::{AnyOf, MOVES};
 use super::outcome::{LIFTED, NOT_UNIQUE, REST, not_rest};
@@ -176,6 +177,10 @@ pub(super) fn chances(
         lifted: *lifted,
         known,
         first_departure: first_departure(problem, method, effort, sampled.points, of_departure)?,
+        design_values: problem
+            .lifetime()
+            .target_beta
+            .and_then(|beta| Some(DesignValues::of(laws, points.first()?, beta))),
         design_point: points.into_iter().next(),
         design_points: request.form.then(|| of_each(problem)),
         life: life(problem, effort, of_life)?,

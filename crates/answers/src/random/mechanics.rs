@@ -158,13 +158,13 @@ impl Quick {
 
     /// The waves with these heights, times their biases.
     fn waves(&self, heights: Heights, biases: &Biases) -> Option<GodaWaves> {
-        let GodaWaves { sea, section, goda: as_given, .. } = &self.waves;
-        let choices = biases.on_heights(self.waves.choices);
+        let GodaWaves { sea, section, choices, goda: as_given, .. } = &self.waves;
+        let (sea, section, choices) = (*sea, *section, biases.on_heights(*choices));
         let goda = match heights {
-            Heights::DeepWater(height) => as_given.from_deep_water(sea, section, &choices, height)?,
-            heights => goda(sea, &heights, section, &choices).ok()?,
+            Heights::DeepWater(height) => as_given.from_deep_water(&sea, &section, &choices, height)?,
+            heights => goda(&sea, &heights, &section, &choices).ok()?,
         };
-        GodaWaves { heights, goda, choices, ..self.waves.clone() }.broken()
+        GodaWaves { sea, heights, section, choices, goda }.broken()
     }
 
     pub(super) fn components(&self, heights: Heights, biases: &Biases) -> Option<Components> {

@@ -170,22 +170,13 @@ pub(super) fn proposed(case: &Case, inputs: &Inputs) -> Vec<ProposedLaw> {
             ));
         }
     }
-    if let Some(waves) = case.goda() {
-        if matches!(waves.heights, Heights::DeepWater(_)) {
-            lines.push(line(
-                "bias.H0",
-                "normal",
-                (Some(1.0), 0.10),
-                format!("How well the waves in deep water are known: Goda and Takagi (2000); {NOT_READ}"),
-            ));
-            lines.push(line(
-                "bias.H",
-                "normal",
-                (Some(0.87), 0.10),
-                format!(
-                    "Heights at the wall over those that the formulas for transformation give: Goda and Takagi (2000); {NOT_READ}"
-                ),
-            ));
+    if case.goda().is_some_and(|waves| matches!(waves.heights, Heights::DeepWater(_))) {
+        for (name, mean, says) in [
+            ("bias.H0", 1.0, "How well the waves in deep water are known"),
+            ("bias.H", 0.87, "Heights at the wall over those that the formulas for transformation give"),
+        ] {
+            let says = format!("{says}: Goda and Takagi (2000); {NOT_READ}");
+            lines.push(line(name, "normal", (Some(mean), 0.10), says));
         }
     }
     if case.wave.is_some() {

@@ -245,7 +245,26 @@ struct ChancesDocument<'a> {
     importance: Vec<ImportanceDocument<'a>>,
     /// `null` unless they are asked for.
     design_points: Option<Vec<DesignPointDocument<'a>>>,
+    /// `null` unless they are asked for.
+    design_values: Option<DesignValuesDocument<'a>>,
     life: Option<LifeDocument>,
+}
+
+/// Values of the numbers for a target index.
+#[derive(Serialize)]
+struct DesignValuesDocument<'a> {
+    beta: f64,
+    numbers: Vec<DesignValueDocument<'a>>,
+}
+
+#[derive(Serialize)]
+struct DesignValueDocument<'a> {
+    name: &'a str,
+    alpha: f64,
+    value: f64,
+    fractile: f64,
+    characteristic: f64,
+    factor: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -396,6 +415,22 @@ fn document<'a>(answer: &'a Probability, chances: &'a Chances) -> ChancesDocumen
         at_change_of_formula: point.map(|point| point.at_change),
         importance: importance.collect(),
         design_points: chances.design_points.as_ref().map(|points| points.iter().map(of_mode).collect()),
+        design_values: chances.design_values.as_ref().map(|asked| DesignValuesDocument {
+            beta: asked.beta,
+            numbers: answer
+                .random
+                .iter()
+                .zip(&asked.numbers)
+                .map(|(number, design)| DesignValueDocument {
+                    name: &number.name,
+                    alpha: design.alpha,
+                    value: design.value,
+                    fractile: design.fractile,
+                    characteristic: design.characteristic,
+                    factor: design.factor,
+                })
+                .collect(),
+        }),
         life: chances.life.as_ref().map(|life| LifeDocument {
             years: life.years,
             events_per_year: life.events,

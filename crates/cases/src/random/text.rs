@@ -7,8 +7,8 @@ use standfast_probability::sample::{Effort, Estimate};
 
 use super::summary::{FEW, period, summary};
 use super::{
-    Chances, Exceedance, FirstDeparture, Fit, FollowedWaves, Fragility, Happening, JoinedChance, Method,
-    Overturning, PeakChances, Probability, Pulse, Quantile, RandomNumber, Sliding,
+    Chances, DesignValues, Exceedance, FirstDeparture, Fit, FollowedWaves, Fragility, Happening,
+    JoinedChance, Method, Overturning, PeakChances, Probability, Pulse, Quantile, RandomNumber, Sliding,
 };
 use crate::key::Key;
 use crate::layout::{columns, digits, paragraph, percent, row, significant};
@@ -228,6 +228,7 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
     text += &event_table(answer, chances);
     text += &paragraphs(&notes(answer, chances));
     text += &matters(answer, chances);
+    text += &design_values(answer, chances);
     text += &nearest(answer, chances);
     if let Some(life) = &chances.life {
         let _ = writeln!(text, "\n{}", super::summary::over_life(life));
@@ -369,6 +370,28 @@ fn matters(answer: &Probability, chances: &Chances) -> String {
         ]);
     }
     format!("\n{}", columns(&rows, 0, &[1, 2, 3]))
+}
+
+/// Table of the design values at a target index, if they are asked for.
+fn design_values(answer: &Probability, chances: &Chances) -> String {
+    let Some(DesignValues { beta, numbers }) = &chances.design_values else { return String::new() };
+    let heading = format!("Design values at β = {}", digits(*beta));
+    let mut rows = vec![row![heading, "α", "design value", "characteristic", "", "partial factor"]];
+    for (number, design) in answer.random.iter().zip(numbers) {
+        rows.push(row![
+            format!("  {}", number.name),
+            format!("{:.2}", design.alpha),
+            number.written(design.value),
+            number.written(design.characteristic),
+            format!("{} %", digits(100.0 * design.fractile)),
+            design.factor.map_or(String::new(), |factor| format!("{factor:.2}"))
+        ]);
+    }
+    format!("\n{}", columns(&rows, 0, &[1, 2, 3, 4, 5]))
+        + &paragraph(
+            "EN 1990, Annex C: F⁻¹(Φ(αβ)), α at the nearest point at which the body does not rest.",
+            2,
+        )
 }
 
 /// Table of the points at which each mode is nearest to the medians, if that is asked for.

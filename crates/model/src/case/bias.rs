@@ -171,6 +171,9 @@ impl<T: Scalar> Case<T> {
     /// If the waves cannot have such heights, or a combination sets heights at the wall where that in deep water has a bias.
     pub fn biased(self, biases: Biases) -> Result<Case<T>, Fault> {
         let mut case = Case { biases, ..self };
+        if Bias::ALL.into_iter().all(|bias| !bias.is_of_case() || biases.get(bias).is_none()) {
+            return Ok(case);
+        }
         case.changed = std::mem::take(&mut case.changed)
             .into_iter()
             .enumerate()

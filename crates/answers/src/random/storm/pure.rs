@@ -214,6 +214,7 @@ impl PureStorm {
             },
             design_point: None,
             design_points: None,
+            design_values: None,
             known: Vec::new(),
             course: Vec::new(),
             life: self.lifetime.years.map(|years| LifeChances {
