@@ -92,6 +92,12 @@ fn a_sum_over_the_values() {
     let inputs = RandomVector::independent(vec![line, normal_law(2.2, 0.4)]);
     let sum = 0.25 * normal::below(0.2 / 0.4) + 0.75 * normal::above(0.8 / 0.4);
     assert_close("discrete line", exact(&inputs), sum, 1e-12);
+    // Of three values, the one in the middle is passed where neither end of the law is.
+    let three = discrete(&[2.0, 2.4, 3.0], &[0.25, 0.5, 0.25]);
+    let inputs = RandomVector::independent(vec![three, normal_law(2.2, 0.4)]);
+    let below = |line: f64| normal::above((line - 2.2) / 0.4);
+    let sum = 0.25 * below(2.0) + 0.5 * below(2.4) + 0.25 * below(3.0);
+    assert_close("three", exact(&inputs), sum, 1e-12);
 }
 
 /// A sample of 300 values is a sum of as many terms, and quick.
