@@ -16,10 +16,10 @@ use crate::onset::NO_MODE;
 use crate::simulate::{Samples, given_base};
 use crate::watch::{patiently, watched};
 
-/// Arguments of a call, as `_probability.py` gives them.
+/// Arguments of a call, as `_probability.py` and `_reliability.py` give them.
 #[derive(FromPyObject)]
 pub(crate) struct Arguments {
-    method: Option<String>,
+    pub(crate) method: Option<String>,
     seed: u64,
     precision: f64,
     floor: f64,
@@ -28,7 +28,21 @@ pub(crate) struct Arguments {
     over: Option<String>,
     follow: bool,
     threads: Option<NonZero<usize>>,
-    progress: Option<Py<PyAny>>,
+    pub(crate) progress: Option<Py<PyAny>>,
+}
+
+impl Arguments {
+    /// Seed, precision, floor, points and threads.
+    pub(crate) fn effort(&self) -> Effort {
+        let plain = Effort::default();
+        Effort {
+            seed: self.seed,
+            precision: self.precision,
+            floor: self.floor,
+            points: self.samples,
+            threads: self.threads.map_or(plain.threads, NonZero::get),
+        }
+    }
 }
 
 /// The answer to a case with random numbers.
@@ -69,14 +83,7 @@ pub(crate) fn probability(
     let records = records.into_iter().map(given_base).collect::<PyResult<Vec<_>>>()?;
     let method = asked.method.as_deref().map(str::parse::<MethodAsked>).transpose();
     let method = method.map_err(|error: String| StandfastError::new_err(error))?;
-    let plain = Effort::default();
-    let effort = Effort {
-        seed: asked.seed,
-        precision: asked.precision,
-        floor: asked.floor,
-        points: asked.samples,
-        threads: asked.threads.map_or(plain.threads, NonZero::get),
-    };
+    let effort = asked.effort();
     let request =
         ChanceRequest { effort, years: asked.years, follow: asked.follow, ..ChanceRequest::default() };
     let request = method.map_or(request, |method| request.with(method));

@@ -12,19 +12,8 @@ use standfast_probability::form::{FormPoint, generalized};
 use standfast_probability::limit_state::{Asked, LimitFunction, reliability as of_limit_state};
 
 use crate::errors::{StandfastError, of_case};
+use crate::probability::Arguments;
 use crate::watch::watched;
-
-/// Arguments of a call, as `_reliability.py` gives them.
-#[derive(FromPyObject)]
-pub(crate) struct Arguments {
-    method: Option<String>,
-    seed: u64,
-    precision: f64,
-    floor: f64,
-    samples: u64,
-    line: Option<String>,
-    progress: Option<Py<PyAny>>,
-}
 
 /// A function of arrays by their names.
 struct Limit {
@@ -96,10 +85,11 @@ pub(crate) fn reliability(
     py: Python<'_>,
     limit_state: Py<PyAny>,
     laws: (String, String),
+    line: Option<String>,
     asked: Arguments,
 ) -> PyResult<Answer> {
     let named = asked.method.as_deref().map(|name| {
-        Method::ALL.into_iter().find(|method| method.name() == name).ok_or_else(|| {
+        Method::find(name).ok_or_else(|| {
             let names = Method::ALL.map(Method::name).join(", ");
             StandfastError::new_err(format!("no method is called `{name}`; expected one of {names}"))
         })
@@ -112,15 +102,9 @@ pub(crate) fn reliability(
             StandfastError::new_err(format!("line is {line:?}; expected one of {}", names.join(", ")))
         })
     };
-    let line = asked.line.as_ref().map(place).transpose()?;
+    let line = line.as_ref().map(place).transpose()?;
     // One thread: only one at a time can call a function of Python.
-    let effort = Effort {
-        seed: asked.seed,
-        precision: asked.precision,
-        floor: asked.floor,
-        points: asked.samples,
-        threads: 1,
-    };
+    let effort = Effort { threads: 1, ..asked.effort() };
     let function = Limit { function: limit_state, names: names.clone(), raised: Mutex::new(None) };
     let found = watched(py, asked.progress.as_ref(), move |portion| {
         let found = of_limit_state(&inputs, &function, &Asked { method, effort, line, portion });

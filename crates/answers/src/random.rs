@@ -21,6 +21,7 @@ mod error;
 mod fragility;
 mod intervals;
 mod joined;
+mod lines;
 mod mechanics;
 mod outcome;
 mod overturn;

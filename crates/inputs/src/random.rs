@@ -36,6 +36,8 @@ pub const RANDOM: &str = "random";
 pub struct Random {
     /// The life that is asked for.
     pub lifetime: Lifetime,
+    /// The reliability index for which design values are asked.
+    pub target_beta: Option<f64>,
     /// The numbers that are random, in the order in which they stand.
     pub named: Vec<RandomEntry>,
     /// Records of shakings, each as likely, in the place of the case's own.
@@ -57,8 +59,13 @@ pub struct Lifetime {
     pub events_per_year: Option<f64>,
     /// Years before it through which the body stayed at rest.
     pub survived: Option<f64>,
-    /// Reliability index for which design values are asked.
-    pub target_beta: Option<f64>,
+}
+
+impl Lifetime {
+    /// The same of these years, if they are given.
+    pub fn with_years(self, years: Option<f64>) -> Lifetime {
+        Lifetime { years: years.or(self.years), ..self }
+    }
 }
 
 /// A record of a shaking, by its files.
@@ -311,6 +318,7 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
     let table = table(item, "`random`", "a table")?;
     let mut random = Random {
         lifetime: Lifetime::default(),
+        target_beta: None,
         named: Vec::new(),
         records: Vec::new(),
         correlations: Vec::new(),
@@ -322,7 +330,7 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
         match name {
             "years" => random.lifetime.years = Some(positive(value, "`years`")?),
             "survived" => random.lifetime.survived = Some(positive(value, "`survived`")?),
-            "target_beta" => random.lifetime.target_beta = Some(positive(value, "`target_beta`")?),
+            "target_beta" => random.target_beta = Some(positive(value, "`target_beta`")?),
             "events_per_year" => {
                 random.lifetime.events_per_year = Some(positive(value, "`events_per_year`")?);
             }

@@ -1,5 +1,6 @@
 //! The regularised incomplete beta function: what the beta, the binomial and Student's law are at any point.
 
+use crate::fraction::continued;
 use crate::law::Tails;
 
 /// I_x(a, b) of positive a and b, by the continued fraction of [DLMF 8.17.22](https://dlmf.nist.gov/8.17.E22), which converges fast for x
@@ -28,33 +29,26 @@ fn lower(a: f64, b: f64, x: f64, y: f64) -> f64 {
     power.exp() / (a * fraction(a, b, x))
 }
 
-/// 1 + d₁/(1 + d₂/(1 + …)), forwards by Lentz's method. About √max(a, b) terms are needed.
+/// 1 + d₁/(1 + d₂/(1 + …)). About √max(a, b) terms are needed.
 fn fraction(a: f64, b: f64, x: f64) -> f64 {
-    let away_from_zero = |x: f64| if x.abs() < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { x };
-    let (mut value, mut upper, mut lower) = (1.0, 1.0, 0.0);
-    for term in 1..1_000_000 {
+    continued(1.0, |term| {
         let m = f64::from(term / 2);
         let d = if term % 2 == 0 {
             m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m))
         } else {
             -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0))
         };
-        lower = 1.0 / away_from_zero(1.0 + d * lower);
-        upper = away_from_zero(1.0 + d / upper);
-        value *= upper * lower;
-        if (upper * lower - 1.0).abs() <= f64::EPSILON {
-            break;
-        }
-    }
-    value
+        (d, 1.0)
+    })
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::beta_reg;
     use crate::points::Stream;
 
-    fn close(found: f64, expected: f64, share: f64, what: &str) {
+    /// Asserts that two numbers agree to a share.
+    pub(crate) fn close(found: f64, expected: f64, share: f64, what: &str) {
         assert!((found - expected).abs() <= share * expected.abs(), "{what}: {found}, not {expected}");
     }
 

@@ -79,6 +79,36 @@ pub fn design_point<O: Outcomes>(inputs: &RandomVector, outcomes: &O, which: u64
     local_design_points(inputs, outcomes, which).into_iter().next()
 }
 
+/// Distance up to which two points are as good as one to draw about, in deviations.
+const APART: f64 = 0.1;
+
+/// The points in standard normals, each once: those that lie apart from each other, in their order.
+pub fn apart(points: impl IntoIterator<Item = FormPoint>) -> Vec<Vec<f64>> {
+    let mut found: Vec<Vec<f64>> = Vec::new();
+    for FormPoint { u, .. } in points {
+        if found.iter().all(|other| distance(other, &u) > APART) {
+            found.push(u);
+        }
+    }
+    found
+}
+
+/// The nearest points of the outcomes in `which`; where one of these holds at the medians those of the outcomes in `otherwise`,
+/// [turned](FormPoint::turned).
+pub fn boundary_points<O: Outcomes>(
+    inputs: &RandomVector,
+    outcomes: &O,
+    which: u64,
+    otherwise: u64,
+) -> Vec<FormPoint> {
+    let points = local_design_points(inputs, outcomes, which);
+    if points.first().is_some_and(|point| point.beta == 0.0) {
+        let other = local_design_points(inputs, outcomes, otherwise);
+        return other.into_iter().map(FormPoint::turned).collect();
+    }
+    points
+}
+
 /// All nearest points that the starts have found, the nearest first: those that lie apart from each other.
 pub fn local_design_points<O: Outcomes>(inputs: &RandomVector, outcomes: &O, which: u64) -> Vec<FormPoint> {
     let frame = Frame::new(inputs, outcomes);

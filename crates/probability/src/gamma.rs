@@ -1,5 +1,6 @@
 //! The regularised incomplete gamma functions: what the gamma law is at any point.
 
+use crate::fraction::continued;
 use crate::law::Tails;
 
 /// P(a, x) and Q(a, x) = 1 − P of positive a and x ≥ 0; the smaller of the two has all its digits. By the series of
@@ -17,7 +18,7 @@ pub(crate) fn tails(a: f64, x: f64) -> Tails {
         let below = power * series(a, x);
         Tails { below, above: 1.0 - below }
     } else {
-        let above = power * fraction(a, x);
+        let above = power / fraction(a, x);
         Tails { below: 1.0 - above, above }
     }
 }
@@ -36,34 +37,19 @@ fn series(a: f64, x: f64) -> f64 {
     sum
 }
 
-/// 1/(x + 1 − a − 1(1 − a)/(x + 3 − a − 2(2 − a)/(x + 5 − a − …))), forwards by Lentz's method. About √a terms are needed.
+/// x + 1 − a − 1(1 − a)/(x + 3 − a − 2(2 − a)/(x + 5 − a − …)). About √a terms are needed.
 fn fraction(a: f64, x: f64) -> f64 {
-    let away_from_zero = |x: f64| if x.abs() < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { x };
-    let mut b = x + 1.0 - a;
-    let mut lower = 1.0 / away_from_zero(b);
-    let (mut value, mut upper) = (lower, f64::MAX);
-    for term in 1..1_000_000 {
-        let n = f64::from(term);
-        let d = n * (a - n);
-        b += 2.0;
-        lower = 1.0 / away_from_zero(b + d * lower);
-        upper = away_from_zero(b + d / upper);
-        value *= upper * lower;
-        if (upper * lower - 1.0).abs() <= f64::EPSILON {
-            break;
-        }
-    }
-    value
+    continued(x + 1.0 - a, |n| {
+        let n = f64::from(n);
+        (n * (a - n), x + 1.0 - a + 2.0 * n)
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::tails;
+    use super::{Tails, tails};
+    use crate::beta::tests::close;
     use crate::points::Stream;
-
-    fn close(found: f64, expected: f64, share: f64, what: &str) {
-        assert!((found - expected).abs() <= share * expected.abs(), "{what}: {found}, not {expected}");
-    }
 
     /// Q(n, x) is e⁻ˣ(1 + x + … + xⁿ⁻¹/(n − 1)!) of whole n, and Q(½, x) = erfc √x; P is the small one near zero.
     #[test]
@@ -85,7 +71,6 @@ mod tests {
             close(tails(0.5, x).above, libm::erfc(x.sqrt()), 1e-12, &format!("half, {x}"));
             close(tails(0.5, x).below, libm::erf(x.sqrt()), 1e-12, &format!("half, {x}"));
         }
-        use crate::law::Tails;
         assert_eq!(tails(2.0, 0.0), Tails { below: 0.0, above: 1.0 });
         assert_eq!(tails(2.0, f64::INFINITY), Tails { below: 1.0, above: 0.0 });
     }

@@ -50,6 +50,7 @@
 mod beta;
 pub mod copula;
 pub mod form;
+mod fraction;
 mod gamma;
 pub mod integrate;
 pub mod law;

@@ -22,10 +22,9 @@ use std::sync::Mutex;
 use standfast_watch::Portion;
 use thiserror::Error;
 
-use crate::REACH;
-use crate::form::{FormPoint, distance, local_design_points};
+use crate::form::{FormPoint, apart, boundary_points};
 use crate::method::{Found, Method, by, by_known};
-use crate::problem::{Outcomes, Pieces, RandomVector};
+use crate::problem::{Outcomes, Pieces, RandomVector, scanned};
 use crate::roots::Crossing;
 use crate::sample::{Effort, Estimate};
 
@@ -130,8 +129,6 @@ fn outcome(g: f64) -> usize {
 const COST: u64 = 64;
 /// Of two numbers that a scan takes each, more are not integrated unless it is asked for.
 const INTEGRATED: usize = 2;
-/// Least distance of two points about which is drawn, in deviations.
-const APART: f64 = 0.1;
 
 /// How likely it is that a function of random inputs is below zero.
 ///
@@ -148,11 +145,7 @@ pub fn reliability<G: LimitFunction>(
     asked: &Asked<'_>,
 ) -> Result<Reliability, LimitStateError> {
     let mut state = LimitState::new(inputs, function, asked.line.unwrap_or(0));
-    let mut points = local_design_points(inputs, &state, 1 << BELOW);
-    if points.first().is_some_and(|point| point.beta == 0.0) {
-        points =
-            local_design_points(inputs, &state, 1 << NOT_BELOW).into_iter().map(FormPoint::turned).collect();
-    }
+    let points = boundary_points(inputs, &state, 1 << BELOW, 1 << NOT_BELOW);
     if let (None, Some(point)) = (asked.line, points.first()) {
         let weight = |input: &usize| (!inputs.laws()[*input].is_discrete(), point.alpha[*input].abs());
         let first =
@@ -166,12 +159,7 @@ pub fn reliability<G: LimitFunction>(
     if let Some(most) = method.most_numbers().filter(|most| numbers > *most) {
         return Err(LimitStateError::TooMany { method, most, numbers });
     }
-    let mut about: Vec<Vec<f64>> = Vec::new();
-    for FormPoint { u, .. } in points.iter().filter(|_| method == Method::Importance) {
-        if about.iter().all(|other| distance(other, u) > APART) {
-            about.push(u.clone());
-        }
-    }
+    let about = apart(points.iter().filter(|_| method == Method::Importance).cloned());
     let [whole, each] = asked.portion.parts([2.0, numbers as f64]);
     let work = (asked.effort.within(whole), COST);
     let Found { method, sampled, given_up } =
@@ -214,15 +202,10 @@ struct LimitState<'a, G> {
     not_a_number: Mutex<Option<Vec<f64>>>,
 }
 
-/// Steps in which an input's law is looked at.
-const STEPS: u32 = 192;
-
-/// The values at which the sign is looked at along an input: even in its normal, and where its law is not smooth.
+/// The values at which the sign is looked at along an input.
 fn grid(inputs: &RandomVector, line: usize) -> Vec<f64> {
-    let law = &inputs.laws()[line];
-    let even = (0..=STEPS).map(|i| law.value(REACH * (2.0 * f64::from(i) / f64::from(STEPS) - 1.0)));
-    let mut grid: Vec<f64> = even.chain(law.breaks()).filter(|x| x.is_finite()).collect();
-    grid.sort_by(f64::total_cmp);
+    let mut grid = scanned(&inputs.laws()[line], &[]);
+    grid.retain(|x| x.is_finite());
     grid.dedup();
     grid
 }

@@ -39,6 +39,11 @@ impl Method {
         }
     }
 
+    /// The method of a name.
+    pub fn find(name: &str) -> Option<Method> {
+        Method::ALL.into_iter().find(|method| method.name() == name)
+    }
+
     /// The most random numbers that it takes; `None` where there is no bound.
     pub fn most_numbers(self) -> Option<usize> {
         match self {

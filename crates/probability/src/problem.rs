@@ -93,15 +93,11 @@ impl Pieces {
     /// to the last bit. For lines whose boundaries have no closed form. `marks` are values that are looked at beside those of the scan, in any
     /// order: those on both sides of outcomes that hold on less than its step. `at` gives the outcomes that hold, a bit for each.
     pub fn scan(&mut self, law: &Distribution, marks: &[f64], at: impl Fn(f64) -> u64) {
-        let value = |i: u32| law.value(crate::REACH * (2.0 * f64::from(i) / f64::from(SCAN) - 1.0));
-        let (first, last) = (value(0), value(SCAN));
-        let breaks = law.breaks();
-        let marks = marks.iter().chain(&breaks).copied().filter(|mark| first < *mark && *mark < last);
-        let mut ends: Vec<f64> = (1..=SCAN).map(value).chain(marks).collect();
-        ends.sort_by(f64::total_cmp);
+        let mut values = scanned(law, marks).into_iter();
+        let Some(first) = values.next() else { return };
         let mut from = f64::NEG_INFINITY;
         let (mut x, mut holds) = (first, at(first));
-        for end in ends {
+        for end in values {
             let then = at(end);
             while holds != then {
                 // The first change: what follows it may change again before the end.
@@ -174,6 +170,17 @@ impl Pieces {
 
 /// Into how many steps a range is cut in search of changes.
 const SCAN: u32 = 192;
+
+/// The values of a law at which a line is looked at, rising: even in its normal, where the law is not smooth, and at these marks between the ends.
+pub(crate) fn scanned(law: &Distribution, marks: &[f64]) -> Vec<f64> {
+    let value = |i: u32| law.value(crate::REACH * (2.0 * f64::from(i) / f64::from(SCAN) - 1.0));
+    let (first, last) = (value(0), value(SCAN));
+    let breaks = law.breaks();
+    let marks = marks.iter().chain(&breaks).copied().filter(|mark| first < *mark && *mark < last);
+    let mut values: Vec<f64> = (0..=SCAN).map(value).chain(marks).collect();
+    values.sort_by(f64::total_cmp);
+    values
+}
 
 /// Two numbers made one, so that another pair makes another.
 pub(crate) fn mixed(a: u64, b: u64) -> u64 {

@@ -165,7 +165,7 @@ fn scrambles<O: Outcomes>(frame: &Frame<O>, sets: &[u64], about: &[Vec<f64>], wo
         about,
         order: &order,
         scratches: (0..at_once).map(|_| frame.scratch()).collect(),
-        points: Vec::with_capacity(at_once),
+        points: vec![vec![0.0; dimensions]; at_once],
         weights: Vec::with_capacity(at_once),
     });
     sampled.are_probabilities();
@@ -180,41 +180,37 @@ struct Weighed<'a, 'f, O> {
     /// The places of the coordinates.
     order: &'a [usize],
     scratches: Vec<Scratch>,
-    /// Points that wait to be evaluated, and their weights.
+    /// Room for points that wait to be evaluated, and the weights of those that do.
     points: Vec<Vec<f64>>,
     weights: Vec<f64>,
 }
 
 impl<O: Outcomes> Worker for Weighed<'_, '_, O> {
     fn point(&mut self, _: usize, _: u64, coordinates: &[f64], sums: &mut [f64]) {
-        let dimensions = self.order.len();
-        let component = if self.about.is_empty() { 0.0 } else { coordinates[dimensions] };
-        let mut point = vec![0.0; dimensions];
+        let component = if self.about.is_empty() { 0.0 } else { coordinates[self.order.len()] };
+        let point = &mut self.points[self.weights.len()];
         for (place, p) in self.order.iter().zip(coordinates) {
             point[*place] = normal::quantile(*p);
         }
-        self.weights.push(displaced(&mut point, component, self.about));
-        self.points.push(point);
-        if self.points.len() == self.scratches.len() {
+        self.weights.push(displaced(point, component, self.about));
+        if self.weights.len() == self.points.len() {
             self.finish(sums);
         }
     }
 
     fn finish(&mut self, sums: &mut [f64]) {
-        match &self.points[..] {
+        match &self.points[..self.weights.len()] {
             [] => return,
             [point] => {
                 self.frame.evaluate(point, &mut self.scratches[0]);
             }
             points => self.frame.evaluate_each(points, &mut self.scratches),
         }
-        for (scratch, weight) in self.scratches.iter().zip(&self.weights) {
+        for (scratch, weight) in self.scratches.iter().zip(self.weights.drain(..)) {
             for (sum, set) in sums.iter_mut().zip(self.sets) {
                 *sum += weight * scratch.of_set(*set);
             }
         }
-        self.points.clear();
-        self.weights.clear();
     }
 }
 

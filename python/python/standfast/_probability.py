@@ -170,9 +170,7 @@ def probability(
     """
     if method is not None and not isinstance(method, str):
         raise TypeError(f"method is {method!r}; expected the name of a method")
-    for name, share in (("precision", precision), ("floor", floor)):
-        if not _is_number(share) or not 0 < share < 1:
-            raise StandfastError(f"{name} is {share!r}; expected a share, above zero and below 1")
+    _check_shares(precision=precision, floor=floor)
     if years is not None and (not _is_number(years) or not 0 < years < float("inf")):
         raise StandfastError(f"years is {years!r}; expected a number above zero")
     along = None if over is None else over_of(over, "width=12 m..20 m:9", _ADVICE)
@@ -190,6 +188,13 @@ def probability(
     title = case.get("title") if isinstance(case, Mapping) else None
     drawn = functools.partial(figures_of, found)
     return Probability(found.text(), found.json(), drawn, None if title is None else str(title))
+
+
+def _check_shares(**shares: float) -> None:
+    """Refuses what is no share."""
+    for name, share in shares.items():
+        if not _is_number(share) or not 0 < share < 1:
+            raise StandfastError(f"{name} is {share!r}; expected a share, above zero and below 1")
 
 
 def _given(records: Any, dt: Any, unit: str | None, over: str | None) -> list[Records]:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 from . import _standfast
 from ._advice import shown as said
 from ._assess import case_text
-from ._probability import _FLOOR, _PRECISION, _SAMPLES, _SEED, _is_number, _whole
+from ._probability import _FLOOR, _PRECISION, _SAMPLES, _SEED, _Asked, _check_shares, _whole
 from ._progress import shown
-from ._run import Told
 from ._standfast import StandfastError
 from ._types import Progress
 
@@ -81,18 +80,6 @@ class Reliability:
         return "\n".join(lines)
 
 
-class _Asked(NamedTuple):
-    """What the native module is asked beside the limit state and the laws."""
-
-    method: str | None
-    seed: int
-    precision: float
-    floor: float
-    samples: int
-    line: str | None
-    progress: Told | None
-
-
 def reliability(
     limit_state: Callable[..., Any],
     laws: Mapping[str, Any],
@@ -149,14 +136,14 @@ def reliability(
     for option, text in (("method", method), ("line", line)):
         if text is not None and not isinstance(text, str):
             raise TypeError(f"{option} is {said(text)}; expected a name")
-    for option, share in (("precision", precision), ("floor", floor)):
-        if not _is_number(share) or not 0 < share < 1:
-            raise StandfastError(f"{option} is {share!r}; expected a share, above zero and below 1")
+    _check_shares(precision=precision, floor=floor)
     _, text_of_laws = case_text({"random": {**laws, "correlation": list(correlation)} if correlation else dict(laws)})
     with shown(progress, None) as told:
-        asked = _Asked(method, _whole(seed, "seed", 0), float(precision), float(floor), _whole(samples, "samples", 1), line, told)
+        asked = _Asked(
+            method, _whole(seed, "seed", 0), float(precision), float(floor), _whole(samples, "samples", 1), None, None, False, None, told
+        )  # fmt: skip
         names, interval, generalized, (by, given_up), (points, precise), place, nearest, known = _standfast.reliability(
-            limit_state, ("the laws", text_of_laws), asked
+            limit_state, ("the laws", text_of_laws), line, asked
         )
 
     def named(values: Sequence[float]) -> dict[str, float]:

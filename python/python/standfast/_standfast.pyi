@@ -245,26 +245,8 @@ class _Spectrum(Protocol):
 def spectrum(
     case: _MotionCase, base: tuple[_RecordOf, _RecordOf], asked: _Spectrum
 ) -> tuple[str, str, str, list[tuple[str, str, str, _Kept]], bool]: ...
-class _Reliability(Protocol):
-    """`_reliability._Asked`."""
-
-    @property
-    def method(self) -> str | None: ...
-    @property
-    def seed(self) -> int: ...
-    @property
-    def precision(self) -> float: ...
-    @property
-    def floor(self) -> float: ...
-    @property
-    def samples(self) -> int: ...
-    @property
-    def line(self) -> str | None: ...
-    @property
-    def progress(self) -> Callable[[int, int | None], object] | None: ...
-
 def reliability(
-    limit_state: Callable[..., object], laws: tuple[str, str], asked: _Reliability
+    limit_state: Callable[..., object], laws: tuple[str, str], line: str | None, asked: _Asked
 ) -> tuple[
     list[str],
     tuple[float, float, float],

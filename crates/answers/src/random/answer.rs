@@ -43,7 +43,7 @@ impl FromStr for MethodAsked {
 
     fn from_str(text: &str) -> Result<MethodAsked, String> {
         const FORM: &str = "form";
-        let method = Method::ALL.into_iter().find(|method| method.name() == text).map(MethodAsked::By);
+        let method = Method::find(text).map(MethodAsked::By);
         method.or((text == FORM).then_some(MethodAsked::Form)).ok_or_else(|| {
             let names = Method::ALL.map(Method::name).join(", ");
             format!("no method is called `{text}`; expected one of {names}, {FORM}")
@@ -285,6 +285,8 @@ pub struct Probability {
     pub title: Option<String>,
     /// The problem under the least safe set of loads; none of a storm without a body.
     pub problem: Option<Box<ChanceProblem>>,
+    /// Share of all draws in which the sea is steeper than waves in deep water can be.
+    pub steep_seas: f64,
     /// Request that was answered.
     pub request: ChanceRequest,
     /// Random numbers.
@@ -311,9 +313,9 @@ pub struct Probability {
 impl Probability {
     /// Unusual numbers of the case at its present values.
     pub fn warnings(&self) -> Vec<Warning> {
-        let Some(problem) = &self.problem else { return Vec::new() };
-        let mut warnings = problem.case().map_or(Vec::new(), |(case, _)| case.warnings());
-        let share = problem.share_of_steep_seas();
+        let case = self.problem.as_ref().and_then(|problem| problem.case());
+        let mut warnings = case.map_or(Vec::new(), |(case, _)| case.warnings());
+        let share = self.steep_seas;
         warnings.extend((share > 0.0).then_some(Warning::SteepSeas { share }));
         warnings
     }
@@ -419,6 +421,7 @@ impl Probability {
         Ok(Probability {
             case: name.to_owned(),
             title: None,
+            steep_seas: first.share_of_steep_seas(),
             problem: worst,
             request,
             random: first.random().iter().map(RandomNumber::of).collect(),

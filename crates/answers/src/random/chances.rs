@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use standfast_probability::form::{FormPoint, design_point, distance, local_design_points};
+use standfast_probability::form::{FormPoint, apart, boundary_points, design_point};
 use standfast_probability::integrate::{MOST_DIMENSIONS, Within, integrate_life};
 use standfast_probability::life::{Life, lives};
 use standfast_probability::method::{Found, Method, by, by_known, integral_or, within};
@@ -20,8 +20,6 @@ use super::problem::ChanceProblem;
 
 /// Φ(−β) is not a probability, but none is so many times as likely.
 const UNLIKELIER: f64 = 1e-2;
-/// Least distance of two points about which is drawn, in deviations.
-const APART: f64 = 0.1;
 
 /// The sets asked for: what excludes each other, and then the others.
 fn sets(problem: &ChanceProblem) -> Vec<u64> {
@@ -47,12 +45,7 @@ pub(super) fn event(
 
 /// The nearest points at which the body does not rest (or if it does not at the medians, at which it rests), and the problem along the number that matters there.
 fn placed(problem: &ChanceProblem) -> (Cow<'_, ChanceProblem>, Vec<FormPoint>) {
-    let of = |which| local_design_points(problem.laws(), problem, which);
-    let mut points = of(not_rest());
-    // Where it moves at the medians, what is looked for is the nearest point at which it does not.
-    if points.first().is_some_and(|point| point.beta == 0.0) {
-        points = of(1 << REST).into_iter().map(FormPoint::turned).collect();
-    }
+    let points = boundary_points(problem.laws(), problem, not_rest(), 1 << REST);
     let along = points.first().and_then(|point| problem.along_what_matters(&point.alpha));
     (along.map_or(Cow::Borrowed(problem), Cow::Owned), points)
 }
@@ -78,13 +71,7 @@ pub(super) fn method(
 pub(super) fn about(problem: &ChanceProblem, points: &[FormPoint], floor: f64) -> Vec<Vec<f64>> {
     let of_modes = of_each(problem).into_iter().map(|(_, point)| point);
     let likely = of_modes.filter(|point| point.first_order() >= UNLIKELIER * floor);
-    let mut about: Vec<Vec<f64>> = Vec::new();
-    for FormPoint { u, .. } in points.iter().cloned().chain(likely) {
-        if about.iter().all(|other| distance(other, &u) > APART) {
-            about.push(u);
-        }
-    }
-    about
+    apart(points.iter().cloned().chain(likely))
 }
 
 /// The nearest point of every happening but rest, in which a body is when nothing happens.
@@ -178,7 +165,6 @@ pub(super) fn chances(
         known,
         first_departure: first_departure(problem, method, effort, sampled.points, of_departure)?,
         design_values: problem
-            .lifetime()
             .target_beta
             .and_then(|beta| Some(DesignValues::of(laws, points.first()?, beta))),
         design_point: points.into_iter().next(),

@@ -7,9 +7,10 @@ use standfast::ground::Base;
 use standfast::{Departure, DepartureSpan};
 use standfast_probability::problem::{Outcomes, Pieces};
 
+use super::lines::Line;
 use super::mechanics::Mechanics;
 use super::outcome::{NOT_A_BODY, nothing, of_verdict};
-use super::problem::{ChanceProblem, Line};
+use super::problem::ChanceProblem;
 use super::stack::Asked;
 
 /// The body rests under any multiple of the variable loads.

@@ -4,7 +4,6 @@
 //! characteristic value, here the fractile of 95 % of what is unfavourable where it is high, or that of 5 % over it of what is so where it is low.
 
 use standfast_probability::form::FormPoint;
-use standfast_probability::normal;
 use standfast_probability::problem::RandomVector;
 
 /// Design values at a target index.
@@ -42,7 +41,7 @@ impl DesignValues {
         let numbers = laws.laws().iter().zip(z).map(|(law, z)| {
             let is_load = z > 0.0;
             let fractile = FRACTILES[usize::from(is_load)];
-            let (value, characteristic) = (law.value(z), law.value(normal::quantile(fractile)));
+            let (value, characteristic) = (law.value(z), law.value_of_chance(fractile));
             let [over, under] = if is_load { [value, characteristic] } else { [characteristic, value] };
             let factor = (over > 0.0 && under > 0.0).then(|| over / under);
             DesignValue { alpha: z / beta, value, fractile, characteristic, factor }

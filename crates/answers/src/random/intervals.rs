@@ -6,8 +6,9 @@ use standfast::contact::path;
 use standfast_probability::problem::{Outcomes, Pieces};
 
 use super::base;
+use super::lines::Line;
 use super::outcome::{LIFTED, NOT_A_BODY, NOT_UNIQUE, nothing, of_modes, push_all, told_apart};
-use super::problem::{ChanceProblem, Line};
+use super::problem::ChanceProblem;
 use super::stack::Asked;
 
 impl Outcomes for ChanceProblem {

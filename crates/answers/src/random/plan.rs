@@ -4,8 +4,9 @@ use standfast::footprint::{BaseWrench, Footprint, PlanDeparture, PlanLimit, towa
 use standfast_probability::problem::Pieces;
 
 use super::departure::{AT_ONCE, NEVER};
+use super::lines::Line;
 use super::outcome::{FLIGHT, LIFTED, NOT_A_BODY, PLAN_SLIDES, PLAN_TIPS, REST, nothing};
-use super::problem::{ChanceProblem, Line};
+use super::problem::ChanceProblem;
 use super::stack::{Asked, between};
 
 /// A body on its base: where it bears, its friction, and its permanent and variable loads.

@@ -12,6 +12,7 @@ use standfast_probability::life::Life;
 use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::draws;
 
+use super::lines::{Line, Lines};
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
 use super::quantity::{Bias, FrictionOf, Quantity, RandomInput};
@@ -34,6 +35,8 @@ pub struct ChanceProblem {
     random: Vec<RandomInput>,
     laws: RandomVector,
     lifetime: Lifetime,
+    /// The reliability index for which design values are asked.
+    pub(super) target_beta: Option<f64>,
     lines: Lines,
     /// Of each number a value that it has as good as never more than.
     reaches: Vec<f64>,
@@ -57,17 +60,6 @@ enum Model {
     },
     /// A point of the report's plane: γ, k', k, μ.
     Point([f64; 4]),
-}
-
-/// Along which number the modes are known, and how.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Line {
-    /// Friction: its place.
-    Friction(usize),
-    /// A number in which the wrench is linear.
-    Load(usize),
-    /// Any other, scanned.
-    Scan(usize),
 }
 
 /// Of each number the value beyond which no method looks, twelve deviations from the median.
@@ -164,7 +156,8 @@ impl ChanceProblem {
                     model: Model::Case { inputs: inputs_of_case, case, acting, shaking, quick },
                     random: inputs.clone(),
                     laws: laws.clone(),
-                    lifetime: Lifetime { years: years.or(random.lifetime.years), ..random.lifetime },
+                    lifetime: random.lifetime.with_years(years),
+                    target_beta: random.target_beta,
                     lines,
                     reaches: reaches(&laws),
                     count: 1,
@@ -189,7 +182,7 @@ impl ChanceProblem {
         let (inputs, laws) = Resolve(Names::Point(point)).all(random)?;
         let lines = Lines::of(&inputs, None);
         let line = lines.first(&inputs, &laws, |_| true).unwrap_or(Line::Scan(0));
-        let lifetime = Lifetime { years: years.or(random.lifetime.years), ..random.lifetime };
+        let lifetime = random.lifetime.with_years(years);
         let model = Model::Point(point);
         let reaches = reaches(&laws);
         Ok(ChanceProblem {
@@ -198,6 +191,7 @@ impl ChanceProblem {
             random: inputs,
             laws,
             lifetime,
+            target_beta: random.target_beta,
             lines,
             reaches,
             count: 1,
@@ -622,59 +616,4 @@ fn only_heights(inputs: &[RandomInput]) -> bool {
     let of_case =
         inputs.iter().filter(|input| input.friction_of().is_none()).filter_map(RandomInput::variable);
     of_case.into_iter().all(|variable| heights.contains(&variable.id().key))
-}
-
-/// Along which numbers the modes are known in closed form.
-#[derive(Debug, Clone, Copy)]
-struct Lines {
-    /// Friction; not where that to slip has a law of its own, as the conditions take both in one proportion.
-    friction: bool,
-    /// Numbers in which the wrench is linear; not on a base that gives way.
-    loads: bool,
-    /// Directions: the body is seen from above.
-    directions: bool,
-}
-
-impl Lines {
-    fn of(inputs: &[RandomInput], case: Option<&Case>) -> Lines {
-        // Where water follows an opening, no wrench is linear in a load.
-        let held = case.is_some_and(|case| !case.holding().is_empty());
-        let gives_way = case.is_some_and(Case::gives_way);
-        let bends = held || gives_way || case.is_some_and(Case::follows_opening);
-        let joints = case.is_some_and(|case| !case.joints.is_empty());
-        // Of joints that change places each friction would have to be found again; on a base that gives way all joints are asked each time.
-        let is_apart = !joints || !bends && !inputs.iter().any(RandomInput::is_joint_elevation);
-        let kinetic = inputs.iter().any(RandomInput::is_kinetic_friction);
-        let directions = case.is_some_and(|case| case.plan.is_some());
-        Lines { friction: !held && !kinetic && is_apart, loads: !bends, directions }
-    }
-
-    /// The first along which the modes are known, of those for which this holds. One whose law has many steps is the last to be taken where
-    /// others are integrated: over each step a probability jumps.
-    fn first(
-        self,
-        inputs: &[RandomInput],
-        laws: &RandomVector,
-        among: impl Fn(usize) -> bool,
-    ) -> Option<Line> {
-        /// So many steps are found one by one along another number.
-        const FEW: usize = 8;
-        let is_smooth = |place: usize| laws.laws()[place].breaks_of_normal().len() <= FEW;
-        let find = |of: &dyn Fn(&RandomInput) -> bool, smooth: bool| {
-            let suits =
-                |place: &usize| among(*place) && of(&inputs[*place]) && (!smooth || is_smooth(*place));
-            (0..inputs.len()).find(suits)
-        };
-        // Over directions a body rests, or not, on arcs that are too narrow to be seen from outside.
-        let direction = find(&RandomInput::is_direction, false).filter(|_| self.directions).map(Line::Scan);
-        let is_friction = |input: &RandomInput| input.friction_of().is_some();
-        let friction = |smooth| find(&is_friction, smooth).filter(|_| self.friction).map(Line::Friction);
-        // On a base that gives way, or opens, a load is scanned, which is quicker than another number.
-        let of_load = if self.loads { Line::Load } else { Line::Scan };
-        let load = |smooth| find(&RandomInput::is_linear, smooth).map(of_load);
-        let scan = |smooth| find(&|_| true, smooth).map(Line::Scan);
-        let is_integrated = inputs.len() <= MOST_DIMENSIONS + 1;
-        let smooth = friction(true).or_else(|| load(true)).or_else(|| scan(true).filter(|_| is_integrated));
-        direction.or(smooth).or_else(|| friction(false)).or_else(|| load(false)).or_else(|| scan(false))
-    }
 }

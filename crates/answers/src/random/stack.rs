@@ -11,9 +11,10 @@ use standfast::{Departure, Verdict};
 use standfast_probability::problem::Pieces;
 
 use super::departure::{AT_ONCE, NEVER};
+use super::lines::Line;
 use super::mechanics::Mechanics;
 use super::outcome::{BEARING_FAILURE, LIFTED, NOT_A_BODY, REST, nothing, of_joint, push_all, told_apart};
-use super::problem::{ChanceProblem, Line};
+use super::problem::ChanceProblem;
 
 /// What is asked of bodies on joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -17,13 +17,23 @@ const NO_FACTOR: &str =
 const CRUSHING: &str = "The base bears a pressure up to q_u and no tension; it is rigid until then. This is the first instant: once its edge is crushed, the body \
     stands on another base.";
 
-const SOIL: &str = "The formulas hold for level, homogeneous, drained ground under a long strip. Left out: the shoulder of a berm, slopes, layers, pore \
-    pressure and its growth under cycles of load, seepage from uplift, punching. The friction angle of a mound is uncertain: read the load factor with \
-    those at 2° less and more. Where the body would turn, the ground under its edge fails first.";
+/// What the formulas of soil hold for, and what they leave out.
+macro_rules! of_soil {
+    ($holds:literal) => {
+        concat!(
+            $holds,
+            " Left out: the shoulder of a berm, slopes, layers, pore pressure and its growth under cycles of load, seepage from uplift, punching. \
+             The friction angle of a mound is uncertain: read the load factor with those at 2° less and more. Where the body would turn, the \
+             ground under its edge fails first."
+        )
+    };
+}
 
-const SHORT: &str = "The formulas hold for level, homogeneous, drained ground; the base of the given length has shape factors. Left out: the shoulder of a berm, \
-    slopes, layers, pore pressure and its growth under cycles of load, seepage from uplift, punching. The friction angle of a mound is uncertain: read the load \
-    factor with those at 2° less and more. Where the body would turn, the ground under its edge fails first.";
+const SOIL: &str = of_soil!("The formulas hold for level, homogeneous, drained ground under a long strip.");
+
+const SHORT: &str = of_soil!(
+    "The formulas hold for level, homogeneous, drained ground; the base of the given length has shape factors."
+);
 
 const ENVELOPE: &str = "The resistance of the whole base is given by the user. Butterfield and Gottardi's envelope tells how much of it is left under a force that is inclined \
     and eccentric. Left out: pore pressure and its growth under cycles of load, and all that the resistance given does not contain.";

@@ -121,6 +121,9 @@ pub enum SlidingError {
         /// The random number.
         name: String,
     },
+    /// Design values of a storm without a body.
+    #[error("there is no nearest point for `target_beta`: a [storm] without a [body] has no modes")]
+    NoDesignValues,
     /// Years before the life.
     #[error("the case has a [storm] and `survived`: what years at rest say of slides is not found")]
     Survived,

@@ -107,6 +107,7 @@ pub(in crate::random) struct PureStorm {
     pub(in crate::random) random: Vec<RandomInput>,
     pub(in crate::random) laws: RandomVector,
     lifetime: Lifetime,
+    target_beta: Option<f64>,
 }
 
 /// The problem, if the file is of a storm without a body; none if it is of a case.
@@ -164,8 +165,8 @@ impl PureStorm {
         years: Option<f64>,
     ) -> ReadResult<PureStorm> {
         let (inputs, laws) = Resolve(Names::Storm(values)).all(random)?;
-        let lifetime = Lifetime { years: years.or(random.lifetime.years), ..random.lifetime };
-        Ok(PureStorm { storm, values, tau0, random: inputs, laws, lifetime })
+        let (lifetime, target_beta) = (random.lifetime.with_years(years), random.target_beta);
+        Ok(PureStorm { storm, values, tau0, random: inputs, laws, lifetime, target_beta })
     }
 
     /// The answer: the modes of any one wave of a storm, and the slides of a life.
@@ -181,6 +182,9 @@ impl PureStorm {
         }
         if self.lifetime.survived.is_some() {
             return Err(SlidingError::Survived.into());
+        }
+        if self.target_beta.is_some() {
+            return Err(SlidingError::NoDesignValues.into());
         }
         let sliding = sliding(&self.storm, self, &self.laws, &life, (&request, &[]), portion)?;
         portion.check()?;
@@ -235,6 +239,7 @@ impl PureStorm {
             case: name.to_owned(),
             title: None,
             problem: None,
+            steep_seas: 0.0,
             request,
             random: self.random.iter().map(RandomNumber::of).collect(),
             line: ("the height of waves".to_owned(), true),
