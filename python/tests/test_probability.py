@@ -405,3 +405,29 @@ def test_joints_are_told_by_which_leaves_rest_first():
     friction, modes = drawn["joint.bed.friction"].to_numpy(), np.array(drawn["mode"].to_pylist())
     assert set(modes) == {"RE", "joint 2 slides"}
     assert ((friction < 1 / 3) == (modes == "joint 2 slides")).all()
+
+
+def test_what_has_stood_and_design_values_are_in_the_answer() -> None:
+    """Two numbers by hand: friction for a life, a push in each event, four and a half a year."""
+    plane = {
+        "point": {"gamma": 0.5, "k_prime": 0},
+        "random": {
+            "years": 20, "survived": 30, "events_per_year": 4.5, "target_beta": 3.8,
+            "mu": {"discrete": {"values": [0.4, 0.6], "probabilities": [0.5, 0.5]}},
+            "k": {"exponential": {"scale": 0.05, "location": 0.2}, "every": "event"},
+        },
+    }  # fmt: skip
+    found = standfast.probability(plane)
+
+    def survives(years: float) -> float:
+        return sum(0.5 * math.exp(-4.5 * years * math.exp(-(mu - 0.2) / 0.05)) for mu in (0.4, 0.6))
+
+    assert found.life is not None and found.life.stood is not None and found.design_values is not None
+    assert found.life.events_per_year == 4.5 and found.life.stood.years == 30
+    assert found.life.not_rest.probability == pytest.approx(1 - survives(20), rel=1e-9)
+    assert found.life.stood.not_rest.probability == pytest.approx(1 - survives(50) / survives(30), rel=1e-9)
+    assert found.design_values.beta == 3.8
+    assert [number.name for number in found.design_values.numbers] == ["mu", "k"]
+    push = found.design_values.numbers[1]
+    assert push.fractile == 0.95 and push.characteristic == pytest.approx(0.2 - 0.05 * math.log(0.05), rel=1e-9)
+    assert push.factor == pytest.approx(push.value / push.characteristic)

@@ -190,6 +190,9 @@ def test_probabilities(tmp_path: Path) -> None:
     answer = standfast.probability({"body": BLOCK, "load": loads, "random": {**random, "years": 50}}, precision=0.2)
     document = json.loads(answer.to_json())
     assert document["life"] and document["others"] and document["joined"] and not errors(document, "probability.schema.json")
+    more = {**random, "years": 50, "survived": 20, "target_beta": 3.8}
+    stood = json.loads(standfast.probability({"body": BLOCK, "load": loads[:1], "random": more}).to_json())
+    assert stood["life"]["stood"] and stood["design_values"] and not errors(stood, "probability.schema.json")
     asked = standfast.probability({"body": BLOCK, "load": loads[:1], "random": random, "criteria": {"p_not_rest": 0.01}})
     assert asked.criterion is not None and not errors(json.loads(asked.to_json()), "probability.schema.json")
     shaken = (ROOT / "examples/motion/statue-earthquake.toml").read_text() + "[random]\nfriction = { normal = { sd = 0.05 } }\n"
