@@ -31,6 +31,7 @@ mod point;
 mod problem;
 mod quantity;
 mod resolve;
+mod row;
 mod spread;
 mod stack;
 mod storm;
@@ -49,6 +50,7 @@ pub use error::ProbabilityError;
 pub use fragility::{Fit, Fragility, FragilityPoint, ValueRange};
 pub use joined::JoinedChance;
 pub use overturn::{Overturning, PeakChances};
+pub use row::RowChances;
 pub use standfast_probability::method::Method;
 pub use standfast_probability::sample::{Effort, Estimate};
 

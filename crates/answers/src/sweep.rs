@@ -100,7 +100,7 @@ pub enum SweepResult {
 const LARGEST_BIAS: f64 = 1e50;
 
 /// The names of criteria, which are those of the keys that ask for them.
-const CRITERIA: [&str; 21] = [
+const CRITERIA: [&str; 22] = [
     "SF_sliding",
     "SF_overturning_net",
     "SF_overturning_gross",
@@ -115,6 +115,7 @@ const CRITERIA: [&str; 21] = [
     "rotation_max",
     "p_not_rest",
     "p_life",
+    "p_any",
     "beta_life",
     "sliding_mean",
     "p_sliding_over",

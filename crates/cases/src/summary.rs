@@ -163,13 +163,9 @@ pub(crate) fn criterion_words(check: &AnyCheck<'_>, yearly: bool) -> String {
                 }
                 _ if criterion.is_chance() => {
                     let years = found.assessed.chances.as_ref().and_then(|chances| chances.years);
-                    let over = || {
-                        years.map_or("over its life".to_owned(), |life| format!("over {}", self::years(life)))
-                    };
-                    let period = if criterion.key == Key::GreatestNotRest {
-                        period(yearly).to_owned()
-                    } else {
-                        over()
+                    let period = match years.filter(|_| criterion.key != Key::GreatestNotRest) {
+                        Some(life) => format!("over {}", self::years(life)),
+                        None => period(yearly).to_owned(),
                     };
                     format!("{} is {value} {period}, {required} is asked{used}", criterion.full_name())
                 }

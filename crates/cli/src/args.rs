@@ -300,7 +300,7 @@ pub struct ProbabilityArgs {
     /// Number of threads; the answer does not depend on it [default: one for each core]
     #[arg(long)]
     pub threads: Option<NonZeroUsize>,
-    /// End with exit code 3 if a criterion of chance of the case is not met: p_not_rest, p_life, beta_life, sliding_mean, p_sliding_over
+    /// End with exit code 3 if a criterion of chance of the case is not met: p_not_rest, p_life, p_any, beta_life, sliding_mean, p_sliding_over
     #[arg(long)]
     pub check: bool,
     /// Print the top of the answer alone: criterion, probability, what it hangs on; figures only where --output says so

@@ -33,9 +33,9 @@ pub(crate) struct Glyph {
 type Glyphs = BTreeMap<char, Glyph>;
 
 /// The upright face as a TrueType font, for a page that sets its text in the figures' type.
-pub const UPRIGHT_FONT: &[u8] = include_bytes!("../fonts/regular.ttf");
+pub static UPRIGHT_FONT: &[u8] = include_bytes!("../fonts/regular.ttf");
 /// The italic face, likewise.
-pub const ITALIC_FONT: &[u8] = include_bytes!("../fonts/italic.ttf");
+pub static ITALIC_FONT: &[u8] = include_bytes!("../fonts/italic.ttf");
 
 static UPRIGHT: LazyLock<Glyphs> = LazyLock::new(|| read(UPRIGHT_FONT));
 static ITALIC: LazyLock<Glyphs> = LazyLock::new(|| read(ITALIC_FONT));

@@ -23,7 +23,7 @@ use help::parts;
 pub use help::{expected_type, names};
 
 /// Fault of a case file.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Problem {
     /// There is nothing in the file.
@@ -1013,6 +1013,13 @@ fn with_unit(key: Key, value: f64) -> String {
     key.info()
         .dimension()
         .map_or(reached(value), |dimension| format!("{} {}", reached(value), dimension.si()))
+}
+
+/// The sentence, as it is shown: what a test or a fault in the program prints is read by people.
+impl std::fmt::Debug for Problem {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
 }
 
 impl std::fmt::Display for Key {

@@ -1214,6 +1214,8 @@ listed! {
         "at most: upper end of the interval of the probability that the body does not stay at rest, of a case with [random]", "1e-3");
     GreatestLife = key(Criteria, "p_life", Plain(Share), "",
         "at most: upper end of the interval of the probability that the body ever leaves rest over the years of [random]", "0.1");
+    GreatestAny = key(Criteria, "p_any", Plain(Share), "",
+        "at most: upper end of the interval of the probability that any of the `bodies` in a row leaves rest, over the years of [random] if it has some", "0.1");
     LeastLifeIndex = key(Criteria, "beta_life", Plain(Finite), "",
         "at least: reliability index of that probability, −Φ⁻¹(P), at the upper end of its interval", "1.5");
     GreatestMeanSlide = key(Criteria, "sliding_mean", length(Positive), "",

@@ -3,7 +3,8 @@
 //! ```toml
 //! [random]
 //! years = 50
-//! friction = { normal = { mean = 0.6, sd = 0.1 } }
+//! bodies = 20            # caissons in a row, of which any may move
+//! friction = { normal = { mean = 0.6, sd = 0.1 }, each = "body" }
 //! wave.deep_water_height = { gumbel = { mean = "4.5 m", sd = "0.9 m" }, lower = "1 m", every = "year" }
 //! "load.push.force" = { lognormal = { cov = 0.2 } }      # mean: the case's value
 //!
@@ -59,6 +60,8 @@ pub struct Lifetime {
     pub events_per_year: Option<f64>,
     /// Years before it through which the body stayed at rest.
     pub survived: Option<f64>,
+    /// Number of bodies alike in a row.
+    pub bodies: Option<u64>,
 }
 
 impl Lifetime {
@@ -91,6 +94,8 @@ pub struct RandomEntry {
     pub name: String,
     /// Rate at which it is drawn.
     pub every: Rate,
+    /// True if each body of a row draws it for itself.
+    pub own: bool,
     /// The name of its law.
     pub law: &'static str,
     /// The law's parameters as written.
@@ -113,6 +118,7 @@ impl RandomEntry {
         RandomEntry {
             name,
             every: Rate::Life,
+            own: false,
             law: "",
             parameters: Vec::new(),
             of: Vec::new(),
@@ -334,6 +340,7 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
             "events_per_year" => {
                 random.lifetime.events_per_year = Some(positive(value, "`events_per_year`")?);
             }
+            "bodies" => random.lifetime.bodies = Some(bodies(value)?),
             "correlation" => correlations = Some(value),
             "records" => random.records = records(value)?,
             _ => laws::numbers(name.to_owned(), value, &mut random.named)?,
@@ -343,6 +350,7 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
         return Err((RandomProblem::Nothing, item.span()));
     }
     rates_go_together(&random)?;
+    rows_go_together(&random)?;
     if let Some(list) = correlations {
         correlation::read(list, &mut random)?;
     }
@@ -374,6 +382,38 @@ fn rates_go_together(random: &Random) -> ReadResult<()> {
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses numbers of each body without a number of bodies, and bodies that have all in common.
+fn rows_go_together(random: &Random) -> ReadResult<()> {
+    let own = random.named.iter().find(|entry| entry.own);
+    let (message, span) = match (random.lifetime.bodies, own) {
+        (None, Some(entry)) => {
+            let name = &entry.name;
+            let message =
+                format!("`{name}` is drawn for each body; expected `bodies`, how many stand in the row");
+            (message, &entry.span)
+        }
+        (Some(_), None) => {
+            let message =
+                "`bodies` counts bodies in a row, and no number has each = \"body\": all would move as one";
+            (message.to_owned(), &random.span)
+        }
+        _ => return Ok(()),
+    };
+    Err((RandomProblem::Other(message), span.clone()))
+}
+
+/// Number of bodies in a row.
+fn bodies(item: &Item<'_>) -> ReadResult<u64> {
+    /// More would take minutes, and no row is longer.
+    const MOST: f64 = 1000.0;
+    let number = number(item, "`bodies`")?;
+    if (2.0..=MOST).contains(&number) && number.fract() == 0.0 {
+        return Ok(number as u64);
+    }
+    let (what, expected) = ("`bodies`".to_owned(), format!("a whole number from 2 to {MOST}"));
+    Err((RandomProblem::Value { what, written: number.to_string(), expected }, item.span()))
 }
 
 /// The records of a list: of each the file, or one for the sides and one for up and down.

@@ -61,9 +61,10 @@ const AT_LEAST: [Key; 8] = [
 ];
 
 /// Criteria that ask for a probability, or a mean over chance.
-const OF_CHANCE: [Key; 5] = [
+const OF_CHANCE: [Key; 6] = [
     Key::GreatestNotRest,
     Key::GreatestLife,
+    Key::GreatestAny,
     Key::LeastLifeIndex,
     Key::GreatestMeanSlide,
     Key::GreatestSlidingOver,
@@ -141,6 +142,7 @@ impl Criterion {
     pub fn of_chance_words(&self) -> &'static str {
         match self.key {
             Key::GreatestLife => "the probability that the body ever leaves rest over the years of its life",
+            Key::GreatestAny => "the probability that any of the bodies in a row leaves rest",
             Key::LeastLifeIndex => "the reliability index of a life, −Φ⁻¹(P)",
             Key::GreatestMeanSlide => "the mean slide over the years of its life",
             Key::GreatestSlidingOver => {

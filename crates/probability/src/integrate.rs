@@ -103,7 +103,7 @@ pub fn integrate_life<O: Outcomes>(
     assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
     assert!(life.yearly[outcomes.line()], "the line is drawn yearly");
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();
-    let frame = Frame::last(inputs, outcomes, |input| life.yearly[input]);
+    let frame = Frame::ranked(inputs, outcomes, |input| life.yearly[input]);
     Nest::of(&frame, sets, Some((once, life)), within)
 }
 

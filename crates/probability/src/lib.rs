@@ -12,6 +12,7 @@
 //! | [`sample::importance`] | the same about design points | small probabilities |
 //! | [`sample::monte_carlo`] | everything drawn, hits counted | to be believed by anyone |
 //! | [`life`] | years drawn, intervals of the line united | at least once in a life |
+//! | [`row`] | bodies and years drawn, intervals of the line united | any of several alike |
 //! | [`sums`] | means integrated, lives drawn by what adds | sums over many events |
 //! | [`lognormal`] | the nearest curve, as of counts the likeliest | fragility along a number |
 //! | [`method`] | one of these by its name, or the one that suits | |
@@ -63,6 +64,7 @@ pub mod normal;
 pub mod points;
 pub mod problem;
 mod roots;
+pub mod row;
 pub mod sample;
 pub mod sums;
 

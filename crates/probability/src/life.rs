@@ -13,7 +13,7 @@ use crate::sample::{Averages, Sampled, Work};
 /// The lives of one scramble that are taken first.
 const FIRST: u64 = 16;
 /// Largest dependence of the line on a yearly input that counts as none.
-const NONE: f64 = 1e-12;
+pub(crate) const NONE: f64 = 1e-12;
 
 /// Inputs of which some are drawn anew each year, or in each event, and the others once.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,7 +87,7 @@ pub fn lives<'w, O: Outcomes>(
     let work @ Work { effort, .. } = work.into();
     life.check(inputs);
     let line = outcomes.line();
-    let frame = &Frame::last(inputs, outcomes, |input| life.yearly[input]);
+    let frame = &Frame::ranked(inputs, outcomes, |input| life.yearly[input]);
     let once = frame.order().iter().filter(|input| **input != line && !life.yearly[**input]).count();
     let others = frame.dimensions();
     // What is drawn yearly depends on what is drawn once. If that is the line, it has to be drawn before.
@@ -143,7 +143,7 @@ pub(crate) fn stream(seed: u64, scramble: usize, index: u64) -> Stream {
 }
 
 /// The probability that a standard normal lies in any of these intervals.
-fn measure(intervals: &mut [(f64, f64)]) -> f64 {
+pub(crate) fn measure(intervals: &mut [(f64, f64)]) -> f64 {
     intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (mut sum, mut reached) = (0.0, f64::NEG_INFINITY);
     for &(from, to) in intervals.iter() {

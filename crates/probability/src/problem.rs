@@ -296,34 +296,34 @@ impl Scratch {
 impl<'a, O: Outcomes> Frame<'a, O> {
     /// The problem with the inputs in the order given, the line last.
     pub(crate) fn new(inputs: &'a RandomVector, outcomes: &'a O) -> Frame<'a, O> {
-        Frame::ordered(inputs, outcomes, None, |_| false)
+        Frame::ordered(inputs, outcomes, None, |_| ())
     }
 
-    /// Orders the inputs for which `last` is true behind the others, the line last.
-    pub(crate) fn last(
+    /// Orders the inputs by a rank, the line last.
+    pub(crate) fn ranked<R: Ord>(
         inputs: &'a RandomVector,
         outcomes: &'a O,
-        last: impl Fn(usize) -> bool,
+        rank: impl Fn(usize) -> R,
     ) -> Frame<'a, O> {
-        Frame::ordered(inputs, outcomes, None, last)
+        Frame::ordered(inputs, outcomes, None, rank)
     }
 
     /// Holds one input at its median.
     pub(crate) fn holding(inputs: &'a RandomVector, outcomes: &'a O, held: usize) -> Frame<'a, O> {
-        Frame::ordered(inputs, outcomes, Some(held), |_| false)
+        Frame::ordered(inputs, outcomes, Some(held), |_| ())
     }
 
-    fn ordered(
+    fn ordered<R: Ord>(
         inputs: &'a RandomVector,
         outcomes: &'a O,
         held: Option<usize>,
-        last: impl Fn(usize) -> bool,
+        rank: impl Fn(usize) -> R,
     ) -> Frame<'a, O> {
         let line = outcomes.line();
         let mut others: Vec<usize> =
             (0..inputs.laws.len()).filter(|i| *i != line && Some(*i) != held).collect();
         // What has a few values is summed over, the outermost, so that between them nothing has to be sought.
-        others.sort_by_key(|i| (last(*i), !inputs.laws[*i].is_discrete(), outcomes.is_quick(*i)));
+        others.sort_by_key(|i| (rank(*i), !inputs.laws[*i].is_discrete(), outcomes.is_quick(*i)));
         let order: Vec<usize> = match held {
             Some(held) if held == line => std::iter::once(line).chain(others).collect(),
             held => held.into_iter().chain(others).chain([line]).collect(),

@@ -17,7 +17,8 @@ LATIN = [*range(0x20, 0x7F), *range(0xA0, 0x100), *map(ord, "–—‘’“”�
 MATH = [
     *range(0x20, 0x7F),
     *map(ord, " §°±²³´µ·¨×÷½"),
-    *range(0x370, 0x400),
+    *range(0x391, 0x3CA),
+    *map(ord, "ϑϕϵ"),
     *range(0x1D434, 0x1D468),
     *range(0x1D6E2, 0x1D71C),
     *map(ord, "ℎ−∗≤≥≠≈→←↑↓⟲√∞∑′″‴ẍÿ̈⋅… ‖\u2061\u2062\u2032"),

@@ -86,6 +86,7 @@ bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U`
 | `events_per_year` | events a year on average, by Poisson's law, for numbers with `every = "event"`: peaks over a threshold | `events_per_year = 4.2` |
 | `target_beta` | the index for which design values and partial factors are told, by EN 1990, Annex C | `target_beta = 3.8` |
 | `survived` | years through which the body stayed at rest: what that says of the years to come | `survived = 30` |
+| `bodies` | bodies alike in a row, of which any may move: caissons of a breakwater | `bodies = 20` |
 | `[[random.correlation]]` | of a pair, by `rank` (Spearman), `linear` (of the values) or `normal` (of the normals behind them); of several a matrix | `between = ["bias.P", "bias.U"]`, `rank = 0.6`; `between = ["a", "b", "c"]`, `rank = [[1, 0.6, 0], [0.6, 1, 0.2], [0, 0.2, 1]]` |
 
 | law | parameters; mean and deviation are those before it is cut |
@@ -105,7 +106,7 @@ bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U`
 | `quantiles` | `values` with the `probabilities` below them, as `values = ["4 m", "5.5 m", "6.6 m"]`, `probabilities = [0.5, 0.9, 0.99]`; between them a curve that rises, beyond them straight on normal paper. `normals` in place of probabilities |
 | `mixture` | a list of laws, each with its `probability`, and `lower` and `upper` of its own: `mixture = [{ probability = 0.9, gumbel = { … } }, { probability = 0.1, gpd = { … } }]` |
 | `max_of` | `count`, and the law of which it is the largest, with its own `lower` and `upper` |
-| beside any | `lower`, `upper` cut the law; `every = "year"` draws it anew each year, `"event"` in each event, `"life"` (if not given) once |
+| beside any | `lower`, `upper` cut the law; `every = "year"` draws it anew each year, `"event"` in each event, `"life"` (if not given) once; `each = "body"` for each body of a row, `"row"` (if not given) for all of them |
 
 `records = ["a.smc", "b.smc"]` are shakings for `--over pga=…` of a body with `[motion.base]`: every body that is drawn is followed under each of them, in the place of the case's own. With its vertical partner a record is `{ horizontal = "a.smc", vertical = "b.smc" }`: one factor scales both. There the numbers of `[motion.impact]` and `[motion.initial]` may be random too; those of `[motion.base]` are scaled to the peak.
 

@@ -545,7 +545,7 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
         Key::ModesNot => of_first(assessed).unwrap_or_else(|| motion(assessed.verdict())),
         Key::LeastGround | Key::GreatestEffective => GROUND,
         Key::GreatestRotation => "rotation",
-        Key::GreatestNotRest | Key::GreatestLife | Key::LeastLifeIndex => "probability",
+        Key::GreatestNotRest | Key::GreatestLife | Key::GreatestAny | Key::LeastLifeIndex => "probability",
         Key::GreatestMeanSlide | Key::GreatestSlidingOver => "sliding in storms",
         _ => of_first(assessed).unwrap_or_else(|| motion(verdict)),
     };

@@ -19,6 +19,7 @@ use super::outcome::{NOT_A_BODY, PLAN_SLIDES, PLAN_TIPS, joint};
 use super::overturn::Overturning;
 use super::problem::ChanceProblem;
 use super::quantity::RandomInput;
+use super::row::{RowChances, row_of};
 use super::storm::{self, Sliding};
 use super::subject::{ChanceSubject, problems_of};
 use crate::case::{BASE, called};
@@ -256,6 +257,8 @@ pub struct RandomNumber {
     pub dimension: Option<Dimension>,
     /// True if it is drawn anew each year.
     pub yearly: bool,
+    /// True if each body of a row draws it for itself.
+    pub own: bool,
 }
 
 impl RandomNumber {
@@ -267,6 +270,7 @@ impl RandomNumber {
             cut: input.cut,
             dimension,
             yearly: input.every == Rate::Year,
+            own: input.own,
         }
     }
 
@@ -298,6 +302,8 @@ pub struct Probability {
     pub situations: Vec<Chances>,
     /// That any of several situations moves the body; none where there is only one.
     pub joined: Option<JoinedChance>,
+    /// That any of the bodies of a row moves, under any of the situations; none of a body that stands in no row.
+    pub row: Option<RowChances>,
     /// Criteria that `[criteria]` sets for it, the one of which most is used first.
     pub criteria: Vec<ChanceCriterion>,
     /// Slides of the body in storms.
@@ -393,7 +399,11 @@ impl Probability {
             None => None,
         };
         let answer = Probability::of_problems(file.name(), &problems, sliding, request, of_problems)?;
-        let known = Known { situations: &answer.situations, sliding: answer.sliding.as_ref() };
+        let known = Known {
+            situations: &answer.situations,
+            sliding: answer.sliding.as_ref(),
+            row: answer.row.as_ref(),
+        };
         let criteria = checked(&asked, &problems, &known, &request, of_criteria)?;
         Ok(Probability { criteria, note, ..answer })
     }
@@ -406,7 +416,9 @@ impl Probability {
         portion: Portion<'_>,
     ) -> Result<Probability, ProbabilityError> {
         let several = if problems.len() > 1 { 1.0 } else { 0.0 };
-        let [each, of_joined] = portion.parts([5.0, several]);
+        let in_row = if problems[0].row().is_some() { 2.0 } else { 0.0 };
+        let [each, of_joined, of_row] = portion.parts([5.0, several, in_row]);
+        let all: Vec<&ChanceProblem> = problems.iter().collect();
         let of = |(place, problem)| chances(problem, &request, each.part(place, problems.len()));
         let mut situations: Vec<Chances> = problems.iter().enumerate().map(of).collect::<Result<_, _>>()?;
         situations.sort_by(|a, b| b.not_rest.value.total_cmp(&a.not_rest.value));
@@ -427,7 +439,8 @@ impl Probability {
             random: first.random().iter().map(RandomNumber::of).collect(),
             line,
             situations,
-            joined: joined(&problems.iter().collect::<Vec<_>>(), &request, of_joined)?,
+            joined: joined(&all, &request, of_joined)?,
+            row: row_of(&all, &request.effort, of_row)?,
             sliding,
             criteria: Vec::new(),
             overturning: None,

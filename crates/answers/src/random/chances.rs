@@ -242,7 +242,7 @@ pub(super) fn life_of(
 }
 
 /// That rest ends in a life that follows years of rest, P(T + t) − P(T) over 1 − P(T); the interval is as wide as both together allow.
-fn after(
+pub(super) fn after(
     survived: f64,
     life: &Life,
     portion: Portion<'_>,
@@ -260,7 +260,7 @@ fn after(
 }
 
 /// Outcomes over years: integrated along a yearly number where they are few, or drawn.
-fn over_years<O: Outcomes, D: Outcomes>(
+pub(super) fn over_years<O: Outcomes, D: Outcomes>(
     yearly: &ChanceProblem,
     along: &O,
     drawn: &D,

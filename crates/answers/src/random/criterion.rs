@@ -13,6 +13,7 @@ use super::chances::{event, life_of};
 use super::error::ProbabilityError;
 use super::joined::joined;
 use super::problem::ChanceProblem;
+use super::row::{RowChances, row_of};
 use super::storm::{self, Sliding};
 use super::subject::problems_of;
 use crate::case::Acting;
@@ -30,6 +31,8 @@ pub struct AskedChances {
     pub not_rest: Option<Estimate>,
     /// That it ever leaves rest over the years of a life.
     pub life: Option<Estimate>,
+    /// That any of the bodies of a row ever leaves rest over a life or, where none is asked for, in an event.
+    pub any: Option<Estimate>,
     /// Its mean slide over a life of storms, m.
     pub sliding_mean: Option<Estimate>,
     /// That its slides come to more than these, m.
@@ -44,6 +47,7 @@ impl AskedChances {
         match criterion.key {
             Key::GreatestNotRest => self.not_rest,
             Key::GreatestLife => self.life,
+            Key::GreatestAny => self.any,
             // The likelier, the less reliable.
             Key::LeastLifeIndex => self.life.map(|Estimate { value, low, high }| Estimate {
                 value: generalized(value),
@@ -110,6 +114,8 @@ pub(super) struct Known<'a> {
     pub(super) situations: &'a [Chances],
     /// Slides in storms.
     pub(super) sliding: Option<&'a Sliding>,
+    /// Any of the bodies of a row, under any set of loads.
+    pub(super) row: Option<&'a RowChances>,
 }
 
 /// The slides of which criteria ask how likely they are exceeded.
@@ -150,7 +156,7 @@ pub(super) fn of_life_and_slides(
     let criteria: Vec<Criterion> = criteria.into_iter().filter(of_life).collect();
     let [of_storm, of_chances] = portion.parts([40.0, 2.0]);
     let sliding = slides_of(file, &criteria, problems, request, of_storm)?;
-    let known = Known { situations: &[], sliding: sliding.as_ref() };
+    let known = Known { situations: &[], sliding: sliding.as_ref(), row: None };
     let found = checked(&criteria, problems, &known, request, of_chances)?;
     let of = |criterion: &Criterion| found.iter().find(|check| check.criterion == *criterion).copied();
     Ok(criteria.iter().filter_map(of).collect())
@@ -198,7 +204,7 @@ fn asked(
     let mut found: Vec<(Acting, AskedChances)> = Vec::new();
     let acting = problems.iter().filter_map(ChanceProblem::case).map(|(_, acting)| acting);
     for (place, acting) in acting.enumerate() {
-        let [of_event, of_life] = portion.part(place, problems.len()).parts([1.0, 1.0]);
+        let [of_event, of_life, of_row] = portion.part(place, problems.len()).parts([1.0; 3]);
         if found.iter().any(|(known, _)| *known == acting) {
             continue;
         }
@@ -218,6 +224,13 @@ fn asked(
             let answered = answered.and_then(|chances| Some(chances.life.as_ref()?.ahead()));
             chances.years = problems[0].years();
             chances.life = Some(answered.map_or_else(|| life_of(&same, &request.effort, of_life), Ok)?);
+        }
+        if asks(&[Key::GreatestAny]) {
+            chances.years = problems[0].years();
+            // Of one set of loads it is there already.
+            let answered = known.row.copied().filter(|_| same.len() == problems.len());
+            let row = answered.map_or_else(|| row_of(&same, &request.effort, of_row), |row| Ok(Some(row)))?;
+            chances.any = Some(row.ok_or(ProbabilityError::NoRow)?.any());
         }
         found.push((acting, chances));
     }
@@ -249,6 +262,6 @@ pub(crate) fn asked_of_file(
     let request = ChanceRequest::default();
     let [of_storm, of_chances] = portion.parts([40.0, 2.0]);
     let sliding = slides_of(file, criteria, &problems, &request, of_storm)?;
-    let known = Known { situations: &[], sliding: sliding.as_ref() };
+    let known = Known { situations: &[], sliding: sliding.as_ref(), row: None };
     asked(criteria, &problems, &known, &request, of_chances)
 }

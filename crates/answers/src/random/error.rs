@@ -76,6 +76,19 @@ pub enum ProbabilityError {
         /// The years.
         years: f64,
     },
+    /// A row that is asked for, of one body.
+    #[error("it is asked for any of the bodies in a row, and nothing says how many there are")]
+    NoRow,
+    /// Over a life, a number of each body that is correlated with one that is common to all each year.
+    #[error(
+        "`{own}` is each body's own for life, and correlated with `{common}`, which is common to all each year: it would be another for each body"
+    )]
+    RowClash {
+        /// Number of each body.
+        own: String,
+        /// Number that is common to all, and yearly.
+        common: String,
+    },
 }
 
 impl ProbabilityError {
@@ -84,6 +97,7 @@ impl ProbabilityError {
         match self {
             ProbabilityError::NoStorm | ProbabilityError::Sliding(_) => OF_SLIDES.contains(&key),
             ProbabilityError::NoLife | ProbabilityError::NothingYearly { .. } => OF_LIFE.contains(&key),
+            ProbabilityError::NoRow => key == Key::GreatestAny,
             _ => Criterion::is_of_chance(key),
         }
     }
@@ -110,6 +124,12 @@ impl Explained for ProbabilityError {
             }
             ProbabilityError::Situation { .. } => "name one of them".into(),
             ProbabilityError::NoLife => "for example\n[random]\nyears = 50".into(),
+            ProbabilityError::NoRow => {
+                "for example\n[random]\nbodies = 20\nfriction = { normal = { mean = 0.6, sd = 0.06 }, each = \"body\" }".into()
+            }
+            ProbabilityError::RowClash { .. } => {
+                "leave out `years`, the correlation, or `each = \"body\"` of that number".into()
+            }
             ProbabilityError::NoStorm => "for example\n[storm]\nwaves = 1000\ntau0 = \"shimosako-takahashi\"".into(),
             ProbabilityError::NothingYearly { .. } => {
                 "give `every = \"year\"` to a number that is drawn anew each year, such as the sea's largest wave"

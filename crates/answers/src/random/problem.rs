@@ -10,6 +10,7 @@ use standfast::{Point, Situation, Wrench};
 use standfast_probability::integrate::MOST_DIMENSIONS;
 use standfast_probability::life::Life;
 use standfast_probability::problem::RandomVector;
+use standfast_probability::row::Row;
 use standfast_probability::sample::draws;
 
 use super::lines::{Line, Lines};
@@ -277,10 +278,24 @@ impl ChanceProblem {
         self.lifetime.years.map(|years| Life { years, yearly, events: self.lifetime.events_per_year })
     }
 
+    /// The row that the body is one of, where there is one.
+    pub(super) fn row(&self) -> Option<Row> {
+        let own = self.random.iter().map(|input| input.own).collect();
+        self.lifetime.bodies.map(|bodies| Row { bodies, own })
+    }
+
     /// Problem along a number that is drawn yearly, as a life needs it; none if there is no such number.
     pub(super) fn along_yearly(&self) -> Option<ChanceProblem> {
-        let line =
-            self.lines.first(&self.random, &self.laws, |place| self.random[place].every != Rate::Life)?;
+        self.along_one(|input| input.every != Rate::Life)
+    }
+
+    /// Problem along a number that each body of a row has of its own; none if there is no such number.
+    pub(super) fn along_own(&self) -> Option<ChanceProblem> {
+        self.along_one(|input| input.own)
+    }
+
+    fn along_one(&self, among: impl Fn(&RandomInput) -> bool) -> Option<ChanceProblem> {
+        let line = self.lines.first(&self.random, &self.laws, |place| among(&self.random[place]))?;
         Some(ChanceProblem { line, ..self.clone() })
     }
 

@@ -77,6 +77,8 @@ pub struct RandomInput {
     pub quantity: Quantity,
     /// Rate at which it is drawn.
     pub every: Rate,
+    /// True if each body of a row draws it for itself.
+    pub own: bool,
     /// Share of its law that was cut because no body has such values.
     pub cut: f64,
 }

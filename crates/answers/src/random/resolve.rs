@@ -42,7 +42,8 @@ impl Resolve<'_> {
                 return Err((RandomProblem::Twice { name, other }, named.span.clone()));
             }
             let (law, cut) = self.law(named, &quantity)?;
-            inputs.push(RandomInput { name: named.name.clone(), quantity, every: named.every, cut });
+            let name = named.name.clone();
+            inputs.push(RandomInput { name, quantity, every: named.every, own: named.own, cut });
             laws.push(law);
         }
         let correlations: Vec<Correlation> = random

@@ -31,6 +31,8 @@ struct Document<'a> {
     others: Vec<ChancesDocument<'a>>,
     /// That any of several sets of loads moves the body.
     joined: Option<JoinedDocument>,
+    /// That any of the bodies of a row moves.
+    row: Option<RowDocument>,
     /// The criterion of `[criteria]` of which most is used.
     criterion: Option<CriterionDocument>,
     /// All of them, that one first.
@@ -330,6 +332,15 @@ struct LifeDocument {
     modes: Vec<ModeDocument>,
 }
 
+/// That any of the bodies of a row moves.
+#[derive(Serialize)]
+struct RowDocument {
+    bodies: u64,
+    precise: bool,
+    not_rest: Interval,
+    life: Option<Interval>,
+}
+
 /// What years at rest say of those that follow.
 #[derive(Serialize)]
 struct StoodDocument {
@@ -357,6 +368,12 @@ pub(super) fn json(answer: &Probability, figures: &[String]) -> String {
             count: joined.count,
             method: joined.method.name(),
             not_rest: interval(joined.not_rest),
+        }),
+        row: answer.row.map(|row| RowDocument {
+            bodies: row.bodies,
+            precise: row.precise,
+            not_rest: interval(row.not_rest),
+            life: row.life.map(interval),
         }),
         criterion: answer.criteria.first().map(CriterionDocument::of),
         criteria: answer.criteria.iter().map(CriterionDocument::of).collect(),

@@ -11,7 +11,7 @@ use super::{
 use crate::json::RequiredBound;
 use crate::key::Key;
 use crate::layout::{apart, digits, factor, significant};
-use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, warned_of_case, years};
+use crate::summary::{GoverningCriterion, Summary, ToldCriterion, criteria, listed, warned_of_case, years};
 use standfast_model::Bound;
 
 /// So few records tell nothing of how the next one differs.
@@ -75,7 +75,8 @@ pub fn period_of(answer: &Probability, check: &ChanceCriterion) -> String {
     }
     let of_storms = answer.sliding.as_ref().map(|sliding| sliding.years);
     let of_life = || answer.problem.as_ref()?.years();
-    of_storms.or_else(of_life).map_or("over its life".to_owned(), |life| format!("over {}", years(life)))
+    // Of any of several bodies it is the life where there is one.
+    of_storms.or_else(of_life).map_or(period(answer).to_owned(), |life| format!("over {}", years(life)))
 }
 
 /// Period that the probabilities of the modes are of.
@@ -125,6 +126,37 @@ pub fn after_rest(life: &LifeChances) -> Option<String> {
     ))
 }
 
+/// How far bodies of a row have things in common, in sentences.
+pub(super) fn of_row(answer: &Probability, worst: &Chances) -> Option<Vec<String>> {
+    let row = answer.row?;
+    let own = answer.random.iter().filter(|number| number.own).map(|number| number.name.clone());
+    let own: Vec<String> = own.collect();
+    let alone = answer.joined.as_ref().map_or(worst.not_rest, |joint| joint.not_rest).value;
+    let bounds = |any: Estimate, alone: f64| {
+        let apart = -((-alone).ln_1p() * row.bodies as f64).exp_m1();
+        format!(
+            "{}. Were all alike, it would be {}; had they nothing in common, {}",
+            known(any),
+            probability(alone),
+            probability(apart)
+        )
+    };
+    let event = format!(
+        "At least one of {} bodies in a row, each with its own {}, does not stay at rest {}: {}.",
+        row.bodies,
+        listed(&own),
+        period(answer),
+        bounds(row.not_rest, alone)
+    );
+    let of_life = row.life.zip(worst.life.as_ref().filter(|_| answer.joined.is_none()));
+    let life = of_life.map(|(any, life)| {
+        let stood =
+            life.stood.map_or(String::new(), |stood| format!(", after {} at rest", years(stood.years)));
+        format!("Over {}{stood}: {}.", years(life.years), bounds(any, life.ahead().value))
+    });
+    Some(std::iter::once(event).chain(life).collect())
+}
+
 /// That the body moves in an event, and at least once in a life.
 fn moves(answer: &Probability, worst: &Chances) -> String {
     let not_rest = answer.joined.as_ref().map_or(worst.not_rest, |joint| joint.not_rest);
@@ -146,13 +178,19 @@ fn moves(answer: &Probability, worst: &Chances) -> String {
         });
         format!(" {}: {}{stood}.", over_life(life), known(life.not_rest))
     });
+    let row = answer.row.map_or(String::new(), |row| {
+        let of_life = row.life.zip(worst.life.as_ref());
+        let life = of_life
+            .map_or(String::new(), |(any, life)| format!(", and {} over {}", known(any), years(life.years)));
+        format!(" For any of {} in a row it is {} {}{life}.", row.bodies, known(row.not_rest), period(answer))
+    });
     let impossible =
         worst.modes.iter().find(|(mode, _)| *mode == Happening::NotABody).map_or(0.0, |(_, e)| e.value);
     let impossible = match impossible > NOTED * worst.not_rest.value {
         true => format!(" Of it {} are draws that make no possible body.", probability(impossible)),
         false => String::new(),
     };
-    format!("{} is {}{place}.{impossible}{goes}{life}", not_resting(answer), known(not_rest))
+    format!("{} is {}{place}.{impossible}{goes}{life}{row}", not_resting(answer), known(not_rest))
 }
 
 /// How far the body slides in a life.

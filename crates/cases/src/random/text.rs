@@ -247,6 +247,19 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
             text += &paragraph(&imprecise(answer), 2);
         }
     }
+    text + &of_row(answer, chances)
+}
+
+/// Any of the bodies of a row, under the worst set of loads or any of them.
+fn of_row(answer: &Probability, worst: &Chances) -> String {
+    let is_worst = answer.situations.first().is_some_and(|first| std::ptr::eq(first, worst));
+    let Some(sentences) = super::summary::of_row(answer, worst).filter(|_| is_worst) else {
+        return String::new();
+    };
+    let mut text = "\nAny body of the row\n".to_owned() + &paragraphs(&sentences);
+    if answer.row.is_some_and(|row| !row.precise) {
+        text += &paragraph(&imprecise(answer), 2);
+    }
     text
 }
 

@@ -61,7 +61,7 @@ fn named(name: String, item: &Item<'_>) -> ReadResult<RandomEntry> {
     let mut named = RandomEntry::without_law(name, item.span());
     let what = format!("`{}`", named.name);
     let table = table(item, &what, "a law in braces")?;
-    read_entry(&mut named, item, in_order(table), &what, &["lower", "upper", "every"], &LAWS)?;
+    read_entry(&mut named, item, in_order(table), &what, &["lower", "upper", "every", "each"], &LAWS)?;
     Ok(named)
 }
 
@@ -105,6 +105,17 @@ fn read_beside(named: &mut RandomEntry, key: &str, value: &Item<'_>) -> ReadResu
         "upper" => named.upper = Some(parameter(key, value)?),
         "probability" => named.share = Some(parameter(key, value)?),
         "count" => named.parameters.push(parameter(key, value)?),
+        "each" => match value.get_ref().as_str() {
+            Some("body") => named.own = true,
+            Some("row") => named.own = false,
+            other => {
+                const EXPECTED: &str = "\"body\", drawn for each body of a row, or \"row\", for all of them";
+                let Some(other) = other else { return Err(wrong(value, "`each`", EXPECTED)) };
+                let (what, written) = ("`each`".to_owned(), format!("\"{other}\""));
+                let expected = EXPECTED.to_owned();
+                return Err((RandomProblem::Value { what, written, expected }, value.span()));
+            }
+        },
         _ => {
             named.every = match value.get_ref().as_str() {
                 Some("life") => Rate::Life,

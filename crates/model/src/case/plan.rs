@@ -94,12 +94,13 @@ impl<T: Scalar> Case<T> {
 }
 
 /// Criteria that a base seen from above has an answer to.
-pub(super) const CRITERIA: [Key; 6] = [
+pub(super) const CRITERIA: [Key; 7] = [
     Key::LeastSliding,
     Key::LeastOverturningNet,
     Key::LeastLoadFactor,
     Key::GreatestNotRest,
     Key::GreatestLife,
+    Key::GreatestAny,
     Key::LeastLifeIndex,
 ];
 

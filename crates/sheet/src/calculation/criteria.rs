@@ -100,6 +100,7 @@ fn letters(key: Key) -> &'static str {
         Key::GreatestRotation => "θ",
         Key::GreatestNotRest => "P",
         Key::GreatestLife => "P_life",
+        Key::GreatestAny => "P_any",
         Key::LeastLifeIndex => "β",
         Key::GreatestMeanSlide => "S",
         Key::GreatestSlidingOver => "S_P",

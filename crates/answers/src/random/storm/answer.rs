@@ -121,6 +121,9 @@ pub enum SlidingError {
         /// The random number.
         name: String,
     },
+    /// A row of bodies of a storm without a body.
+    #[error("the file is of a [storm] without a [body], and `bodies` asks for any of several")]
+    NoRow,
     /// Design values of a storm without a body.
     #[error("there is no nearest point for `target_beta`: a [storm] without a [body] has no modes")]
     NoDesignValues,

@@ -183,6 +183,9 @@ impl PureStorm {
         if self.lifetime.survived.is_some() {
             return Err(SlidingError::Survived.into());
         }
+        if self.lifetime.bodies.is_some() {
+            return Err(SlidingError::NoRow.into());
+        }
         if self.target_beta.is_some() {
             return Err(SlidingError::NoDesignValues.into());
         }
@@ -245,6 +248,7 @@ impl PureStorm {
             line: ("the height of waves".to_owned(), true),
             situations: vec![chances],
             joined: None,
+            row: None,
             criteria: Vec::new(),
             sliding: Some(sliding),
             overturning: None,
