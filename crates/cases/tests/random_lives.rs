@@ -173,3 +173,28 @@ fn rates_that_do_not_go_together_are_refused() {
         "the case has a [storm] and `survived`: what years at rest say of slides is not found"
     );
 }
+
+/// Slopes along means and deviations are the differences of answers to changed files; here of friction that is below a force: −f(μ), and so on.
+#[test]
+fn slopes_are_those_of_changed_laws() {
+    let random = |mean: f64, sd: f64| {
+        format!(
+            "sensitivities = true\nmu = {{ normal = {{ mean = {mean}, sd = {sd} }} }}\nk = {{ gumbel = {{ mean = 0.25, sd = 0.05 }} }}\n"
+        )
+    };
+    let p = |mean, sd| answer(&random(mean, sd)).situations[0].not_rest.value;
+    let found = answer(&random(0.5, 0.05));
+    let slopes = found.situations[0].slopes.as_ref().unwrap();
+    let mu = slopes[0].unwrap();
+    assert_close("mean", mu.by_mean.unwrap(), (p(0.501, 0.05) - p(0.499, 0.05)) / 0.002, 2e-3);
+    assert_close("sd", mu.by_sd.unwrap(), (p(0.5, 0.051) - p(0.5, 0.049)) / 0.002, 2e-3);
+    let text = found.text(&());
+    assert!(text.contains("∂P/∂mean") && text.contains("of mu does most"), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&found.json(&(), &[])).unwrap();
+    assert_eq!(json["sensitivities"][0]["by_mean"].as_f64().unwrap(), mu.by_mean.unwrap());
+    assert_eq!(json["sensitivities"][1]["name"], "k");
+    let plain = answer(&random(0.5, 0.05).replace("sensitivities = true\n", ""));
+    assert_eq!(plain.situations[0].slopes, None);
+    let error = try_answer(&format!("{LOW}{}", random(0.5, 0.05).replace("= true", "= 1"))).unwrap_err();
+    assert!(error.to_string().contains("`sensitivities` is a number; expected true or false"), "{error}");
+}

@@ -69,6 +69,60 @@ fn steep_seas_are_told() {
     assert!(names.contains(&"steep-sea"), "{names:?}");
 }
 
+/// The period goes with the height: T = √(2π H₀'/(g s)), of a height that is typed, drawn, or times a factor; and in a case that is assessed.
+#[test]
+fn a_period_goes_with_the_height() {
+    let steepness = 0.035;
+    let period = |height: f64| (2.0 * std::f64::consts::PI * height / (9.81 * steepness)).sqrt();
+    let typed = |height: f64| {
+        GODA.replace("\"6.3 m\"", &height.to_string()).replace("\"11.4 s\"", &period(height).to_string())
+    };
+    let steep = |height: f64| {
+        GODA.replace("\"6.3 m\"", &height.to_string()).replace("period = \"11.4 s\"", "steepness = 0.035")
+    };
+    let factor = |text: &str| {
+        let assessment = Assessment::of_file(&CaseFile::parse("case", text).unwrap()).unwrap();
+        assessment.case.goda().unwrap().goda.force
+    };
+    for height in [3.0, 6.3, 7.7] {
+        assert_close("force", factor(&steep(height)), factor(&typed(height)), 1e-12);
+    }
+    let law =
+        "wave.deep_water_height = { discrete = { values = [3, 5, 7], probabilities = [0.5, 0.3, 0.2] } }\n";
+    let expected = [(3.0, 0.5), (5.0, 0.3), (7.0, 0.2)]
+        .map(|(height, share)| share * not_rest(&format!("{}{FRICTION}", typed(height))))
+        .iter()
+        .sum::<f64>();
+    let found = answer(&format!("{}{FRICTION}{law}", steep(6.3)), None);
+    assert_close("drawn", found.situations[0].not_rest.value, expected, 1e-9);
+    assert!(found.warnings().iter().all(|warning| warning.name() != "steep-seas"));
+    let bias = "bias.H0 = { discrete = { values = [0.8, 1.2], probabilities = [0.5, 0.5] } }\n";
+    let of = |height: f64| not_rest(&format!("{}{FRICTION}", typed(height)));
+    let expected = 0.5 * of(0.8 * 5.0) + 0.5 * of(1.2 * 5.0);
+    assert_close("factor", not_rest(&format!("{}{FRICTION}{bias}", steep(5.0))), expected, 1e-9);
+    // A steepness that is drawn itself.
+    let drawn = "wave.steepness = { discrete = { values = [0.035, 0.05], probabilities = [0.6, 0.4] } }\n";
+    let other = steep(5.0).replace("0.035", "0.05");
+    let expected = 0.6 * of(5.0) + 0.4 * not_rest(&format!("{other}{FRICTION}"));
+    assert_close("steepness", not_rest(&format!("{}{FRICTION}{drawn}", steep(5.0))), expected, 1e-9);
+    // A combination that multiplies the heights at the wall leaves the period as it is.
+    let scaled = |text: String| {
+        let text = format!(
+            "{text}\n[[combination]]\nname = \"scaled\"\nscale = {{ \"wave.H13\" = 1.2, \"wave.Hmax\" = 1.2 }}\n{FRICTION}"
+        );
+        not_rest(&text)
+    };
+    assert_close("combination", scaled(steep(5.0)), scaled(typed(5.0)), 1e-12);
+    for (text, expected) in [
+        (steep(5.0).replace("steepness", "period = 10\nsteepness"), "`steepness`"),
+        (steep(5.0).replace("deep_water_height = 5", "H13 = 4\nHmax = 7"), "no `deep_water_height`"),
+        (steep(5.0).replace("0.035", "0.2"), "a steepness, above zero and 0.142 at most"),
+    ] {
+        let error = CaseFile::parse("case", &text).and_then(|file| Assessment::of_file(&file)).unwrap_err();
+        assert!(error.to_string().contains(expected), "{error}");
+    }
+}
+
 /// A tide that is a sine spends its time as a beta law of two halves does: the arcsine law.
 #[test]
 fn a_tide_is_a_beta_law() {

@@ -440,6 +440,9 @@ pub enum Problem {
     /// Both are given.
     #[error("[wave] has `deep_water_height` and a height at the wall")]
     DeepAndLocal,
+    /// A steepness in deep water without a height there.
+    #[error("[wave] has `steepness`, and no `deep_water_height` that the period could go with")]
+    SteepnessOfNothing,
     /// None is given.
     #[error("[wave] has no wave height")]
     NoWaveHeight,

@@ -520,6 +520,8 @@ pub enum Range {
     Floor,
     /// Direction seen from above, degrees.
     Turn,
+    /// Steepness of waves in deep water, H₀'/L₀.
+    Steepness,
 }
 
 impl Range {
@@ -540,6 +542,7 @@ impl Range {
                 let [low, high] = self.ends();
                 (low..=high).contains(&value)
             }
+            Range::Steepness => value > 0.0 && value <= self.ends()[1],
             Range::FromOne => value >= 1.0,
             Range::Digits => (3.0..=12.0).contains(&value) && value.fract() == 0.0,
         };
@@ -562,6 +565,7 @@ impl Range {
             Range::Digits => "a whole number from 3 to 12",
             Range::Floor => "an angle from -45 to 45 degrees",
             Range::Turn => "an angle from -360 to 360 degrees",
+            Range::Steepness => "a steepness, above zero and 0.142 at most, where waves break",
         }
     }
 
@@ -579,6 +583,7 @@ impl Range {
             Range::Digits => [3.0, 12.0],
             Range::Floor => [-45.0, 45.0],
             Range::Turn => [-360.0, 360.0],
+            Range::Steepness => [0.0, 0.142],
         }
     }
 }
@@ -965,6 +970,7 @@ listed! {
         .gives(&[Quantity::SeaBottomSlope]);
     Period = key(Wave, "period", Measured(Dimension::Time, Positive), "T", "significant wave period; of pedersen the mean, of van-gent T_m-1,0", "\"11.4 s\"")
         .gives(&[Quantity::WavePeriod]);
+    Steepness = key(Wave, "steepness", Plain(Range::Steepness), "s_0", "steepness in deep water, H_0'/L_0, in place of a period: that goes with `deep_water_height`", "0.04");
     AngleDeg = key(Wave, "angle_deg", Plain(NotNegative), "β_g", "angle of the waves from the wall’s normal", "15")
         .gives(&[Quantity::WaveAngle]);
     WaveWaterDensity = key(Wave, "water_density", Measured(Dimension::Density, Positive), "ρ", "density of the sea", "\"1030 kg/m3\"")

@@ -39,6 +39,8 @@ pub struct Random {
     pub lifetime: Lifetime,
     /// The reliability index for which design values are asked.
     pub target_beta: Option<f64>,
+    /// True if it is asked what means and deviations of the laws do.
+    pub sensitivities: bool,
     /// The numbers that are random, in the order in which they stand.
     pub named: Vec<RandomEntry>,
     /// Records of shakings, each as likely, in the place of the case's own.
@@ -325,6 +327,7 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
     let mut random = Random {
         lifetime: Lifetime::default(),
         target_beta: None,
+        sensitivities: false,
         named: Vec::new(),
         records: Vec::new(),
         correlations: Vec::new(),
@@ -337,6 +340,11 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
             "years" => random.lifetime.years = Some(positive(value, "`years`")?),
             "survived" => random.lifetime.survived = Some(positive(value, "`survived`")?),
             "target_beta" => random.target_beta = Some(positive(value, "`target_beta`")?),
+            "sensitivities" => {
+                let truth = value.get_ref().as_bool();
+                random.sensitivities =
+                    truth.ok_or_else(|| wrong(value, "`sensitivities`", "true or false"))?;
+            }
             "events_per_year" => {
                 random.lifetime.events_per_year = Some(positive(value, "`events_per_year`")?);
             }

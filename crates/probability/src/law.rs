@@ -11,11 +11,13 @@ use crate::{beta, gamma, normal};
 use atoms::Atoms;
 use curve::Curve;
 use mixture::Mixture;
+pub use moments::Moments;
 pub use truncated::Distribution;
 
 mod atoms;
 mod curve;
 mod mixture;
+mod moments;
 mod parameters;
 mod standard;
 mod truncated;

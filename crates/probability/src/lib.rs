@@ -17,6 +17,7 @@
 //! | [`lognormal`] | the nearest curve, as of counts the likeliest | fragility along a number |
 //! | [`method`] | one of these by its name, or the one that suits | |
 //! | [`limit_state`] | a function whose sign tells, scanned along one input | published problems |
+//! | [`slopes`] | differences with the same points | what a law’s mean and deviation do |
 //! | [`form`] | nearest points, β and α, without gradients | which input matters |
 //!
 //! Laws ([`law`]) and their correlation by a normal copula ([`copula`]) are accurate in both tails.
@@ -66,6 +67,7 @@ pub mod problem;
 mod roots;
 pub mod row;
 pub mod sample;
+pub mod slopes;
 pub mod sums;
 
 /// Largest distance looked at in standard normals: beyond ±12 lies 4e-33.

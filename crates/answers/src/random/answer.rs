@@ -7,6 +7,7 @@ use standfast::Verdict;
 use standfast_probability::form::{FormPoint, generalized};
 use standfast_probability::method::Method;
 use standfast_probability::sample::{Effort, Estimate};
+use standfast_probability::slopes::Slopes;
 use standfast_watch::Portion;
 
 use super::chances::chances;
@@ -108,6 +109,8 @@ pub struct Chances {
     pub design_points: Option<Vec<(Happening, FormPoint)>>,
     /// The values of the numbers for the index that is asked for.
     pub design_values: Option<DesignValues>,
+    /// How the probability of not resting changes with mean and deviation of each law, if it is asked; none of a law without a deviation.
+    pub slopes: Option<Vec<Option<Slopes>>>,
     /// The probability of not resting if one number were known to have its median, for each.
     pub known: Vec<Estimate>,
     /// Over the years of a life.
@@ -272,6 +275,17 @@ impl RandomNumber {
             yearly: input.every == Rate::Year,
             own: input.own,
         }
+    }
+
+    /// What goes with one unit of it, on paper.
+    pub fn per_unit(&self, slope: f64) -> String {
+        self.dimension.map_or_else(
+            || digits(slope),
+            |dimension| {
+                let (unit, scale) = dimension.on_paper();
+                format!("{} per {unit}", digits(slope * scale))
+            },
+        )
     }
 
     /// A value of it on paper: with its unit, of a dimension.

@@ -8,6 +8,7 @@ use standfast_probability::life::{Life, lives};
 use standfast_probability::method::{Found, Method, by, by_known, integral_or, within};
 use standfast_probability::problem::Outcomes;
 use standfast_probability::sample::{Effort, Estimate};
+use standfast_probability::slopes::slopes;
 use standfast_watch::Portion;
 
 use super::answer::{ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Stood};
@@ -129,7 +130,9 @@ pub(super) fn chances(
     let numbers = laws.laws().len();
     let effort = &request.effort;
     let of_life = if problem.life().is_some() { 2.0 } else { 0.0 };
-    let [of_modes, each_known, of_departure, of_life] = portion.parts([2.0, numbers as f64, 2.0, of_life]);
+    let of_slopes = if problem.sensitivities { 4.0 * numbers as f64 } else { 0.0 };
+    let [of_modes, each_known, of_departure, of_life, each_slope] =
+        portion.parts([2.0, numbers as f64, 2.0, of_life, of_slopes]);
     let Found { method, sampled, given_up } = sampled(problem, &points, request, of_modes)?;
     // Rare events are looked for about the points found, whatever else is known.
     let about: Vec<Vec<f64>> = match method {
@@ -147,6 +150,13 @@ pub(super) fn chances(
     });
     let known: Vec<Estimate> =
         if numbers > 1 { known.collect::<Result<_, ProbabilityError>>()? } else { Vec::new() };
+    let slopes_of = |number: usize| {
+        let portion = each_slope.part(number, numbers);
+        portion.check()?;
+        let (of, work) = ((laws, problem, not_rest()), (effort.within(portion), problem.cost()));
+        Ok::<_, ProbabilityError>(slopes(of, number, (method, &about, sampled.points), work))
+    };
+    let slopes = problem.sensitivities.then(|| (0..numbers).map(slopes_of).collect::<Result<Vec<_>, _>>());
     let [modes @ .., not_rest, not_unique, lifted] = &sampled.estimates[..] else {
         unreachable!("as many as sets")
     };
@@ -167,6 +177,7 @@ pub(super) fn chances(
         design_values: problem
             .target_beta
             .and_then(|beta| Some(DesignValues::of(laws, points.first()?, beta))),
+        slopes: slopes.transpose()?,
         design_point: points.into_iter().next(),
         design_points: request.form.then(|| of_each(problem)),
         life: life(problem, effort, of_life)?,

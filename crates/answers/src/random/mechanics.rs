@@ -158,13 +158,16 @@ impl Quick {
 
     /// The waves with these heights, times their biases.
     fn waves(&self, heights: Heights, biases: &Biases) -> Option<GodaWaves> {
-        let GodaWaves { sea, section, choices, goda: as_given, .. } = &self.waves;
-        let (sea, section, choices) = (*sea, *section, biases.on_heights(*choices));
+        let GodaWaves { steepness, section, choices, goda: as_given, .. } = &self.waves;
+        let (section, choices) = (*section, biases.on_heights(*choices));
+        let sea = self.waves.sea_of(&heights, &choices);
         let goda = match heights {
-            Heights::DeepWater(height) => as_given.from_deep_water(&sea, &section, &choices, height)?,
+            Heights::DeepWater(height) if steepness.is_none() => {
+                as_given.from_deep_water(&sea, &section, &choices, height)?
+            }
             heights => goda(&sea, &heights, &section, &choices).ok()?,
         };
-        GodaWaves { sea, heights, section, choices, goda }.broken()
+        GodaWaves { sea, steepness: *steepness, heights, section, choices, goda }.broken()
     }
 
     pub(super) fn components(&self, heights: Heights, biases: &Biases) -> Option<Components> {

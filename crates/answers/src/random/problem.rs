@@ -38,6 +38,8 @@ pub struct ChanceProblem {
     lifetime: Lifetime,
     /// The reliability index for which design values are asked.
     pub(super) target_beta: Option<f64>,
+    /// True if it is asked what means and deviations of the laws do.
+    pub(super) sensitivities: bool,
     lines: Lines,
     /// Of each number a value that it has as good as never more than.
     reaches: Vec<f64>,
@@ -159,6 +161,7 @@ impl ChanceProblem {
                     laws: laws.clone(),
                     lifetime: random.lifetime.with_years(years),
                     target_beta: random.target_beta,
+                    sensitivities: random.sensitivities,
                     lines,
                     reaches: reaches(&laws),
                     count: 1,
@@ -193,6 +196,7 @@ impl ChanceProblem {
             laws,
             lifetime,
             target_beta: random.target_beta,
+            sensitivities: random.sensitivities,
             lines,
             reaches,
             count: 1,
@@ -539,7 +543,9 @@ impl ChanceProblem {
         let of_bias = Quantity::Bias(Bias::DeepWaterHeight);
         let bias = self.random.iter().position(|input| input.quantity == of_bias);
         let [height, period] = [Key::DeepWaterHeight, Key::Period].map(place);
-        let (Heights::DeepWater(own), true) = (waves.heights, height.or(period).or(bias).is_some()) else {
+        // A steepness that is given is none that waves can't have.
+        let is_drawn = waves.steepness.is_none() && height.or(period).or(bias).is_some();
+        let (Heights::DeepWater(own), true) = (waves.heights, is_drawn) else {
             return 0.0;
         };
         let mut steep = 0u64;

@@ -33,7 +33,15 @@ pub(super) fn pressures(wave: &Waves, output: OutputUnits) -> String {
     }
 }
 
-fn sea(GodaWaves { sea, heights, section, choices, goda, .. }: &GodaWaves, output: OutputUnits) -> String {
+/// Where a period comes from that goes with the height.
+fn of_steepness(steepness: Option<f64>) -> String {
+    steepness.map_or(String::new(), |s| format!(", of the steepness H0'/L0 = {}", digits(s)))
+}
+
+fn sea(
+    GodaWaves { sea, steepness, heights, section, choices, goda, .. }: &GodaWaves,
+    output: OutputUnits,
+) -> String {
     let mut rows = Vec::new();
     match *heights {
         Heights::DeepWater(height) => {
@@ -52,7 +60,7 @@ fn sea(GodaWaves { sea, heights, section, choices, goda, .. }: &GodaWaves, outpu
         turn => format!("{}° turned towards the normal by up to {}°", digits(sea.angle_deg), digits(turn)),
     };
     rows.extend([
-        row!["period T13", format!("{} s", digits(sea.period))],
+        row!["period T13", format!("{} s{}", digits(sea.period), of_steepness(*steepness))],
         row![
             "wavelength L",
             format!(

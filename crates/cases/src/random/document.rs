@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use standfast_probability::form::FormPoint;
 use standfast_probability::sample::Estimate;
+use standfast_probability::slopes::Slopes;
 
 use super::{
     ChanceCriterion, Chances, Exceedance, Fit, Fragility, FragilityPoint, Happening, Overturning,
@@ -249,6 +250,7 @@ struct ChancesDocument<'a> {
     design_points: Option<Vec<DesignPointDocument<'a>>>,
     /// `null` unless they are asked for.
     design_values: Option<DesignValuesDocument<'a>>,
+    sensitivities: Option<Vec<SlopesDocument<'a>>>,
     life: Option<LifeDocument>,
 }
 
@@ -330,6 +332,28 @@ struct LifeDocument {
     precise: bool,
     not_rest: Interval,
     modes: Vec<ModeDocument>,
+}
+
+/// What mean and deviation of a number do.
+#[derive(Serialize)]
+struct SlopesDocument<'a> {
+    name: &'a str,
+    mean: Option<f64>,
+    sd: Option<f64>,
+    by_mean: Option<f64>,
+    by_sd: Option<f64>,
+}
+
+impl<'a> SlopesDocument<'a> {
+    fn of(name: &'a str, slopes: Option<&Slopes>) -> SlopesDocument<'a> {
+        SlopesDocument {
+            name,
+            mean: slopes.map(|slopes| slopes.moments.mean),
+            sd: slopes.map(|slopes| slopes.moments.sd),
+            by_mean: slopes.and_then(|slopes| slopes.by_mean),
+            by_sd: slopes.and_then(|slopes| slopes.by_sd),
+        }
+    }
 }
 
 /// That any of the bodies of a row moves.
@@ -447,6 +471,9 @@ fn document<'a>(answer: &'a Probability, chances: &'a Chances) -> ChancesDocumen
                     factor: design.factor,
                 })
                 .collect(),
+        }),
+        sensitivities: chances.slopes.as_ref().map(|slopes| {
+            names().zip(slopes).map(|(name, slopes)| SlopesDocument::of(name, slopes.as_ref())).collect()
         }),
         life: chances.life.as_ref().map(|life| LifeDocument {
             years: life.years,

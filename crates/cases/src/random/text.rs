@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use standfast_probability::form::FormPoint;
+use standfast_probability::law::Moments;
 use standfast_probability::sample::{Effort, Estimate};
 
 use super::summary::{FEW, period, summary};
@@ -229,6 +230,7 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
     text += &paragraphs(&notes(answer, chances));
     text += &matters(answer, chances);
     text += &design_values(answer, chances);
+    text += &slopes(answer, chances);
     text += &nearest(answer, chances);
     if let Some(life) = &chances.life {
         let _ = writeln!(text, "\n{}", super::summary::over_life(life));
@@ -405,6 +407,38 @@ fn design_values(answer: &Probability, chances: &Chances) -> String {
             "EN 1990, Annex C: F⁻¹(Φ(αβ)), α at the nearest point at which the body does not rest.",
             2,
         )
+}
+
+/// Table of what means and deviations of the laws do, if that is asked for.
+fn slopes(answer: &Probability, chances: &Chances) -> String {
+    let Some(all) = &chances.slopes else { return String::new() };
+    let mut rows = vec![row!["What the laws do", "mean", "deviation", "∂P/∂mean", "∂P/∂deviation"]];
+    let known =
+        || answer.random.iter().zip(all).filter_map(|(number, slopes)| Some((number, slopes.as_ref()?)));
+    for (number, slopes) in known() {
+        let slope = |slope: Option<f64>| slope.map_or("none".to_owned(), |slope| number.per_unit(slope));
+        rows.push(row![
+            format!("  {}", number.name),
+            number.written(slopes.moments.mean),
+            number.written(slopes.moments.sd),
+            slope(slopes.by_mean),
+            slope(slopes.by_sd)
+        ]);
+    }
+    let p = chances.not_rest.value;
+    // Change of P for one per cent more, as a share of P.
+    let changes = known().flat_map(|(number, slopes)| {
+        let of = |slope: Option<f64>, value: f64, what| Some((slope? * value.abs() / p, what, &number.name));
+        let Moments { mean, sd } = slopes.moments;
+        [of(slopes.by_mean, mean, "mean"), of(slopes.by_sd, sd, "deviation")].into_iter().flatten()
+    });
+    let most =
+        changes.filter(|(change, ..)| change.is_finite()).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    let most = most.map_or(String::new(), |(change, what, name)| {
+        format!(" The {what} of {name} does most: 1 % more of it changes P by {} %.", significant(change, 2))
+    });
+    format!("\n{}", columns(&rows, 0, &[1, 2, 3, 4]))
+        + &paragraph(&format!("P is that the body does not rest.{most}"), 2)
 }
 
 /// Table of the points at which each mode is nearest to the medians, if that is asked for.

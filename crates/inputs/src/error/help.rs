@@ -209,6 +209,7 @@ impl Problem {
             Problem::DeepAndLocal | Problem::NoWaveHeight => {
                 "give either deep_water_height, or H13 and Hmax at the wall".into()
             }
+            Problem::SteepnessOfNothing => "give `period`, or `deep_water_height` in place of the heights at the wall".into(),
             Problem::WrongAlong { .. } => {
                 "a side has elevations above the base; base and top have distances to the right \
                  of the corner O"

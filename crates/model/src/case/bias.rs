@@ -209,9 +209,10 @@ impl<T: Scalar> Case<T> {
         if choices == waves.choices {
             return Ok(self);
         }
-        let goda = goda(&waves.sea, &waves.heights, &waves.section, &choices)
+        let sea = waves.sea_of(&waves.heights, &choices);
+        let goda = goda(&sea, &waves.heights, &waves.section, &choices)
             .map_err(|error| Reader { inputs: &self.inputs }.blame(Table::Wave, error))?;
-        let waves = GodaWaves { choices, goda, ..waves.clone() };
+        let waves = GodaWaves { sea, choices, goda, ..waves.clone() };
         self.wave = self.wave.map(|wave| Waves { formula: WaveFormula::Goda(waves), ..wave });
         Ok(self)
     }

@@ -807,6 +807,11 @@ fn heights_at_wall<'a>(inputs: &'a Inputs, case: &Case, changes: &[&InputChange]
     };
     let mut inputs = inputs.clone();
     inputs.remove(Key::DeepWaterHeight.into());
+    // The heights are another sea's: its period stays.
+    if let Some(waves) = case.goda().filter(|waves| waves.steepness.is_some()) {
+        inputs.remove(Key::Steepness.into());
+        inputs.set(Key::Period, waves.sea.period);
+    }
     for (key, height) in [Key::H13, Key::Hmax].into_iter().zip(heights) {
         inputs.set(key, height);
     }

@@ -3,7 +3,8 @@
 use standfast::loads::Load;
 use standfast::wave::{
     Armour, CaissonSection, Choices, CrownSea, CrownWave, Goda, Heights, PedersenWall, STEEPEST, Sainflou,
-    Sea, StandingWall, VanGentWall, WavePhase, WaveWarning, goda, pedersen, sainflou, van_gent,
+    Sea, StandingWall, VanGentWall, WavePhase, WaveWarning, goda, pedersen, period_of_steepness, sainflou,
+    van_gent,
 };
 use standfast::{Body, History};
 
@@ -48,6 +49,8 @@ pub enum WaveFormula {
 pub struct GodaWaves {
     /// The sea.
     pub sea: Sea,
+    /// H₀'/L₀, where the period goes with the height in deep water.
+    pub steepness: Option<f64>,
     /// The wave heights as they are given.
     pub heights: Heights,
     /// The caisson and its berm.
@@ -64,6 +67,18 @@ impl GodaWaves {
         let Heights::DeepWater(height) = self.heights else { return None };
         let [in_deep_water, _] = self.choices.height_factors;
         Some(height * in_deep_water / (STEEPEST * self.goda.deep_water_wavelength))
+    }
+
+    /// The sea of waves of these heights: with the period that goes with the one in deep water, times its factor, where the steepness is given.
+    pub fn sea_of(&self, heights: &Heights, choices: &Choices) -> Sea {
+        let [in_deep_water, _] = choices.height_factors;
+        match (heights, self.steepness) {
+            (Heights::DeepWater(height), Some(steepness)) => {
+                let period = period_of_steepness(height * in_deep_water, steepness, self.sea.gravity);
+                Sea { period, ..self.sea }
+            }
+            _ => self.sea,
+        }
     }
 
     /// The waves with a height in deep water that is no steeper than waves can be; `None` if they cannot be found.
@@ -220,7 +235,8 @@ fn takes(formula: &str, key: Key) -> bool {
         Key::CrestHeight,
         Key::WaveUplift,
     ];
-    const BERM: [Key; 7] = [
+    const OF_GODA: [Key; 8] = [
+        Key::Steepness,
         Key::DepthAboveBerm,
         Key::BermWidth,
         Key::Lambda1,
@@ -234,7 +250,7 @@ fn takes(formula: &str, key: Key) -> bool {
     const PEDERSEN: [Key; 4] = [Key::ArmourWidth, Key::ProtectedHeight, Key::FreeHeight, Key::VolumeShare];
     const VAN_GENT: [Key; 4] = [Key::WallHeight, Key::WallBase, Key::BaseFreeboard, Key::Roughness];
     let own: [&[Key]; 2] = match formula {
-        GODA => [&CAISSON, &BERM],
+        GODA => [&CAISSON, &OF_GODA],
         "sainflou" => [&CAISSON, &STANDING],
         "pedersen" => [&ARMOUR, &PEDERSEN],
         _ => [&ARMOUR, &VAN_GENT],
@@ -314,7 +330,7 @@ impl Reader<'_> {
         let sea = Sea {
             water_depth: self.required(Key::WaterDepth)?,
             sea_bottom_slope: self.required(Key::SeaBottomSlope)?,
-            period: self.required(Key::Period)?,
+            period: self.wave_period(gravity)?,
             angle_deg: self.required(Key::AngleDeg)?,
             water_density,
             gravity,
@@ -344,7 +360,8 @@ impl Reader<'_> {
         let goda =
             goda(&sea, &heights, &section, &choices).map_err(|error| self.blame(Table::Wave, error))?;
         self.crest_agrees(body, section.base_depth, section.crest_height)?;
-        Ok(GodaWaves { sea, heights, section, choices, goda })
+        let steepness = self.number(Key::Steepness);
+        Ok(GodaWaves { sea, steepness, heights, section, choices, goda })
     }
 
     fn standing_waves(&self, body: &Body, water_density: f64, gravity: f64) -> Result<StandingWaves, Fault> {
@@ -445,6 +462,19 @@ impl Reader<'_> {
         };
         let wave = wave.map_err(|error| self.blame(Table::Wave, error))?;
         Ok(CrownWaves { sea, armour, wall, wave })
+    }
+
+    /// The period, or the one of waves of the steepness given in deep water.
+    fn wave_period(&self, gravity: f64) -> Result<f64, Fault> {
+        match (self.number(Key::Steepness), self.number(Key::Period), self.number(Key::DeepWaterHeight)) {
+            (None, ..) => self.required(Key::Period),
+            (Some(_), Some(_), _) => {
+                let problem = Problem::BothIn { table: Table::Wave, one: Key::Steepness, two: Key::Period };
+                Err(Fault::new(problem, Key::Steepness).and(Key::Period))
+            }
+            (Some(_), None, None) => Err(Fault::new(Problem::SteepnessOfNothing, Key::Steepness)),
+            (Some(steepness), None, Some(height)) => Ok(period_of_steepness(height, steepness, gravity)),
+        }
     }
 
     /// The width of the caisson's base, which may be given beside that of the body.

@@ -79,6 +79,12 @@ impl Atoms {
         &self.values
     }
 
+    /// Each with its probability.
+    pub(super) fn shares(&self) -> impl Iterator<Item = (f64, f64)> {
+        let below = |place: usize| self.tails.get(place).map_or(1.0, |tails| tails.below);
+        (0..self.values.len()).map(move |place| (self.values[place], below(place + 1) - below(place)))
+    }
+
     pub(super) fn tails(&self, x: f64) -> Tails {
         let place = self.values.partition_point(|value| *value < x);
         self.tails.get(place).copied().unwrap_or(Tails { below: 1.0, above: 0.0 })

@@ -12,6 +12,12 @@ pub(super) struct Curve {
 }
 
 impl Curve {
+    /// The curve through values that are moved and stretched.
+    pub(super) fn mapped(&self, of: impl Fn(f64) -> f64) -> Option<Curve> {
+        let values: Vec<f64> = self.values.iter().copied().map(of).collect();
+        Curve::new(&self.normals, &values).ok()
+    }
+
     pub(super) fn new(normals: &[f64], values: &[f64]) -> Result<Curve, LawError> {
         let fault = |fault: String| Err(LawError::List { law: "quantiles", fault });
         let n = values.len();

@@ -21,6 +21,11 @@ impl Mixture {
         Ok(Mixture(parts))
     }
 
+    /// Its laws, and how likely each is.
+    pub(super) fn parts(&self) -> &[(f64, Distribution)] {
+        &self.0
+    }
+
     pub(super) fn support(&self) -> (f64, f64) {
         let ends = self.0.iter().map(|(_, part)| part.support());
         ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), (a, b)| (from.min(a), to.max(b)))

@@ -51,6 +51,11 @@ impl Distribution {
         Ok(Distribution { law, bounds: Some(Bounds { lower, upper, cut, mass }) })
     }
 
+    /// The bounds at which it is cut, infinite where it is not.
+    pub(super) fn bounds(&self) -> (f64, f64) {
+        self.bounds.map_or((f64::NEG_INFINITY, f64::INFINITY), |bounds| (bounds.lower, bounds.upper))
+    }
+
     /// The law before truncation.
     pub fn law(&self) -> &Law {
         &self.law

@@ -34,6 +34,12 @@ fn of_goda(steps: &mut SheetSteps, case: &Case, wave: &GodaWaves) {
     given(steps, case, wave);
     steps.heading("Wavelength and wave heights");
     let l0 = goda.deep_water_wavelength;
+    if let (Some(steepness), Heights::DeepWater(height)) = (wave.steepness, wave.heights) {
+        steps.know("s_0", steepness, NONE);
+        steps.know("H_0'", height, METRE);
+        let about = "Period that goes with the height in deep water";
+        steps.add(about, "deep water", ["T", "sqrt(2 π H_0'/(g s_0))"], sea.period, SECOND, "period");
+    }
     steps.add("Wavelength in deep water", "Goda", ["L0", "g T^2/(2 π)"], l0, METRE, "deep_water_wavelength");
     // The dispersion relation is implicit: the formula is a check of the wavelength found.
     steps.know("L", goda.wavelength, METRE);
@@ -46,12 +52,15 @@ fn of_goda(steps: &mut SheetSteps, case: &Case, wave: &GodaWaves) {
 }
 
 /// The numbers of the sea and of the section.
-fn given(steps: &mut SheetSteps, case: &Case, GodaWaves { sea, section, choices, .. }: &GodaWaves) {
+fn given(steps: &mut SheetSteps, case: &Case, wave: &GodaWaves) {
+    let GodaWaves { sea, section, choices, .. } = wave;
     let CaissonSection { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
+    if wave.steepness.is_none() {
+        steps.know("T", sea.period, SECOND);
+    }
     steps.know_all([
         ("h", sea.water_depth, METRE),
         ("i", sea.sea_bottom_slope, NONE),
-        ("T", sea.period, SECOND),
         ("ρ", sea.water_density, DENSITY),
         ("g", case.gravity, ACCELERATION),
         ("h'", base_depth, METRE),

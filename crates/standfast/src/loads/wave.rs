@@ -51,7 +51,7 @@ mod warning;
 
 pub use added_mass::{added_mass, added_mass_above, added_mass_height};
 pub use crown::{Armour, CrownSea, CrownWave, PedersenTerms, PedersenWall, VanGentWall, pedersen, van_gent};
-pub use dispersion::{deep_water_wavelength, shoaling, wavelength};
+pub use dispersion::{deep_water_wavelength, period_of_steepness, shoaling, wavelength};
 pub use goda::{Goda, Impulsive, goda};
 pub use heights::{BreakingTerms, DesignHeights};
 pub use sainflou::{Sainflou, StandingWall, WavePhase, sainflou};

@@ -124,9 +124,12 @@ pub enum SlidingError {
     /// A row of bodies of a storm without a body.
     #[error("the file is of a [storm] without a [body], and `bodies` asks for any of several")]
     NoRow,
-    /// Design values of a storm without a body.
-    #[error("there is no nearest point for `target_beta`: a [storm] without a [body] has no modes")]
-    NoDesignValues,
+    /// Something of modes that is asked of a storm without a body.
+    #[error("there is nothing that `{key}` is of: a [storm] without a [body] has no modes")]
+    NoModes {
+        /// Key of `[random]`.
+        key: &'static str,
+    },
     /// Years before the life.
     #[error("the case has a [storm] and `survived`: what years at rest say of slides is not found")]
     Survived,

@@ -107,7 +107,8 @@ pub(in crate::random) struct PureStorm {
     pub(in crate::random) random: Vec<RandomInput>,
     pub(in crate::random) laws: RandomVector,
     lifetime: Lifetime,
-    target_beta: Option<f64>,
+    /// A key of `[random]` that asks about modes.
+    asks: Option<&'static str>,
 }
 
 /// The problem, if the file is of a storm without a body; none if it is of a case.
@@ -165,8 +166,10 @@ impl PureStorm {
         years: Option<f64>,
     ) -> ReadResult<PureStorm> {
         let (inputs, laws) = Resolve(Names::Storm(values)).all(random)?;
-        let (lifetime, target_beta) = (random.lifetime.with_years(years), random.target_beta);
-        Ok(PureStorm { storm, values, tau0, random: inputs, laws, lifetime, target_beta })
+        let lifetime = random.lifetime.with_years(years);
+        let asked = [(random.target_beta.is_some(), "target_beta"), (random.sensitivities, "sensitivities")];
+        let asks = asked.into_iter().find(|(is_asked, _)| *is_asked).map(|(_, key)| key);
+        Ok(PureStorm { storm, values, tau0, random: inputs, laws, lifetime, asks })
     }
 
     /// The answer: the modes of any one wave of a storm, and the slides of a life.
@@ -186,8 +189,8 @@ impl PureStorm {
         if self.lifetime.bodies.is_some() {
             return Err(SlidingError::NoRow.into());
         }
-        if self.target_beta.is_some() {
-            return Err(SlidingError::NoDesignValues.into());
+        if let Some(key) = self.asks {
+            return Err(SlidingError::NoModes { key }.into());
         }
         let sliding = sliding(&self.storm, self, &self.laws, &life, (&request, &[]), portion)?;
         portion.check()?;
@@ -222,6 +225,7 @@ impl PureStorm {
             design_point: None,
             design_points: None,
             design_values: None,
+            slopes: None,
             known: Vec::new(),
             course: Vec::new(),
             life: self.lifetime.years.map(|years| LifeChances {

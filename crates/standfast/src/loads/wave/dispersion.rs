@@ -18,6 +18,16 @@ pub fn deep_water_wavelength(period: f64, gravity: f64) -> f64 {
     gravity * period * period / TAU
 }
 
+/// The period of waves of a height H₀' (m) and a steepness H₀'/L₀ in deep water, √(2π H₀'/(g s)), in s.
+///
+/// ```
+/// let period = standfast::wave::period_of_steepness(6.3, 0.0310, 9.81);
+/// assert!((6.3 / standfast::wave::deep_water_wavelength(period, 9.81) - 0.0310).abs() < 1e-12);
+/// ```
+pub fn period_of_steepness(height: f64, steepness: f64, gravity: f64) -> f64 {
+    (TAU * height / (gravity * steepness)).sqrt()
+}
+
 /// The coefficient of linear shoaling K_s = H/H₀' at `depth`.
 pub fn shoaling(period: f64, depth: f64, gravity: f64) -> f64 {
     let x = relative_wave_number(period, depth, gravity);
