@@ -565,3 +565,54 @@ fn on_springs_the_worst_combination_is_told() {
     assert!(both.starts_with("Under «more», in time an edge lifts after "), "{both}");
     assert!((1.25 * share(&both) / share(&alone) - 1.0).abs() < 2e-4, "{alone} {both}");
 }
+
+/// Clay that does not drain under a wall 10 m wide of 1600 kN/m that is pushed by 250 kN/m at 5 m: e = 1250/1600 m, B' = 10 − 2e, i_c = ½ (1 + √(1 − 250/(B' c_u))).
+#[test]
+fn clay_that_does_not_drain() {
+    let text = |ground: &str| {
+        format!(
+            "gravity = 10\n[body]\nwidth = 10\nheight = 8\nmass = 160e3\nfriction = 0.5\n[[load]]\nname = \"push\"\nforce = 250e3\nelevation = 5\n[ground]\n{ground}\n"
+        )
+    };
+    let clay = "undrained_strength = \"60 kPa\"\nsurcharge = \"20 kPa\"";
+    let effective = 10.0 - 2.0 * 1250.0 / 1600.0;
+    let bears = |c_u: f64, q: f64, s_c: f64| {
+        let i_c = 0.5 * (1.0 + (1.0f64 - 250.0 / (effective * c_u)).sqrt());
+        effective * ((std::f64::consts::PI + 2.0) * c_u * s_c * i_c + q) * 1e3
+    };
+    let ground =
+        |text: &str, place: usize| json(text)["situations"][place]["ground"]["resistance"].as_f64().unwrap();
+    let close =
+        |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+    close(ground(&text(clay), 0), bears(60.0, 20.0, 1.0));
+    // Of a monolith 5 m long, all of it.
+    let short = text(clay)
+        .replace("height = 8", "height = 8\nlength = 5")
+        .replace("160e3", "800e3")
+        .replace("250e3", "1250e3");
+    close(ground(&short, 0), 5.0 * bears(60.0, 20.0, 1.0 + 0.2 * 5.0 / effective));
+    // EN 1997-1 divides c_u by 1.4 where it divides materials.
+    for combination in [
+        "factors = { push = 1 }\nmaterials = { \"ground.undrained_strength\" = 1.4 }",
+        "code = \"EN1997-DA1-2\"\nfactors = { push = 1 }",
+    ] {
+        let text = format!("{}[[combination]]\nname = \"M\"\n{combination}\n", text(clay));
+        close(ground(&text, 0), bears(60.0 / 1.4, 20.0, 1.0));
+    }
+    // What it has no use for is refused by name, and so is it where a strength is given.
+    for (more, named) in [
+        ("friction_angle_deg = 30", "`undrained_strength` does not go with `friction_angle_deg`"),
+        ("unit_weight = \"10 kN/m3\"", "`undrained_strength` does not go with `unit_weight`"),
+        ("cohesion = \"5 kPa\"", "`undrained_strength` does not go with `cohesion`"),
+        ("law = \"hansen\"", "`undrained_strength` does not go with `law`"),
+        ("centric_resistance = \"20 MN/m\"", "`undrained_strength` does not go with `centric_resistance`"),
+        ("strength = \"600 kPa\"", "`strength` does not go with"),
+    ] {
+        let shown = refused(&text(&format!("{clay}\n{more}")));
+        assert!(shown.contains(named), "{more}: {shown}");
+    }
+    let words = assessment(&text(clay)).text(&AssessmentView::default());
+    assert!(words.contains("clay that does not drain, c_u = 60 kPa"), "{words}");
+    let soft = assessment(&text("undrained_strength = 60"));
+    assert!(soft.case.warnings().iter().any(|warning| warning.name() == "unusual-ground"));
+}

@@ -23,7 +23,7 @@ fn file(text: &str) -> CaseFile {
 }
 
 /// Cases that have every number between them.
-const CASES: [&str; 26] = [
+const CASES: [&str; 28] = [
     "gravity = 9.8\n[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\nkinetic_friction = 0.35\nbase_left = 1.9\n\
      base_right = 1.8\ncentroid_offset = 0.1\ncentroid_height = 2.9\nmoment_of_inertia = 2e5\n[uplift]\nleft = 1e3\n\
      right = 2e3\n[[load]]\nforce = 60e3\nelevation = 4\n[[load]]\nname = \"crane\"\nforce = 9e3\ndirection = \"down\"\n\
@@ -66,6 +66,11 @@ const CASES: [&str; 26] = [
     "[body]\nwidth = 6\nheight = 10\nmass = 122e3\nfriction = 0.5\n[[load]]\nforce = 590e3\nelevation = 7\n[[resistance]]\nlimit = 300e3\n\
      direction = \"down\"\ndistance = 5.5\n[[backfill]]\nname = \"toe\"\nface = \"left\"\ntop = 2\nstate = \"passive\"\nshare = 0.5\n\
      friction_angle_deg = 33\nunit_weight = 19e3\n",
+    "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\n[ground]\nundrained_strength = 60e3\nsurcharge = 9e3\n[[load]]\n\
+     force = 60e3\nelevation = 4\n",
+    "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\nbuoyant_weight = 2318640\n[wave]\ndeep_water_height = 6.3\nsteepness = 0.03\n\
+     sea_bottom_slope = 0.01\nwater_depth = 10.1\ndepth_above_berm = 5.6\nbase_depth = 7.1\ncrest_height = 3.4\nberm_width = 8\n\
+     angle_deg = 15\nwater_density = 1030\n",
     "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\n[ground]\nlaw = \"envelope\"\ncentric_resistance = 2e6\nt_h = 0.5\nt_m = 0.4\n\
      C = 0.2\n[[load]]\nforce = 60e3\nelevation = 4\n",
     "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.7\n[ground]\nstrength = 1e6\nstiffness = 5e7\n\

@@ -313,6 +313,7 @@ impl Draft {
         let law = match plane.ground().law_name() {
             "ec7" => "EN 1997-1, Annex D",
             "hansen" => "Brinch Hansen",
+            "undrained" => "EN 1997-1, Annex D, undrained",
             _ => "an envelope",
         };
         let takes = format!(

@@ -947,6 +947,8 @@ listed! {
         .silent("surcharge beside the base: none").gives(&[Quantity::Surcharge]);
     Cohesion = key(Ground, "cohesion", Measured(Dimension::Pressure, NotNegative), "c'", "effective cohesion of the ground", "\"5 kPa\"")
         .silent("cohesion of the ground: none").gives(&[Quantity::Cohesion]);
+    UndrainedStrength = key(Ground, "undrained_strength", Measured(Dimension::Pressure, Positive), "c_u", "undrained shear strength of clay, in place of an angle of friction", "\"60 kPa\"")
+        .gives(&[Quantity::UndrainedStrength]);
     GroundLaw = key(Ground, "law", LAWS, "", "bearing resistance: EN 1997-1 Annex D, Brinch Hansen as in API RP 2GEO, or Butterfield and Gottardi’s envelope", "\"hansen\"")
         .silent("bearing resistance of ground with a friction angle: EN 1997-1 Annex D");
     CentricResistance = key(Ground, "centric_resistance", Measured(Dimension::Force, Positive), "V_0", "resistance of the whole base to an upright force in its middle, for the envelope", "\"20 MN/m\"")

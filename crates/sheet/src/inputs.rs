@@ -173,6 +173,8 @@ fn defaults(case: &Case, file: &CaseFile) -> Vec<(Id, Markup)> {
                 [Key::Surcharge, Key::Cohesion]
                     .map(|key| (key, Measured::of(0.0, KILOPASCAL).in_output(output).html(""))),
             );
+        } else if has(Key::UndrainedStrength) {
+            taken.push((Key::Surcharge, Measured::of(0.0, KILOPASCAL).in_output(output).html("")));
         } else {
             let envelope = [
                 (Key::EnvelopeHorizontal, T_H),

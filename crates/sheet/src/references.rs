@@ -128,6 +128,7 @@ enum Law {
 fn law(case: &Case) -> Option<Law> {
     let soil = case.ground?.soil()?;
     Some(match (soil.friction_angle_deg(), soil.law()) {
+        _ if soil.undrained_strength().is_some() => Law::Ec7,
         (None, _) => Law::Envelope,
         (_, Some(GroundLaw::Hansen)) => Law::Hansen,
         _ => Law::Ec7,

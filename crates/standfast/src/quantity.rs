@@ -110,6 +110,7 @@ worded! {
         UnitWeight => "effective unit weight of the ground",
         Surcharge => "surcharge beside the base",
         Cohesion => "cohesion of the ground",
+        UndrainedStrength => "undrained strength of the ground",
         BearingShare => "share u of what the ground bears",
         CentricResistance => "centric resistance of the base",
         EnvelopeSlope => "slope of the envelope",

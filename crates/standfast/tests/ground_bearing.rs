@@ -472,3 +472,77 @@ fn groundhog_bears_the_same() {
     }
     assert_eq!(rows, 336);
 }
+
+/// Clay that does not drain, by hand: c_u = 60, q = 20 kN/m², B = 2 m, e = 0.5 m, X = 72 kN/m. B' = 3 m: i_c = ½ (1 + √(1 − 72/180)), and R = 3 [5.14159 · 60 i_c + 20].
+/// At X = B' c_u half of the strength is left; beyond it the body slides within the clay, and nothing is.
+#[test]
+fn clay_by_hand() {
+    let clay = Ground::undrained(60e3).unwrap().with_surcharge(20e3).unwrap();
+    let of =
+        |ground: &Ground, x: f64, e: f64| ground.resistance(&Reaction::new(2.0, 300e3, x, e).unwrap()) / 1e3;
+    let by_hand = 3.0 * (5.141_592_654 * 60.0 * 0.887_298_335 + 20.0);
+    for (x, e) in [(72e3, 0.5), (-72e3, 0.5), (72e3, -0.5)] {
+        assert!((of(&clay, x, e) / by_hand - 1.0).abs() < 1e-9, "{} {by_hand}", of(&clay, x, e));
+    }
+    assert!((of(&clay, 180e3, 0.5) / (3.0 * (2.570_796_327 * 60.0 + 20.0)) - 1.0).abs() < 1e-9);
+    assert_eq!(of(&clay, 180.1e3, 0.5), 0.0);
+    assert_eq!(of(&clay, 0.0, 2.0), 0.0);
+    assert!((clay.centric_resistance(2.0) / 4e3 - (5.141_592_654 * 60.0 + 20.0)).abs() < 1e-5);
+    // A square of 4 m: s_c = 1.2. A base of 6 m under B' = 3 m: 1.1.
+    let square = clay.with_length(4.0).unwrap();
+    assert!((square.centric_resistance(2.0) / 4e3 - (1.2 * 5.141_592_654 * 60.0 + 20.0)).abs() < 1e-5);
+    let base = clay.with_length(6.0).unwrap();
+    let by_hand = 3.0 * (1.1 * 5.141_592_654 * 60.0 * 0.887_298_335 + 20.0);
+    assert!((of(&base, 72e3, 0.5) / by_hand - 1.0).abs() < 1e-9);
+    assert_eq!((clay.law(), clay.law_name(), clay.undrained_strength()), (None, "undrained", Some(60e3)));
+    assert_eq!((clay.turned(2.0), clay.factors(), clay.is_envelope()), (None, None, false));
+    assert!(Ground::undrained(0.0).is_err());
+    // Divided by γ_R, and in units of B and P.
+    assert!((of(&clay.divided(1.4), 72e3, 0.5) * 1.4 / of(&clay, 72e3, 0.5) - 1.0).abs() < 1e-12);
+    let metres = BearingPlane::new(clay, 0.7, 0.4, 7.5, 2e6).unwrap();
+    let pure = BearingPlane::of_share(clay, 0.7, 0.4, metres.share()).unwrap();
+    assert!((metres.k_bf() - pure.k_bf()).abs() < 1e-12);
+}
+
+/// A wall on clay under a force that grows: λ_ground is where R falls to P, found here by bisection of the formula written out, and where the force exceeds
+/// what adheres before that, there.
+#[test]
+fn clay_under_a_load_that_rises() {
+    let mut random = Random(7);
+    for _ in 0..tries(2000) {
+        let mut within = |from: f64, to: f64| random.uniform(from, to);
+        let (width, height, mass) = (within(4.0, 12.0), within(3.0, 9.0), within(4e4, 3e5));
+        let (c_u, q, elevation) = (within(20e3, 200e3), within(0.0, 40e3), within(0.0, 9.0));
+        let push = within(5e4, 3e5);
+        let clay = Ground::undrained(c_u).unwrap().with_surcharge(q).unwrap();
+        let body = Body::new(width, height, mass).unwrap();
+        let load = Load::variable(
+            LoadSource::Force,
+            LoadKind::Horizontal,
+            Action::horizontal(-push, elevation.min(height)),
+        );
+        let situation = Situation::new(body, 0.9, 9.81).unwrap().with_weight().with(load);
+        let found = GroundPath::new(clay, &situation).unwrap().load_factors();
+        let p = mass * 9.81;
+        let bears = |factor: f64| {
+            let (x, e) = (factor * push, factor * push * elevation.min(height) / p);
+            let effective = width - 2.0 * e;
+            if effective <= 0.0 || x > effective * c_u {
+                return false;
+            }
+            let i_c = 0.5 * (1.0 + (1.0 - x / (effective * c_u)).sqrt());
+            effective * ((std::f64::consts::PI + 2.0) * c_u * i_c + q) >= p
+        };
+        if !bears(0.0) {
+            assert_eq!(found.given, 0.0);
+            continue;
+        }
+        let (mut low, mut high) = (0.0, 1e4);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            if bears(middle) { low = middle } else { high = middle }
+        }
+        assert!((found.given / low - 1.0).abs() < 1e-9, "{found:?} {low}");
+        assert_eq!((found.less, found.more), (None, None));
+    }
+}

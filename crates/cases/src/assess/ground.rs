@@ -35,6 +35,9 @@ const SHORT: &str = of_soil!(
     "The formulas hold for level, homogeneous, drained ground; the base of the given length has shape factors."
 );
 
+const CLAY: &str = "The formula holds for level, homogeneous clay that does not drain. Left out: depth of the base, layers, loss of strength under cycles of load, \
+    and what the clay becomes as it drains: ask for that with its angle of friction.";
+
 const ENVELOPE: &str = "The resistance of the whole base is given by the user. Butterfield and Gottardi's envelope tells how much of it is left under a force that is inclined \
     and eccentric. Left out: pore pressure and its growth under cycles of load, and all that the resistance given does not contain.";
 
@@ -61,6 +64,7 @@ pub fn left_out(case: &Case) -> Vec<&'static str> {
     }
     match foundation.limit {
         Some(Limit::Strength(_)) => notes.push(CRUSHING),
+        Some(Limit::Ground(ground)) if ground.undrained_strength().is_some() => notes.push(CLAY),
         Some(Limit::Ground(ground)) if ground.length().is_some() => notes.push(SHORT),
         Some(Limit::Ground(ground)) if ground.friction_angle_deg().is_some() => notes.push(SOIL),
         Some(Limit::Ground(_)) => notes.push(ENVELOPE),
@@ -101,8 +105,11 @@ pub(in super::super) fn render(case: &Case, assessed: &Assessed) -> String {
             }
         }
         Some(Limit::Ground(soil)) => {
-            let told = match (soil.friction_angle_deg(), soil.factors()) {
-                (Some(angle), Some(factors)) => {
+            let told = match (soil.friction_angle_deg().zip(soil.factors()), soil.undrained_strength()) {
+                (_, Some(strength)) => {
+                    format!("clay that does not drain, c_u = {}", case.output.pressure(strength))
+                }
+                (Some((angle, factors)), None) => {
                     format!(
                         "φ = {}°: N_q = {}, N_γ = {}",
                         digits(angle),

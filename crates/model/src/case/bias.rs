@@ -95,7 +95,7 @@ impl Bias {
     /// What a case of these inputs lacks for it to be on; `None` if nothing.
     pub fn lacks(self, inputs: &Inputs) -> Option<&'static str> {
         let is_goda = inputs.choice(Key::WaveFormula).is_none_or(|formula| formula == GODA);
-        let bears = [Key::Strength, Key::GroundLaw, Key::GroundAngle]
+        let bears = [Key::Strength, Key::GroundLaw, Key::GroundAngle, Key::UndrainedStrength]
             .into_iter()
             .any(|key| inputs.get(key).is_some());
         match self {

@@ -301,8 +301,8 @@ pub(super) fn filled(
     let has = |id: &Id| super::backfill::of_all_layers(inputs, *id).iter().any(of);
     let drained = soils.chain([Key::GroundAngle, Key::Cohesion].map(Id::from)).filter(has);
     changes.extend(drained.filter_map(|id| divided(id, set.materials[0])));
-    let strength = Some(Id::from(Key::Strength)).filter(of);
-    changes.extend(strength.and_then(|id| divided(id, set.materials[1])));
+    let strengths = [Key::Strength, Key::UndrainedStrength].map(Id::from).into_iter().filter(of);
+    changes.extend(strengths.filter_map(|id| divided(id, set.materials[1])));
     let of_set = set
         .criteria
         .iter()

@@ -392,7 +392,7 @@ impl ChangeBy {
 }
 
 /// What `materials` divides: of an angle the tangent.
-pub(super) const STRENGTHS: [Key; 13] = [
+pub(super) const STRENGTHS: [Key; 14] = [
     Key::Adhesion,
     Key::Friction,
     Key::KineticFriction,
@@ -401,6 +401,7 @@ pub(super) const STRENGTHS: [Key; 13] = [
     Key::Strength,
     Key::GroundAngle,
     Key::Cohesion,
+    Key::UndrainedStrength,
     Key::CentricResistance,
     Key::SoilFriction,
     Key::WallFriction,
@@ -670,7 +671,7 @@ impl Reader<'_> {
 
     /// True if what the base bears has a limit.
     fn has_bearing(&self) -> bool {
-        [Key::Strength, Key::GroundAngle, Key::CentricResistance]
+        [Key::Strength, Key::GroundAngle, Key::UndrainedStrength, Key::CentricResistance]
             .iter()
             .any(|key| self.inputs.get(*key).is_some())
     }

@@ -1,5 +1,6 @@
 //! Strength and stiffness of the base of a case.
 
+use standfast::InputError;
 use standfast::ground::bearing::{Ground, GroundLaw};
 use standfast::{Body, History, Plan};
 
@@ -57,6 +58,8 @@ impl Foundation {
 }
 
 const SOIL: [Key; 4] = [Key::GroundAngle, Key::UnitWeight, Key::Surcharge, Key::Cohesion];
+/// What clay that does not drain has no use for.
+const DRAINED: [Key; 4] = [Key::GroundAngle, Key::UnitWeight, Key::Cohesion, Key::GroundLaw];
 const ENVELOPE: [Key; 4] =
     [Key::CentricResistance, Key::EnvelopeHorizontal, Key::EnvelopeMoment, Key::EnvelopeCoupling];
 
@@ -72,12 +75,19 @@ impl Reader<'_> {
         }
         let limit = match self.number(Key::Strength) {
             Some(strength) => {
-                if let Some(with) = SOIL.iter().chain(&[Key::GroundLaw]).chain(&ENVELOPE).find(|key| has(key))
-                {
+                let others = [Key::UndrainedStrength, Key::GroundLaw];
+                if let Some(with) = SOIL.iter().chain(&others).chain(&ENVELOPE).find(|key| has(key)) {
                     let problem = Problem::NotWith { key: Key::Strength, with: *with };
                     return Err(Fault::new(problem, Key::Strength).and(*with));
                 }
                 Some(Limit::Strength(strength))
+            }
+            None if has(&Key::UndrainedStrength) => {
+                if let Some(with) = DRAINED.iter().chain(&ENVELOPE).find(|key| has(key)) {
+                    let problem = Problem::NotWith { key: Key::UndrainedStrength, with: *with };
+                    return Err(Fault::new(problem, Key::UndrainedStrength).and(*with));
+                }
+                Some(Limit::Ground(self.clay(body)?))
             }
             None if self.inputs.choice(Key::GroundLaw) == Some("envelope") => {
                 if let Some(key) = SOIL.into_iter().find(has) {
@@ -110,15 +120,26 @@ impl Reader<'_> {
             Some("hansen") => GroundLaw::Hansen,
             _ => GroundLaw::Ec7,
         };
-        let or_none = |key| self.number(key).unwrap_or(0.0);
         let ground = Ground::new(law, angle, weight)
-            .and_then(|ground| ground.with_surcharge(or_none(Key::Surcharge)))
-            .and_then(|ground| ground.with_cohesion(or_none(Key::Cohesion)))
-            .and_then(|ground| match (self.number(Key::Length), body.plan()) {
-                (Some(_), Plan::Rectangle { length }) => ground.with_length(length),
-                _ => Ok(ground),
-            });
+            .and_then(|ground| ground.with_cohesion(self.number(Key::Cohesion).unwrap_or(0.0)))
+            .and_then(|ground| self.beside(ground, body));
         ground.map_err(|error| self.blame(Table::Ground, error))
+    }
+
+    /// Clay that does not drain.
+    fn clay(&self, body: &Body) -> Result<Ground, Fault> {
+        let ground = Ground::undrained(self.required(Key::UndrainedStrength)?)
+            .and_then(|ground| self.beside(ground, body));
+        ground.map_err(|error| self.blame(Table::Ground, error))
+    }
+
+    /// Ground with what lies beside the base, and the length of the base where it is given.
+    fn beside(&self, ground: Ground, body: &Body) -> Result<Ground, InputError> {
+        let ground = ground.with_surcharge(self.number(Key::Surcharge).unwrap_or(0.0))?;
+        match (self.number(Key::Length), body.plan()) {
+            (Some(_), Plan::Rectangle { length }) => ground.with_length(length),
+            _ => Ok(ground),
+        }
     }
 
     /// Ground known by what it bears upright and in the middle; of an object of a given length that is for all of it.

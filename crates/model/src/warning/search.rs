@@ -105,6 +105,9 @@ pub(super) const BEARING: f64 = 20.0;
 /// Strength at which a base crushes, from soft clay to the strongest stone, kPa.
 pub(super) const STRENGTH: Usual = Usual { from: 20.0, to: 1e6 };
 
+/// Undrained strength, from mud to the hardest clay, kPa.
+pub(super) const UNDRAINED: Usual = Usual { from: 1.0, to: 2e3 };
+
 /// Pressure over settlement, from the softest ground under a wide base to a joint in stone, MN/m³.
 pub(super) const STIFFNESS: Usual = Usual { from: 0.1, to: 1e6 };
 
@@ -602,6 +605,12 @@ impl Case {
         let Some(ground) = &self.ground else { return Vec::new() };
         let given = [
             (Key::Strength, STRENGTH, 1e3, ground.strength()),
+            (
+                Key::UndrainedStrength,
+                UNDRAINED,
+                1e3,
+                ground.soil().and_then(|soil| soil.undrained_strength()),
+            ),
             (Key::UnitWeight, UNIT_WEIGHT, 1e3, ground.soil().and_then(|soil| soil.unit_weight())),
             (Key::Stiffness, STIFFNESS, 1e6, ground.stiffness),
             (Key::TangentialStiffness, STIFFNESS, 1e6, ground.tangential_stiffness),

@@ -188,6 +188,11 @@ fn more() -> Vec<(String, String)> {
             [[load]]\nforce = 900e3\nelevation = 3\n")),
         ("sand under a long object", format!("{body}length = 30\n[ground]\nfriction_angle_deg = 36\nunit_weight = 9e3\nsurcharge = 12e3\n\
             [[load]]\nforce = 2e6\nelevation = 3\n")),
+        ("clay", format!("{body}[ground]\nundrained_strength = 60e3\nsurcharge = 12e3\n[[load]]\nforce = 120e3\nelevation = 5\n")),
+        ("clay under an object", format!("{body}length = 3\n[ground]\nundrained_strength = 80e3\n[[load]]\nforce = 300e3\nelevation = 4\n\
+            [[combination]]\nfactors = {{ }}\nresist = {{ bearing = 1.4 }}\n")),
+        ("clay, slides within", format!("{body}[ground]\nundrained_strength = 30e3\n[[load]]\nforce = 250e3\nelevation = 1\n")),
+        ("a period that goes with the height", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\n").replace("period = 11.4", "steepness = 0.031")),
         ("sand, slides", format!("{body}[ground]\nfriction_angle_deg = 45\nunit_weight = 2e4\nsurcharge = 90e3\n[[load]]\nforce = 600e3\nelevation = 1\n")),
         ("sand, the resultant outside", format!("{body}[ground]\nfriction_angle_deg = 40\nunit_weight = 1e4\n[[load]]\nforce = 700e3\nelevation = 6\n")),
         ("envelope", format!("{body}[ground]\nlaw = \"envelope\"\ncentric_resistance = \"4 MN/m\"\nC = 0.1\n[[load]]\nforce = 200e3\nelevation = 3\n")),

@@ -16,6 +16,7 @@
 //! |---|---|---|
 //! | [`GroundLaw::Ec7`]: EN 1997-1 Annex D, strip | u ≤ (1−ε)²(1−η)³ | 2(N_q − 1) tan φ |
 //! | [`GroundLaw::Hansen`]: API RP 2GEO, Brinch Hansen | u ≤ (1−ε)²(1−0.7η)⁵ | 1.5(N_q − 1) tan φ |
+//! | [`Ground::undrained`]: EN 1997-1 Annex D, clay that does not drain | P ≤ B' ((π+2) c_u i_c + q) | |
 //! | [`Ground::envelope`]: Butterfield & Gottardi | (η/t_h)² + (ε/2t_m)² − Cηε/(t_h t_m) ≤ (1−u)² | |
 //!
 //! ```text
@@ -25,8 +26,12 @@
 //! hansen                            i_q = (1−0.5h)⁵   i_γ = (1−0.7h)⁵   the same
 //! ```
 //!
+//! Clay that does not drain bears R = B' [(π+2) c_u s_c i_c + q], i_c = ½ (1 + √(1 − |X|/(B' c_u))) and s_c = 1 + 0.2 r; beyond |X| = B' c_u it
+//! slides within the clay, and nothing is borne.
+//!
 //! | symbol | identifier | unit |
 //! |---|---|---|
+//! | c_u, q | `undrained_strength`, `surcharge` | Pa; q is total |
 //! | φ, c' | `friction_angle_deg`, `cohesion` | degrees, Pa |
 //! | γ' | `unit_weight` | N/m³, effective: under water less that of water |
 //! | q' | `surcharge` | Pa, effective, beside the base |
@@ -46,7 +51,7 @@
 //! hansen  s_γ = 1 − 0.4 i_γ r  s_q = 1 + i_q r sin φ   s_c = 1, on the safe side
 //! ```
 //!
-//! Limits of the formulas: level, homogeneous, drained ground. No shoulder of a berm, no layers, no pore pressure or
+//! Limits of the formulas: level, homogeneous ground. No shoulder of a berm, no layers, no pore pressure or
 //! its growth under cycles, no seepage from uplift. The friction angle of a mound is uncertain, and R grows 2.3 times from 35° to 40°: a
 //! factor is to be read beside those at φ ± 2° ([`LoadFactors`]). No partial factor is applied.
 //!
@@ -104,6 +109,12 @@ enum Kind {
         unit_weight: f64,
         surcharge: f64,
         cohesion: f64,
+        length: f64,
+    },
+    /// `strength` is c_u, Pa, and `length` as that of soil.
+    Undrained {
+        strength: f64,
+        surcharge: f64,
         length: f64,
     },
     Envelope {
@@ -266,6 +277,9 @@ pub fn inclination_exponent(of_length: f64) -> f64 {
     (2.0 + of_length) / (1.0 + of_length)
 }
 
+/// N_c of clay that does not drain, π + 2.
+const N_C_UNDRAINED: f64 = std::f64::consts::PI + 2.0;
+
 /// The least and the largest angle of friction taken, degrees.
 const ANGLES: [f64; 2] = [20.0, 50.0];
 
@@ -303,6 +317,24 @@ impl Ground {
         Ok(Ground::undivided(Kind::Soil { law, angle, unit_weight, surcharge, cohesion, length }))
     }
 
+    /// Clay that does not drain, by its undrained shear strength c_u (Pa): EN 1997-1 Annex D.
+    ///
+    /// # Errors
+    /// If it is not above zero.
+    ///
+    /// ```
+    /// use standfast::ground::bearing::{Ground, Reaction};
+    ///
+    /// let clay = Ground::undrained(60e3)?;
+    /// let upright = Reaction::new(5.0, 1e6, 0.0, 0.0)?;
+    /// assert!((clay.resistance(&upright) - 10.0 * 5.14159 * 60e3).abs() < 10.0);
+    /// # Ok::<(), standfast::InputError>(())
+    /// ```
+    pub fn undrained(strength: f64) -> Result<Ground, InputError> {
+        let strength = InputError::positive(Quantity::UndrainedStrength, strength)?;
+        Ok(Ground::undivided(Kind::Undrained { strength, surcharge: 0.0, length: f64::INFINITY }))
+    }
+
     /// Ground known by what it bears centric and upright, V₀ (N per metre run), and by Butterfield & Gottardi's envelope with their
     /// t_h = 0.52, t_m = 0.35, C = 0.22.
     ///
@@ -331,19 +363,19 @@ impl Ground {
         }))
     }
 
-    /// Ground with an effective pressure of ground beside the base, q' (Pa). It means nothing to an envelope, which is returned as it is.
+    /// Ground with an effective pressure of ground beside the base, q' (Pa), of clay that does not drain the total one. It means nothing to an envelope, which is returned as it is.
     ///
     /// # Errors
     /// If it is negative or not finite.
     pub fn with_surcharge(mut self, pressure: f64) -> Result<Ground, InputError> {
         let pressure = InputError::not_negative(Quantity::Surcharge, pressure)?;
-        if let Kind::Soil { surcharge, .. } = &mut self.kind {
+        if let Kind::Soil { surcharge, .. } | Kind::Undrained { surcharge, .. } = &mut self.kind {
             *surcharge = pressure;
         }
         Ok(self)
     }
 
-    /// Ground with effective cohesion c' (Pa). It means nothing to an envelope, which is returned as it is.
+    /// Ground with effective cohesion c' (Pa). It means nothing to clay that does not drain and to an envelope, which are returned as they are.
     ///
     /// # Errors
     /// If it is negative or not finite.
@@ -362,7 +394,7 @@ impl Ground {
     /// If it is not above zero.
     pub fn with_length(mut self, base: f64) -> Result<Ground, InputError> {
         let base = InputError::positive(Quantity::Length, base)?;
-        if let Kind::Soil { length, .. } = &mut self.kind {
+        if let Kind::Soil { length, .. } | Kind::Undrained { length, .. } = &mut self.kind {
             *length = base;
         }
         Ok(self)
@@ -371,12 +403,14 @@ impl Ground {
     /// The length of the base along the wall, m; `None` of a strip, and of an envelope.
     pub fn length(&self) -> Option<f64> {
         match self.kind {
-            Kind::Soil { length, .. } => Some(length).filter(|length| length.is_finite()),
+            Kind::Soil { length, .. } | Kind::Undrained { length, .. } => {
+                Some(length).filter(|length| length.is_finite())
+            }
             Kind::Envelope { .. } => None,
         }
     }
 
-    /// Ground at another angle of friction, `by` degrees more; `None` for an envelope, which has none. It may leave 20° to 50° by that.
+    /// Ground at another angle of friction, `by` degrees more; `None` of ground that has none. It may leave 20° to 50° by that.
     pub fn turned(&self, by: f64) -> Option<Ground> {
         match self.kind {
             Kind::Soil { law, angle, unit_weight, surcharge, cohesion, length } => {
@@ -384,39 +418,52 @@ impl Ground {
                 let kind = Kind::Soil { law, angle, unit_weight, surcharge, cohesion, length };
                 Some(Ground { kind, ..*self })
             }
-            Kind::Envelope { .. } => None,
+            Kind::Undrained { .. } | Kind::Envelope { .. } => None,
         }
     }
 
-    /// The formula; `None` for an envelope.
+    /// The formula of drained ground; `None` of other ground.
     pub fn law(&self) -> Option<GroundLaw> {
         match self.kind {
             Kind::Soil { law, .. } => Some(law),
-            Kind::Envelope { .. } => None,
+            Kind::Undrained { .. } | Kind::Envelope { .. } => None,
         }
     }
 
-    /// The angle of friction in degrees; `None` for an envelope.
+    /// The angle of friction in degrees; `None` of ground without one.
     pub fn friction_angle_deg(&self) -> Option<f64> {
         match self.kind {
             Kind::Soil { angle, .. } => Some(angle.degrees),
-            Kind::Envelope { .. } => None,
+            Kind::Undrained { .. } | Kind::Envelope { .. } => None,
         }
     }
 
-    /// The effective unit weight, N/m³; `None` for an envelope.
+    /// The effective unit weight, N/m³, where R depends on it.
     pub fn unit_weight(&self) -> Option<f64> {
         match self.kind {
             Kind::Soil { unit_weight, .. } => Some(unit_weight),
-            Kind::Envelope { .. } => None,
+            Kind::Undrained { .. } | Kind::Envelope { .. } => None,
         }
     }
 
-    /// N_q, N_c, N_γ; `None` for an envelope.
+    /// c_u, Pa, of clay that does not drain; `None` of other ground.
+    pub fn undrained_strength(&self) -> Option<f64> {
+        match self.kind {
+            Kind::Undrained { strength, .. } => Some(strength),
+            Kind::Soil { .. } | Kind::Envelope { .. } => None,
+        }
+    }
+
+    /// True if a given resistance of the whole base is shared out by an envelope.
+    pub fn is_envelope(&self) -> bool {
+        matches!(self.kind, Kind::Envelope { .. })
+    }
+
+    /// N_q, N_c, N_γ; `None` of ground without an angle of friction.
     pub fn factors(&self) -> Option<BearingFactors> {
         match self.kind {
             Kind::Soil { angle, .. } => Some(angle.factors),
-            Kind::Envelope { .. } => None,
+            Kind::Undrained { .. } | Kind::Envelope { .. } => None,
         }
     }
 
@@ -424,12 +471,15 @@ impl Ground {
     pub fn centric_resistance(&self, half_width: f64) -> f64 {
         let whole = match self.kind {
             Kind::Envelope { centric, .. } => centric,
-            Kind::Soil { length, .. } if length.is_finite() => {
+            Kind::Undrained { length, .. } | Kind::Soil { length, .. } if length.is_finite() => {
                 return self.resistance(&Reaction { half_width, p: 1.0, x: 0.0, e: 0.0 });
             }
             Kind::Soil { angle, unit_weight, surcharge, cohesion, .. } => {
                 let BearingFactors { n_q, n_c, n_gamma } = angle.factors;
                 2.0 * half_width * (cohesion * n_c + surcharge * n_q + unit_weight * half_width * n_gamma)
+            }
+            Kind::Undrained { strength, surcharge, .. } => {
+                2.0 * half_width * (N_C_UNDRAINED * strength + surcharge)
             }
         };
         whole / self.divisor
@@ -454,6 +504,17 @@ impl Ground {
                         + surcharge * n_q * s_q * i_q
                         + unit_weight * width.min(length) / 2.0 * n_gamma * s_gamma * i_gamma)
             }
+            Kind::Undrained { strength, surcharge, length } => {
+                let width = reaction.effective_width();
+                let adheres = width * strength;
+                if x.abs() > adheres || width == 0.0 {
+                    return 0.0;
+                }
+                let i_c = 0.5 * (1.0 + (1.0 - x.abs() / adheres).sqrt());
+                let of_length = width / length;
+                let s_c = if of_length > 0.0 { 1.0 + 0.2 * of_length.min(of_length.recip()) } else { 1.0 };
+                width * (N_C_UNDRAINED * strength * s_c * i_c + surcharge)
+            }
             Kind::Envelope { centric, horizontal, moment, coupling } => {
                 let (η, ε) = ((x / p).abs(), e / half_width * (x * e).signum() * e.signum());
                 let radius = (η / horizontal).powi(2) + (ε / (2.0 * moment)).powi(2)
@@ -469,8 +530,8 @@ impl Ground {
         let half_width = one.half_width;
         let e = one.e.abs().max(other.e.abs());
         match self.kind {
-            // R falls with the eccentricity and the inclination, and under one inclination with P where there is cohesion.
-            Kind::Soil { .. } => {
+            // R falls with the eccentricity and the inclination, and under one inclination with P where there is cohesion, or no drainage.
+            Kind::Soil { .. } | Kind::Undrained { .. } => {
                 let p = one.p.max(other.p);
                 let x = one.inclination().max(other.inclination()) * p;
                 self.resistance(&Reaction { half_width, p, x, e })
@@ -501,18 +562,19 @@ impl Ground {
     /// The eccentricity, as a share of B and on the side that X pushes to, at which the ground bears most under the inclination η.
     fn best_eccentricity(&self, inclination: f64) -> f64 {
         match self.kind {
-            Kind::Soil { .. } => 0.0,
+            Kind::Soil { .. } | Kind::Undrained { .. } => 0.0,
             Kind::Envelope { horizontal, moment, coupling, .. } => {
                 (2.0 * coupling * inclination * moment / horizontal).clamp(-0.999, 0.999)
             }
         }
     }
 
-    /// The law by name: `ec7`, `hansen` or `envelope`.
+    /// The law by name: `ec7`, `hansen`, `undrained` or `envelope`.
     pub fn law_name(&self) -> &'static str {
         match self.kind {
             Kind::Soil { law: GroundLaw::Ec7, .. } => "ec7",
             Kind::Soil { law: GroundLaw::Hansen, .. } => "hansen",
+            Kind::Undrained { .. } => "undrained",
             Kind::Envelope { .. } => "envelope",
         }
     }

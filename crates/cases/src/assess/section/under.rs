@@ -106,15 +106,19 @@ pub(super) fn friction(case: &Case) -> Stated {
 
 /// What the ground is known by: its angle of friction, or the strength of a base that crushes.
 pub(super) fn ground(case: &Case) -> Option<Stated> {
+    let pressure = |name: &str, key: Key, pressure: f64| {
+        let written = case.output.pressure(pressure);
+        let (value, unit) = written.split_once(' ').unwrap_or((&written, ""));
+        stated(name, key, value.to_owned(), &format!(" {unit}"))
+    };
     match case.ground.as_ref()?.limit? {
-        Limit::Strength(strength) => {
-            let written = case.output.pressure(strength);
-            let (value, unit) = written.split_once(' ').unwrap_or((&written, ""));
-            Some(stated("strength", Key::Strength, value.to_owned(), &format!(" {unit}")))
-        }
-        Limit::Ground(soil) => {
-            Some(stated("angle of friction", Key::GroundAngle, digits(soil.friction_angle_deg()?), "°"))
-        }
+        Limit::Strength(strength) => Some(pressure("strength", Key::Strength, strength)),
+        Limit::Ground(soil) => match soil.undrained_strength() {
+            Some(strength) => Some(pressure("undrained strength", Key::UndrainedStrength, strength)),
+            None => {
+                Some(stated("angle of friction", Key::GroundAngle, digits(soil.friction_angle_deg()?), "°"))
+            }
+        },
     }
 }
 

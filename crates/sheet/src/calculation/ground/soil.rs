@@ -78,6 +78,11 @@ impl Sheet<'_> {
             let about = "Divisor of what the ground bears";
             steps.told(about, "γ_R", ground.divisor(), NONE, "resist: bearing", "");
         }
+        if let Some(strength) = self.soil().and_then(|ground| ground.undrained_strength()) {
+            steps.know("c_u", strength, KILOPASCAL);
+            steps.know("q", self.given(Key::Surcharge), KILOPASCAL);
+            return;
+        }
         match self.soil().and_then(|ground| ground.factors()) {
             Some(factors) => self.bearing_factors(steps, factors),
             None => {
@@ -113,6 +118,9 @@ impl Sheet<'_> {
         if at.reaction.effective_width() == 0.0 {
             let about = "What the ground bears at this eccentricity and inclination";
             return steps.told(about, &name, resistance, KILONEWTON, "the resultant misses the base", at.key);
+        }
+        if let Some(strength) = ground.undrained_strength() {
+            return self.undrained(steps, at, (&ground, strength), resistance);
         }
         match ground.factors() {
             Some(factors) => self.by_factors(steps, at, factors, resistance),
@@ -218,6 +226,48 @@ impl Sheet<'_> {
             _ => "What the ground bears there",
         };
         steps.add(about, law, [&at.name("R"), &formula], resistance, KILONEWTON, at.key);
+    }
+
+    fn undrained(
+        &self,
+        steps: &mut SheetSteps,
+        at: &NamedReaction<'_>,
+        (ground, strength): (&Ground, f64),
+        resistance: f64,
+    ) {
+        let law = self.law();
+        let NamedReaction { reaction, push, width, .. } = at;
+        let (effective, name) = (reaction.effective_width(), at.name("R"));
+        let share = reaction.x().abs() / (effective * strength);
+        let used = at.name("η_c");
+        let formula = format!("{push}/({width}{} c_u)", self.long);
+        let about = "Share of the shear strength under B' that the force takes";
+        steps.add(about, law, [&used, &formula], share, NONE, "");
+        if share > 1.0 {
+            let why = "the force exceeds the shear strength under it: the body slides within the clay";
+            let about = "What the ground bears at this eccentricity and inclination";
+            return steps.told(about, &name, resistance, KILONEWTON, why, at.key);
+        }
+        let [i_c, s_c] = ["i_c", "s_c"].map(|letter| at.name(letter));
+        let value = 0.5 * (1.0 + (1.0 - share).sqrt());
+        let formula = format!("1/2 (1 + sqrt(1 − {used}))");
+        steps.add("Inclination factor", law, [&i_c, &formula], value, NONE, "");
+        let mut of_strength = format!("(π + 2) c_u {i_c}");
+        if let Some(length) = ground.length() {
+            let shape = Shape::of(at, length, effective);
+            let formula = format!("1 + 0.2 {}", shape.share.0);
+            steps.add("Shape factor", law, [&s_c, &formula], 1.0 + 0.2 * shape.share.1, NONE, "");
+            of_strength = format!("(π + 2) c_u {s_c} {i_c}");
+        }
+        let besides = if self.given(Key::Surcharge) > 0.0 { " + q" } else { "" };
+        let formula = format!("{width}{} ({of_strength}{besides}){}", self.long, self.divided());
+        let about = match at.of {
+            "" => {
+                "What clay that does not drain bears at this eccentricity and inclination; depth and slope have no factors"
+            }
+            _ => "What the ground bears there",
+        };
+        steps.add(about, law, [&name, &formula], resistance, KILONEWTON, at.key);
     }
 
     /// The divisor of what the ground bears, behind its formula; none where a combination does not divide it.

@@ -89,7 +89,7 @@ impl FailingEdges {
             return Some(borne);
         }
         // Beyond the middle the eccentricity grows with the friction, and soil bears less and less.
-        if even.is_none() && self.path.ground().law().is_some() {
+        if even.is_none() && !self.path.ground().is_envelope() {
             return None;
         }
         let reach = 1.5 * even.unwrap_or(0.0).max(0.8);

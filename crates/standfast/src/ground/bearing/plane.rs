@@ -80,6 +80,10 @@ impl BearingPlane {
                     [unit_weight, surcharge, cohesion].map(|x| x * centric);
                 Kind::Soil { law, angle, unit_weight, surcharge, cohesion, length }
             }
+            Kind::Undrained { strength, surcharge, .. } => {
+                let [strength, surcharge] = [strength, surcharge].map(|x| x * centric);
+                Kind::Undrained { strength, surcharge, length: f64::INFINITY }
+            }
             Kind::Envelope { horizontal, moment, coupling, .. } => {
                 Kind::Envelope { centric: ground.divisor / share, horizontal, moment, coupling }
             }
