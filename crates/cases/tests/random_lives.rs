@@ -198,3 +198,70 @@ fn slopes_are_those_of_changed_laws() {
     let error = try_answer(&format!("{LOW}{}", random(0.5, 0.05).replace("= true", "= 1"))).unwrap_err();
     assert!(error.to_string().contains("`sensitivities` is a number; expected true or false"), "{error}");
 }
+
+/// Water that rises by 2 cm a year lifts a block 6 m wide ever more: it slides where the force exceeds μ (m g − ρ g b h), of each year with its own h. The years are
+/// multiplied one by one here; what is integrated is the same but for that they are moments.
+#[test]
+fn water_that_rises_lifts_more_each_year() {
+    const BLOCK: &str = "gravity = 10\n[body]\nwidth = 6\nheight = 5\nmass = 60e3\nfriction = 0.5\n[water]\nlevel = 2\ndensity = 1000\n\
+                         [[load]]\nname = \"push\"\nforce = 150e3\nelevation = 1\n[random]\nyears = 40\nrise_per_year = \"20 mm\"\n\
+                         friction = { normal = { mean = 0.5, sd = 0.05 } }\n\
+                         \"load.push.force\" = { normal = { mean = 150e3, sd = 15e3 }, every = \"year\" }\n";
+    let below = |z: f64| {
+        let h = (z.clamp(-9.0, 9.0) + 9.0) / 600.0;
+        let density = |x: f64| (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt();
+        (0..600).map(|i| h * density(-9.0 + (f64::from(i) + 0.5) * h)).sum::<f64>()
+    };
+    let mean = |f: &dyn Fn(f64) -> f64| {
+        let h = 1.0 / 32.0;
+        let density = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
+        (-256..=256).map(|i| f64::from(i) * h).map(|z| h * density(z) * f(z)).sum::<f64>()
+    };
+    let slides = |mu: f64, level: f64| 1.0 - below((mu * (600e3 - 60e3 * level) - 150e3) / 15e3);
+    let never =
+        |mu: f64| (0..40).map(|year| 1.0 - slides(mu, 2.0 + 0.02 * (f64::from(year) + 0.5))).product::<f64>();
+    let life_by_hand = mean(&|z| 1.0 - never(0.5 + 0.05 * z));
+    let year_by_hand = mean(&|z| {
+        (0..40).map(|year| slides(0.5 + 0.05 * z, 2.0 + 0.02 * (f64::from(year) + 0.5))).sum::<f64>() / 40.0
+    });
+    let found = try_answer(BLOCK).unwrap();
+    assert_close("life", life(&found), life_by_hand, 2e-3);
+    assert_close("an average year", found.situations[0].not_rest.value, year_by_hand, 1e-3);
+    let text = found.text(&()).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("A year is one of the life, any of them as likely"), "{text}");
+    // A tide of its own on top of it: the level that is drawn is raised.
+    let tide = "water_level = { discrete = { values = [1.8, 2.2], probabilities = [0.5, 0.5] }, every = \"year\" }\n";
+    let with_tide = |mu: f64, level: f64| 0.5 * (slides(mu, level - 0.2) + slides(mu, level + 0.2));
+    let never = |mu: f64| {
+        (0..40).map(|year| 1.0 - with_tide(mu, 2.0 + 0.02 * (f64::from(year) + 0.5))).product::<f64>()
+    };
+    let by_hand = mean(&|z| 1.0 - never(0.5 + 0.05 * z));
+    let file = CaseFile::parse("case.toml", &format!("{BLOCK}{tide}")).unwrap();
+    let tidal = Probability::of(&file, ChanceRequest::default()).unwrap();
+    let e = tidal.situations[0].life.as_ref().unwrap().not_rest;
+    assert!((e.value - by_hand).abs() < (e.high - e.low).max(2e-3 * by_hand), "{e:?} {by_hand}");
+    for (changed, expected) in [
+        (
+            BLOCK.replace("years = 40\n", ""),
+            "`rise_per_year` rises over the `years` of a life, and nothing says how many",
+        ),
+        (BLOCK.replace("\"20 mm\"", "0"), "`rise_per_year` is 0; expected a rise"),
+        (BLOCK.replace("\"20 mm\"", "\"20 kN\""), "`rise_per_year`"),
+        (
+            BLOCK.replace("[water]\nlevel = 2\ndensity = 1000\n", ""),
+            "`rise_per_year` raises a water level, and the case has none",
+        ),
+        (
+            BLOCK.replace("years = 40", "years = 40\nsurvived = 9"),
+            "`survived` takes the years before as those to come",
+        ),
+        (BLOCK.replace(", every = \"year\"", ""), "no random number is drawn yearly"),
+    ] {
+        let error = try_answer(&changed).expect_err(&changed);
+        assert!(error.to_string().contains(expected), "{error}");
+    }
+    let point =
+        try_answer(&format!("{LOW}years = 9\nrise_per_year = 0.1\nk = {{ normal = {{ sd = 0.05 }} }}\n"))
+            .unwrap_err();
+    assert!(point.to_string().contains("the case has none"), "{point}");
+}

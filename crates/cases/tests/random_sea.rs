@@ -108,7 +108,7 @@ fn a_period_goes_with_the_height() {
     // A combination that multiplies the heights at the wall leaves the period as it is.
     let scaled = |text: String| {
         let text = format!(
-            "{text}\n[[combination]]\nname = \"scaled\"\nscale = {{ \"wave.H13\" = 1.2, \"wave.Hmax\" = 1.2 }}\n{FRICTION}"
+            "{text}\n[[combination]]\nname = \"scaled\"\nfactors = {{ wave = 1 }}\nscale = {{ \"wave.H13\" = 1.2, \"wave.Hmax\" = 1.2 }}\n{FRICTION}"
         );
         not_rest(&text)
     };

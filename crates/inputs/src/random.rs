@@ -41,6 +41,8 @@ pub struct Random {
     pub target_beta: Option<f64>,
     /// True if it is asked what means and deviations of the laws do.
     pub sensitivities: bool,
+    /// By how much the water rises in each year of a life.
+    pub rise: Option<Parameter>,
     /// The numbers that are random, in the order in which they stand.
     pub named: Vec<RandomEntry>,
     /// Records of shakings, each as likely, in the place of the case's own.
@@ -328,6 +330,7 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
         lifetime: Lifetime::default(),
         target_beta: None,
         sensitivities: false,
+        rise: None,
         named: Vec::new(),
         records: Vec::new(),
         correlations: Vec::new(),
@@ -348,6 +351,7 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
             "events_per_year" => {
                 random.lifetime.events_per_year = Some(positive(value, "`events_per_year`")?);
             }
+            "rise_per_year" => random.rise = Some(laws::parameter(name, value)?),
             "bodies" => random.lifetime.bodies = Some(bodies(value)?),
             "correlation" => correlations = Some(value),
             "records" => random.records = records(value)?,
@@ -383,6 +387,11 @@ fn rates_go_together(random: &Random) -> ReadResult<()> {
                 entry.name
             );
             refused(message, &entry.span)
+        }
+        _ if random.rise.is_some() && random.lifetime.survived.is_some() => {
+            let message =
+                "`survived` takes the years before as those to come, and `rise_per_year` makes each another";
+            refused(message.to_owned(), &random.span)
         }
         (Some(_), None, None) => {
             let message = "`events_per_year` counts events, and no number has every = \"event\"".to_owned();

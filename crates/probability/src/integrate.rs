@@ -103,7 +103,8 @@ pub fn integrate_life<O: Outcomes>(
     assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
     assert!(life.yearly[outcomes.line()], "the line is drawn yearly");
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();
-    let frame = Frame::ranked(inputs, outcomes, |input| life.yearly[input]);
+    assert!(life.clock != Some(outcomes.line()), "the line does not go with the time");
+    let frame = Frame::ranked(inputs, outcomes, |input| life.rank(input));
     Nest::of(&frame, sets, Some((once, life)), within)
 }
 
@@ -212,10 +213,20 @@ impl<'f, 'a, 'w, O: Outcomes> Nest<'f, 'a, 'w, O> {
     /// The integral over the normals from number `depth` on, those before being given; `weight` is the density already there.
     fn from(&mut self, depth: usize, weight: f64) -> Sum {
         let mut sum = if depth == self.point.len() { self.at_point() } else { self.over(depth, weight) };
-        if let Some((_, life)) = self.life.filter(|(from, _)| *from == depth) {
-            for (value, error) in sum.values.iter_mut().zip(&mut sum.errors) {
-                *error *= life.slope(*value);
-                *value = -libm::expm1(life.log_never(*value));
+        let Some((once, life)) = self.life else { return sum };
+        // Of years that differ the logarithms of their complements add up.
+        let by_years = life.clock.is_some() && life.events.is_none();
+        let entries = sum.values.iter_mut().zip(&mut sum.errors);
+        if by_years && depth == once + 1 {
+            for (value, error) in entries {
+                *error /= (1.0 - *value).max(f64::EPSILON);
+                *value = -libm::log1p(-value.min(1.0 - f64::EPSILON));
+            }
+        } else if depth == once {
+            for (value, error) in entries {
+                let rate = if by_years { -libm::expm1(-*value) } else { *value };
+                *error *= life.slope(rate);
+                *value = -libm::expm1(life.log_never(rate));
             }
         }
         sum

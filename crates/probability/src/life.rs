@@ -24,9 +24,26 @@ pub struct Life {
     pub yearly: Vec<bool>,
     /// Number of events a year on average, by Poisson's law, in each of which these are drawn anew; `None` of one each year.
     pub events: Option<f64>,
+    /// An input, one of those, that goes with the time: over a life it runs from the beginning to the end of its law, so that of years that follow each
+    /// other each has its own value. It is correlated with no other input.
+    pub clock: Option<usize>,
 }
 
 impl Life {
+    /// The normal of the clock in one of so many years; `None` of events, which come at any time.
+    pub(crate) fn clock_at(&self, year: u64, times: u64) -> Option<f64> {
+        self.events.is_none().then(|| normal::quantile((year as f64 + 0.5) / times as f64))
+    }
+
+    /// For what an input of a number stays the same: rising where what lasts is first, and the clock before what is drawn in each year.
+    pub(crate) fn rank(&self, input: usize) -> u8 {
+        match (self.yearly[input], self.clock == Some(input)) {
+            (false, _) => 0,
+            (true, true) => 1,
+            (true, false) => 2,
+        }
+    }
+
     /// The logarithm of the chance that what has this probability each time is never met.
     pub(crate) fn log_never(&self, probability: f64) -> f64 {
         match self.events {
@@ -54,6 +71,7 @@ impl Life {
         assert_eq!(self.yearly.len(), inputs.laws().len(), "an entry for each input");
         let is_whole = self.years >= 1.0 && self.years.fract() == 0.0;
         assert!(is_whole || self.events.is_some(), "whole years");
+        assert!(self.clock.is_none_or(|clock| self.yearly[clock]), "time passes from year to year");
     }
 
     /// Number of times that it is drawn in one life.
@@ -87,7 +105,8 @@ pub fn lives<'w, O: Outcomes>(
     let work @ Work { effort, .. } = work.into();
     life.check(inputs);
     let line = outcomes.line();
-    let frame = &Frame::ranked(inputs, outcomes, |input| life.yearly[input]);
+    let frame = &Frame::ranked(inputs, outcomes, |input| life.rank(input));
+    let clock = life.clock.and_then(|clock| frame.order().iter().position(|input| *input == clock));
     let once = frame.order().iter().filter(|input| **input != line && !life.yearly[**input]).count();
     let others = frame.dimensions();
     // What is drawn yearly depends on what is drawn once. If that is the line, it has to be drawn before.
@@ -110,8 +129,12 @@ pub fn lives<'w, O: Outcomes>(
                 let mut stream = stream(effort.seed, scramble, index);
                 met.iter_mut().for_each(Vec::clear);
                 missed.fill(0.0);
-                for _ in 0..life.draw_times(&mut stream) {
+                let times = life.draw_times(&mut stream);
+                for year in 0..times {
                     point[once..].iter_mut().for_each(|u| *u = normal::quantile(stream.draw()));
+                    if let (Some(place), Some(time)) = (clock, life.clock_at(year, times)) {
+                        point[place] = time;
+                    }
                     if life.yearly[line] {
                         frame.evaluate(&point, &mut scratch);
                         for (missed, set) in missed.iter_mut().zip(sets) {
@@ -165,12 +188,14 @@ struct DrawnLives<'a, O> {
 
 impl<O: Outcomes> DrawnLives<'_, O> {
     fn worker(&self, seed: u64) -> impl FnMut(usize, u64, &[f64], &mut [f64]) {
-        let mut values = Values::new(self.inputs, &self.life.yearly);
+        let mut values = Values::of_life(self.inputs, self.life);
         move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
             let mut stream = stream(seed, scramble, index);
             values.begin(coordinates);
             let times = self.life.draw_times(&mut stream);
-            let met = (0..times).fold(0, |met, _| met | self.outcomes.at(values.of_year(&mut stream)));
+            let met = (0..times).fold(0, |met, year| {
+                met | self.outcomes.at(values.of_year(self.life.clock_at(year, times), &mut stream))
+            });
             for (sum, set) in sums.iter_mut().zip(self.sets) {
                 *sum += f64::from(u8::from(met & set != 0));
             }
@@ -185,6 +210,8 @@ pub(crate) struct Values<'a> {
     order: Vec<usize>,
     factor: Vec<Vec<f64>>,
     once: usize,
+    /// The place of what goes with the time.
+    clock: Option<usize>,
     u: Vec<f64>,
     values: Vec<f64>,
 }
@@ -196,7 +223,14 @@ impl<'a> Values<'a> {
         order.sort_by_key(|input| yearly[*input]);
         let factor = inputs.copula().factor(&order).expect("a copula is positive definite in any order");
         let once = yearly.iter().filter(|yearly| !**yearly).count();
-        Values { inputs, order, factor, once, u: vec![0.0; n], values: vec![0.0; n] }
+        Values { inputs, order, factor, once, clock: None, u: vec![0.0; n], values: vec![0.0; n] }
+    }
+
+    /// Those of a life.
+    pub(crate) fn of_life(inputs: &'a RandomVector, life: &Life) -> Values<'a> {
+        let values = Values::new(inputs, &life.yearly);
+        let clock = life.clock.and_then(|clock| values.order.iter().position(|input| *input == clock));
+        Values { clock, ..values }
     }
 
     /// Begins a life with the chances of what is drawn once.
@@ -216,10 +250,13 @@ impl<'a> Values<'a> {
         &self.values
     }
 
-    /// The values of the next year.
-    pub(crate) fn of_year(&mut self, stream: &mut Stream) -> &[f64] {
+    /// The values of the next year, at a time of the life, by its normal.
+    pub(crate) fn of_year(&mut self, time: Option<f64>, stream: &mut Stream) -> &[f64] {
         for place in self.once..self.order.len() {
             self.u[place] = normal::quantile(stream.draw());
+            if self.clock == Some(place) {
+                self.u[place] = time.unwrap_or(self.u[place]);
+            }
             self.set(place);
         }
         &self.values

@@ -26,7 +26,7 @@ pub struct Row {
 impl Row {
     /// One event as what is drawn for each body anew, which is what is drawn yearly of a life of as many years as there are bodies.
     pub fn of_one_event(&self) -> Life {
-        Life { years: self.bodies as f64, yearly: self.own.clone(), events: None }
+        Life { years: self.bodies as f64, yearly: self.own.clone(), events: None, clock: None }
     }
 
     /// Two inputs that are correlated as no row has it over a life: one that each body draws once, and one that all have in common each
@@ -143,6 +143,7 @@ pub fn rows<'w, O: Outcomes>(
                 let mut stream = stream(effort.seed, scramble, index);
                 let times = life.draw_times(&mut stream);
                 drawn.begin(coordinates, bodies, times, &mut stream);
+                drawn.pass(life, times);
                 let mut met = 0;
                 for body in 0..bodies {
                     for year in 0..times {
@@ -170,6 +171,7 @@ pub fn rows<'w, O: Outcomes>(
                 let mut stream = stream(effort.seed, scramble, index);
                 let times = life.draw_times(&mut stream);
                 drawn.begin(coordinates, bodies, times, &mut stream);
+                drawn.pass(life, times);
                 missed.fill(0.0);
                 met.iter_mut().for_each(Vec::clear);
                 let by_year = of_line == Kind::CommonYearly;
@@ -221,6 +223,8 @@ struct Drawn {
     /// Normals of each body, and those of each year, one after the other.
     own: Vec<f64>,
     common: Vec<f64>,
+    /// Place of the clock among what is common and yearly.
+    clock: Option<usize>,
     point: Vec<f64>,
 }
 
@@ -228,7 +232,20 @@ impl Drawn {
     fn new(order: &[usize], kinds: &Kinds<'_>) -> Drawn {
         let of = |kind: Kind| order.iter().filter(|input| kinds.of(**input) == kind).count();
         let counts = [Kind::CommonOnce, Kind::OwnOnce, Kind::CommonYearly, Kind::OwnYearly].map(of);
-        Drawn { counts, own: Vec::new(), common: Vec::new(), point: vec![0.0; order.len()] }
+        let mut yearly = order.iter().filter(|input| kinds.of(**input) == Kind::CommonYearly);
+        let clock = kinds.life.clock.and_then(|clock| yearly.position(|input| *input == clock));
+        Drawn { counts, own: Vec::new(), common: Vec::new(), clock, point: vec![0.0; order.len()] }
+    }
+
+    /// Sets what goes with the time.
+    fn pass(&mut self, life: &Life, times: u64) {
+        let [_, _, yearly, _] = self.counts;
+        let Some(place) = self.clock else { return };
+        for year in 0..times {
+            if let Some(time) = life.clock_at(year, times) {
+                self.common[year as usize * yearly + place] = time;
+            }
+        }
     }
 
     /// Begins a life with the chances of what is common and drawn once.

@@ -207,7 +207,7 @@ pub fn lives<'w, S: Sums>(
             .flat_map(|from| (0..SCRAMBLES).map(move |scramble| (scramble, from)))
             .collect();
         let results = shared_out(effort.threads, runs.len(), || {
-            let mut values = Values::new(inputs, &life.yearly);
+            let mut values = Values::of_life(inputs, life);
             let mut point = vec![0.0; once];
             let (runs, sequences, steps) = (&runs, &sequences, &steps);
             move |run: usize| {
@@ -220,11 +220,13 @@ pub fn lives<'w, S: Sums>(
                     values.begin(&point);
                     let mut stream = stream(effort.seed, scramble, index);
                     let mut of_life = LifeSums::default();
-                    for _ in 0..life.draw_times(&mut stream) {
+                    let times = life.draw_times(&mut stream);
+                    for year in 0..times {
                         if of_life.ended || portion.is_stopped() {
                             break;
                         }
-                        if let Some(year) = sums.year(values.of_year(&mut stream)) {
+                        let time = life.clock_at(year, times);
+                        if let Some(year) = sums.year(values.of_year(time, &mut stream)) {
                             draw(sums, &year, events, &mut stream, &mut of_life);
                         }
                     }

@@ -253,7 +253,7 @@ fn what_is_drawn_once_is_not_drawn_yearly() {
     let (mode, scale): (f64, f64) = (0.27, 0.04);
     let inputs =
         RandomVector::independent(vec![resistance.clone(), Law::gumbel(mode, scale).unwrap().into()]);
-    let life = |yearly| Life { years: 50.0, yearly, events: None };
+    let life = |yearly| Life { years: 50.0, yearly, events: None, clock: None };
     let once = integrate_life(&inputs, &Above, &[1], &life(vec![false, true]), Within::ALL_DIGITS).unwrap();
     let tail = |x: f64, n: f64| -libm::expm1(-n * (-(x - mode) / scale).exp());
     let exact = mean(|z| tail(resistance.value(z), 50.0));

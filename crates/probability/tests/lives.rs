@@ -61,7 +61,7 @@ fn effort(points: u64) -> Effort {
 /// multiplied: it is E[1 − Φ((R − 2.2)/0.5)ⁿ].
 #[test]
 fn a_life_is_as_weak_as_its_worst_year() {
-    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None };
+    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None, clock: None };
     let by_hand = mean(|z| 1.0 - below((3.8 + 0.5 * z - 2.2) / 0.5).powf(YEARS));
     let integrated = integrate_life(&inputs(0.0), &Fails { line: 1 }, &[1], &life, Within::ALL_DIGITS)
         .unwrap()
@@ -79,7 +79,7 @@ fn a_life_is_as_weak_as_its_worst_year() {
 #[test]
 fn events_come_by_poissons_law() {
     let (rate, years) = (4.5, 7.3);
-    let life = Life { years, yearly: vec![false, true, true], events: Some(rate) };
+    let life = Life { years, yearly: vec![false, true, true], events: Some(rate), clock: None };
     let by_hand = mean(|z| -(-rate * years * (1.0 - below((3.8 + 0.5 * z - 2.2) / 0.5))).exp_m1());
     let integrated = integrate_life(&inputs(0.0), &Fails { line: 1 }, &[1], &life, Within::ALL_DIGITS)
         .unwrap()
@@ -96,11 +96,78 @@ fn events_come_by_poissons_law() {
     assert!((m.value - life.times() * found.estimates[0].value).abs() < m.high - m.low, "{m:?} {found:?}");
 }
 
+/// A level that rises over the years: 1 − E Π (1 − p_t), p_t that of each year with its own level, integrated and drawn; of a row of bodies too. By hand the years
+/// are multiplied one by one.
+#[test]
+fn what_goes_with_the_time_has_another_value_each_year() {
+    use standfast_probability::row::{Row, rows};
+    let rise = 0.6;
+    let law = |mean, sd| Law::normal(mean, sd).unwrap().into();
+    let laws = vec![law(3.8, 0.5), Law::uniform(0.0, rise).unwrap().into(), law(2.2, 0.4)];
+    let inputs = RandomVector::independent(laws);
+    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None, clock: Some(1) };
+    let never = |z: f64, power: i32| {
+        let of_year = |year: i32| {
+            let level = 2.2 + rise * (f64::from(year) + 0.5) / YEARS;
+            below((3.8 + 0.5 * z - level) / 0.4)
+        };
+        (0..YEARS as i32).map(of_year).product::<f64>().powi(power)
+    };
+    let by_hand = mean(|z| 1.0 - never(z, 1));
+    let integrated = integrate_life(&inputs, &Fails { line: 2 }, &[1], &life, Within::ALL_DIGITS)
+        .unwrap()
+        .probabilities[0];
+    // Years are midpoints of what is integrated: the logarithm of what a moment leaves, over the life.
+    assert!((integrated / by_hand - 1.0).abs() < 1e-3, "{integrated} {by_hand}");
+    let continuous = mean(|z| {
+        let log = |i: i32| below((3.8 + 0.5 * z - 2.2 - rise * (f64::from(i) + 0.5) / 1000.0) / 0.4).ln();
+        -((0..1000).map(log).sum::<f64>() * YEARS / 1000.0).exp_m1()
+    });
+    assert!((integrated / continuous - 1.0).abs() < 1e-6, "{integrated} {continuous}");
+    for line in [0, 2] {
+        let e = lives(&inputs, &Fails { line }, &[1], &life, &effort(1 << 21)).estimates[0];
+        assert!((e.value - by_hand).abs() < e.high - e.low, "line {line}: {e:?} {by_hand}");
+        assert!(e.high - e.low < 0.1 * by_hand);
+    }
+    // With a level that does not rise, all years are alike, and the average year is one of them.
+    let plain = Life { clock: None, ..life.clone() };
+    let drawn = lives(&inputs, &Fails { line: 2 }, &[1], &plain, &effort(1 << 21)).estimates[0];
+    assert!(drawn.value > 0.5 * by_hand);
+    // Of a row with a resistance of each body: the largest of all the years counts.
+    let row = Row { bodies: 6, own: vec![true, false, false] };
+    let e = rows(&inputs, &Fails { line: 0 }, &[1], &row, &life, &effort(1 << 21)).estimates[0];
+    let mut stream = Stream::new(3, 5);
+    let mut normal = || {
+        let (a, b) = (stream.draw(), stream.draw());
+        (-2.0 * a.ln()).sqrt() * (2.0 * std::f64::consts::PI * b).cos()
+    };
+    const LIVES: u32 = 20_000;
+    let failed = (0..LIVES).filter(|_| {
+        let years = 0..YEARS as i32;
+        let most = years.map(|year| 2.2 + rise * (f64::from(year) + 0.5) / YEARS + 0.4 * normal());
+        let most = most.fold(f64::NEG_INFINITY, f64::max);
+        (0..6).any(|_| 3.8 + 0.5 * normal() < most)
+    });
+    let expected = failed.count() as f64 / f64::from(LIVES);
+    let deviation = (expected * (1.0 - expected) / f64::from(LIVES)).sqrt();
+    assert!((e.value - expected).abs() < 3.5 * deviation + (e.high - e.low), "{e:?} {expected}");
+    // Sums: the mean of a life is that of its years.
+    let drawn = sums_of_lives(&inputs, &Exceeds, 30, &life, &effort(1 << 19), |_| false);
+    let found = expected_mean(&inputs);
+    let m = drawn.mean(|life| life.sum);
+    assert!((m.value - YEARS * found).abs() < m.high - m.low, "{m:?} {found}");
+}
+
+fn expected_mean(inputs: &RandomVector) -> f64 {
+    let effort = Effort { precision: 1e-3, ..effort(1 << 22) };
+    expected(inputs, &Exceeds, 30.0, &effort).estimates[0].value
+}
+
 /// A load that depends on the resistance: R is drawn before the years are, which no line can be then.
 #[test]
 fn what_a_year_depends_on_is_drawn_before_it() {
     let rho = 0.6f64;
-    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None };
+    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None, clock: None };
     // Given z of R, a load is N(1 + 0.4ρz, 0.4√(1 − ρ²)).
     let deviation = (0.4f64.powi(2) * (1.0 - rho * rho) + 0.3f64.powi(2)).sqrt();
     let by_hand = mean(|z| 1.0 - below((3.8 + 0.5 * z - 2.2 - 0.4 * rho * z) / deviation).powf(YEARS));
@@ -113,7 +180,7 @@ fn what_a_year_depends_on_is_drawn_before_it() {
 /// More threads, the same bytes.
 #[test]
 fn threads_do_not_matter() {
-    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None };
+    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None, clock: None };
     let of = |threads| {
         let effort = Effort { threads, ..effort(1 << 18) };
         lives(&inputs(0.0), &Fails { line: 0 }, &[1], &life, &effort)
@@ -121,7 +188,7 @@ fn threads_do_not_matter() {
     assert_eq!(of(1), of(3));
     let sums = |threads| {
         let effort = Effort { threads, ..effort(1 << 14) };
-        let of_life = Life { years: 4.0, yearly: vec![false, true, true], events: None };
+        let of_life = Life { years: 4.0, yearly: vec![false, true, true], events: None, clock: None };
         sums_of_lives(&inputs(0.0), &Exceeds, 30, &of_life, &effort, |_| false)
     };
     assert_eq!(sums(1), sums(3));
@@ -130,7 +197,7 @@ fn threads_do_not_matter() {
 /// Lives are doubled until they are enough, and those that were drawn first stay: fewer are the first of more.
 #[test]
 fn lives_are_drawn_until_they_are_enough() {
-    let life = Life { years: 4.0, yearly: vec![false, true, true], events: None };
+    let life = Life { years: 4.0, yearly: vec![false, true, true], events: None, clock: None };
     let drawn = |most: u64, are_enough: &dyn Fn(&Lives) -> bool| {
         sums_of_lives(&inputs(0.0), &Exceeds, 30, &life, &effort(most), are_enough)
     };
@@ -171,7 +238,7 @@ impl Sums for Exceeds {
 fn sums_are_those_of_every_event() {
     let inputs = inputs(0.0);
     let (years, events) = (4.0, 30u64);
-    let life = Life { years, yearly: vec![false, true, true], events: None };
+    let life = Life { years, yearly: vec![false, true, true], events: None, clock: None };
     // R − S is N(2.8, √(0.5² + 0.4²)).
     let spread = 0.41f64.sqrt();
     let by_hand = years * events as f64 * mean(|z| (-(2.8 + spread * z).max(0.0)).exp());

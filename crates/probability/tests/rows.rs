@@ -57,7 +57,7 @@ fn inputs(count: usize, correlated: (usize, usize), correlation: f64) -> RandomV
 }
 
 fn life(yearly: &[bool]) -> Life {
-    Life { years: YEARS, yearly: yearly.to_vec(), events: None }
+    Life { years: YEARS, yearly: yearly.to_vec(), events: None, clock: None }
 }
 
 fn row(own: &[bool]) -> Row {
@@ -96,7 +96,7 @@ fn in_an_event_bodies_are_independent_given_what_is_common() {
         let drawn = lives(&inputs, &Fails { line }, &[1], &event, &effort(1 << 22)).estimates[0];
         assert_found("lives", drawn, expected);
         // A row over a life in which nothing is yearly is that event.
-        let once = Life { years: 1.0, yearly: vec![false; 2], events: None };
+        let once = Life { years: 1.0, yearly: vec![false; 2], events: None, clock: None };
         assert_found("rows", found(&inputs, line, &row, &once, 1 << 22), expected);
     }
     // It lies between one body and as many that have nothing in common.

@@ -262,11 +262,13 @@ pub struct RandomNumber {
     pub yearly: bool,
     /// True if each body of a row draws it for itself.
     pub own: bool,
+    /// True if it is the rise of the water, which goes with the time.
+    pub is_rise: bool,
 }
 
 impl RandomNumber {
     pub(super) fn of(input: &RandomInput) -> RandomNumber {
-        let dimension = input.variable().and_then(Variable::dimension);
+        let dimension = input.variable().or(input.rise_of()).and_then(Variable::dimension);
         RandomNumber {
             name: input.name.clone(),
             words: input.words(),
@@ -274,6 +276,7 @@ impl RandomNumber {
             dimension,
             yearly: input.every == Rate::Year,
             own: input.own,
+            is_rise: input.rise_of().is_some(),
         }
     }
 

@@ -25,7 +25,7 @@ impl Outcomes for ChanceProblem {
     fn is_quick(&self, input: usize) -> bool {
         // Formulas of waves and bodies are not worked out again.
         let input_of = &self.random()[input];
-        input_of.variable().is_none() && !input_of.is_bias_of_case() || self.is_apart(input)
+        input_of.variable().is_none() && !input_of.is_beside_keys() || self.is_apart(input)
     }
 
     fn along(&self, values: &[f64], pieces: &mut Pieces) {

@@ -1,6 +1,6 @@
 //! Numbers of a limit state that is the user's own: names and laws, without a case.
 
-use standfast_inputs::random::RandomProblem;
+use standfast_inputs::random::{Lifetime, RandomProblem};
 use standfast_inputs::{CaseError, CaseText};
 use standfast_probability::problem::RandomVector;
 
@@ -24,6 +24,11 @@ pub fn own_laws(text: &CaseText) -> Result<(Vec<String>, RandomVector), CaseErro
     let Some(random) = text.random() else {
         return Err(text.random_error(RandomProblem::Nothing, 0..0));
     };
+    if random.lifetime != Lifetime::default() || random.target_beta.is_some() || random.sensitivities {
+        let message =
+            "a limit state of your own is asked for one event; expected laws and correlations alone";
+        return Err(text.random_error(RandomProblem::Other(message.to_owned()), random.span.clone()));
+    }
     let found = Resolve(Names::Own).all(random);
     let (inputs, laws) = found.map_err(|(problem, span)| text.random_error(problem, span))?;
     Ok((inputs.into_iter().map(|input| input.name).collect(), laws))

@@ -130,13 +130,15 @@ impl ChanceProblem {
         moving: Option<&Inputs>,
     ) -> Result<Vec<ChanceProblem>, CaseError> {
         let wrong = |(problem, span)| file.random_error(problem, span);
+        let random = &Random { lifetime: random.lifetime.with_years(years), ..random.clone() };
         let (inputs, laws) = Resolve(Names::Case(file, &case, moving)).all(random).map_err(wrong)?;
         is_answerable(&case).map_err(|fault| file.error(fault))?;
         if let Some(plan) = case.plan.as_ref().filter(|_| inputs.iter().any(RandomInput::is_bias)) {
             return Err(file.error(plan.not_for("a bias that is random")));
         }
         let lines = Lines::of(&inputs, Some(&case));
-        let line = lines.first(&inputs, &laws, |_| true).unwrap_or(Line::Scan(0));
+        let is_no_clock = |place: usize| inputs[place].rise_of().is_none();
+        let line = lines.first(&inputs, &laws, is_no_clock).unwrap_or(Line::Scan(0));
         let mut unnamed = file.inputs().clone();
         [Key::Title, Key::Note].into_iter().for_each(|key| unnamed.remove(key.into()));
         let is_random = |key| inputs.iter().any(|input| input.is_key(key));
@@ -159,7 +161,7 @@ impl ChanceProblem {
                     model: Model::Case { inputs: inputs_of_case, case, acting, shaking, quick },
                     random: inputs.clone(),
                     laws: laws.clone(),
-                    lifetime: random.lifetime.with_years(years),
+                    lifetime: random.lifetime,
                     target_beta: random.target_beta,
                     sensitivities: random.sensitivities,
                     lines,
@@ -279,7 +281,8 @@ impl ChanceProblem {
     /// The life that is asked for, where one is.
     pub(super) fn life(&self) -> Option<Life> {
         let yearly = self.random.iter().map(|input| input.every != Rate::Life).collect();
-        self.lifetime.years.map(|years| Life { years, yearly, events: self.lifetime.events_per_year })
+        let clock = self.random.iter().position(|input| input.rise_of().is_some());
+        self.lifetime.years.map(|years| Life { years, yearly, events: self.lifetime.events_per_year, clock })
     }
 
     /// The row that the body is one of, where there is one.
@@ -290,7 +293,7 @@ impl ChanceProblem {
 
     /// Problem along a number that is drawn yearly, as a life needs it; none if there is no such number.
     pub(super) fn along_yearly(&self) -> Option<ChanceProblem> {
-        self.along_one(|input| input.every != Rate::Life)
+        self.along_one(|input| input.every != Rate::Life && input.rise_of().is_none())
     }
 
     /// Problem along a number that each body of a row has of its own; none if there is no such number.
@@ -465,7 +468,7 @@ impl ChanceProblem {
     pub(super) fn components(&self, values: &[f64]) -> Option<Components> {
         let slow = |place: &usize| {
             let input = &self.random[*place];
-            input.is_bias_of_case() || input.variable().is_some() && !self.is_apart(*place)
+            input.is_beside_keys() || input.variable().is_some() && !self.is_apart(*place)
         };
         let keys: Vec<f64> = (0..self.random.len()).filter(slow).map(|place| values[place]).collect();
         let is_of = |(id, of, _): &Assembled| *id == self.id && *of == keys;
@@ -513,7 +516,7 @@ impl ChanceProblem {
         if let Some(quick) = quick {
             return quick.case(case, self.heights(values)?, &self.biases_of_case(values));
         }
-        let named: Vec<(&Variable, f64)> = self
+        let mut named: Vec<(&Variable, f64)> = self
             .random
             .iter()
             .zip(values)
@@ -526,6 +529,13 @@ impl ChanceProblem {
                 !variable.id().table.is_of_motion() || inputs.get(variable.id()).is_some()
             })
             .collect();
+        for (input, rise) in self.random.iter().zip(values) {
+            let Some(level) = input.rise_of() else { continue };
+            match named.iter_mut().find(|(variable, _)| variable.id() == level.id()) {
+                Some((_, drawn)) => *drawn += rise,
+                None => named.push((level, level.value(inputs, case) + rise)),
+            }
+        }
         let case = Case::of(&vary(inputs, case, &named)).ok()?.biased(self.biases_of_case(values)).ok()?;
         match case.goda().filter(|waves| waves.share_of_steepest().is_some_and(|share| share > 1.0)) {
             Some(waves) => Some(case.with_goda(waves.clone().broken()?)),
@@ -631,7 +641,9 @@ fn unique() -> u64 {
 /// True if of a case's numbers, beside friction, only heights of waves are random.
 fn only_heights(inputs: &[RandomInput]) -> bool {
     let heights = [Key::DeepWaterHeight, Key::H13, Key::Hmax];
-    if inputs.iter().any(|input| input.quantity == Quantity::Bias(Bias::Bearing)) {
+    let is_other =
+        |input: &RandomInput| input.quantity == Quantity::Bias(Bias::Bearing) || input.rise_of().is_some();
+    if inputs.iter().any(is_other) {
         return false;
     }
     let of_case =

@@ -17,6 +17,8 @@ pub enum Quantity {
     Point(Coordinate),
     /// A number of a pure problem of sliding.
     Storm(StormField),
+    /// Rise of the water since a life began, by the level that it is of.
+    Rise(Variable),
     /// A number of a limit state that is the user's own, by its name.
     Own(String),
 }
@@ -87,7 +89,19 @@ impl RandomInput {
     pub(super) fn variable(&self) -> Option<&Variable> {
         match &self.quantity {
             Quantity::Key(variable) => Some(variable),
-            Quantity::Bias(_) | Quantity::Point(_) | Quantity::Storm(_) | Quantity::Own(_) => None,
+            Quantity::Bias(_)
+            | Quantity::Point(_)
+            | Quantity::Storm(_)
+            | Quantity::Rise(_)
+            | Quantity::Own(_) => None,
+        }
+    }
+
+    /// The level that it is the rise of; `None` of any other number.
+    pub(super) fn rise_of(&self) -> Option<&Variable> {
+        match &self.quantity {
+            Quantity::Rise(level) => Some(level),
+            _ => None,
         }
     }
 
@@ -99,6 +113,7 @@ impl RandomInput {
             Quantity::Bias(bias) => bias.words().to_owned(),
             Quantity::Point(coordinate) => Id::from(coordinate.key()).words(),
             Quantity::Storm(field) => Id::from(field.key()).words(),
+            Quantity::Rise(_) => "rise of the water since the life began".to_owned(),
             Quantity::Own(name) => name.clone(),
         }
     }
@@ -122,7 +137,7 @@ impl RandomInput {
                 _ => None,
             },
             Quantity::Point(Coordinate::Mu) => Some(FrictionOf::Base),
-            Quantity::Bias(_) | Quantity::Storm(_) | Quantity::Point(_) | Quantity::Own(_) => None,
+            _ => None,
         }
     }
 
@@ -142,9 +157,12 @@ impl RandomInput {
         self.variable().is_some_and(|variable| of_key(variable.id().key))
     }
 
-    /// True if it is a factor on the case itself, so that its formulas are worked out again.
-    pub(super) fn is_bias_of_case(&self) -> bool {
-        matches!(self.quantity, Quantity::Bias(bias) if bias.is_of_case())
+    /// True if it is beside the keys of the case and changes it, so that its formulas are worked out again: a factor, or a rise of the water.
+    pub(super) fn is_beside_keys(&self) -> bool {
+        match &self.quantity {
+            Quantity::Bias(bias) => bias.is_of_case(),
+            quantity => matches!(quantity, Quantity::Rise(_)),
+        }
     }
 
     /// True if it is a bias of some loads.
@@ -157,7 +175,7 @@ impl RandomInput {
         match &self.quantity {
             Quantity::Bias(bias) => !bias.is_of_case(),
             Quantity::Point(Coordinate::K) => true,
-            Quantity::Point(_) | Quantity::Storm(_) | Quantity::Own(_) => false,
+            Quantity::Point(_) | Quantity::Storm(_) | Quantity::Rise(_) | Quantity::Own(_) => false,
             Quantity::Key(variable) => variable.id().key == Key::Force,
         }
     }

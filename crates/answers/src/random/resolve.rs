@@ -10,8 +10,9 @@ use crate::couple::Variable;
 use crate::inputs::Inputs;
 use crate::key::{Key, Table};
 use crate::suggest::closest;
-use standfast_inputs::random::{Random, RandomEntry, RandomProblem, ReadResult};
+use standfast_inputs::random::{Parameter, Random, RandomEntry, RandomProblem, Rate, ReadResult};
 use standfast_model::CaseFile;
+use standfast_probability::law::{Distribution, Law};
 
 mod laws;
 
@@ -44,6 +45,11 @@ impl Resolve<'_> {
             let (law, cut) = self.law(named, &quantity)?;
             let name = named.name.clone();
             inputs.push(RandomInput { name, quantity, every: named.every, own: named.own, cut });
+            laws.push(law);
+        }
+        if let Some(rise) = &random.rise {
+            let (input, law) = self.rise(rise, random)?;
+            inputs.push(input);
             laws.push(law);
         }
         let correlations: Vec<Correlation> = random
@@ -82,6 +88,29 @@ impl Resolve<'_> {
             }
         })?;
         Ok((inputs, RandomVector::new(laws, copula)))
+    }
+
+    /// The rise of the water over the years, in each of which it has a value of its own: of an average year, any of them as likely.
+    fn rise(&self, parameter: &Parameter, random: &Random) -> ReadResult<(RandomInput, Distribution)> {
+        let refused = |message: &str| (RandomProblem::Other(message.to_owned()), parameter.span.clone());
+        let level = match self.0 {
+            Names::Case(file, case, _) if case.plan.is_none() => {
+                Variable::find("water_level", file.inputs()).ok()
+            }
+            _ => None,
+        };
+        let level =
+            level.ok_or_else(|| refused("`rise_per_year` raises a water level, and the case has none"))?;
+        let years = random.lifetime.years.ok_or_else(|| {
+            refused("`rise_per_year` rises over the `years` of a life, and nothing says how many there are")
+        })?;
+        let named = RandomEntry::without_law(parameter.name.clone(), parameter.span.clone());
+        let rise = years * self.value(&named, &Quantity::Key(level.clone()), parameter)?;
+        let law = Law::uniform(rise.min(0.0), rise.max(0.0))
+            .map_err(|_| refused("`rise_per_year` is 0; expected a rise, or a fall below zero"))?;
+        let every = if random.lifetime.events_per_year.is_some() { Rate::Event } else { Rate::Year };
+        let quantity = Quantity::Rise(level);
+        Ok((RandomInput { name: "rise".to_owned(), quantity, every, own: false, cut: 0.0 }, law.into()))
     }
 
     /// Quantity that a name stands for.

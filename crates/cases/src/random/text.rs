@@ -291,6 +291,10 @@ pub(super) fn notes(answer: &Probability, chances: &Chances) -> Vec<String> {
     if !chances.precise {
         notes.push(imprecise(answer));
     }
+    if answer.random.iter().any(|number| number.is_rise) {
+        let period = if answer.random.iter().any(|number| number.yearly) { "A year" } else { "An event" };
+        notes.push(format!("{period} is one of the life, any of them as likely: with a rise of its own."));
+    }
     // Less is in the JSON alone.
     let cut = answer.random.iter().filter(|number| number.cut >= 1e-12);
     notes.extend(cut.map(|RandomNumber { name, cut, .. }| {

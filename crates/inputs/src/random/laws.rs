@@ -236,7 +236,7 @@ fn list(name: &str, item: &Item<'_>, what: &str, expected: &str) -> ReadResult<P
     Ok(Parameter { name: name.to_owned(), value: Written::List(values), span: item.span() })
 }
 
-fn parameter(name: &str, item: &Item<'_>) -> ReadResult<Parameter> {
+pub(super) fn parameter(name: &str, item: &Item<'_>) -> ReadResult<Parameter> {
     let value = written(item);
     let value = value
         .ok_or_else(|| wrong(item, format!("`{name}`"), "a number, or a text with a number and its unit"))?;

@@ -210,7 +210,12 @@ impl Resolve<'_> {
     }
 
     /// A parameter in SI units of the random number; deviations and scales too.
-    fn value(&self, named: &RandomEntry, quantity: &Quantity, parameter: &Parameter) -> ReadResult<f64> {
+    pub(super) fn value(
+        &self,
+        named: &RandomEntry,
+        quantity: &Quantity,
+        parameter: &Parameter,
+    ) -> ReadResult<f64> {
         match (&parameter.value, quantity, self.0) {
             (Written::Text(text), Quantity::Key(variable), Names::Case(file, ..)) => {
                 variable.read(text, file.inputs()).map_err(|_| {
@@ -290,7 +295,7 @@ fn range(quantity: &Quantity) -> Range {
         Quantity::Bias(_) => Range::NotNegative,
         Quantity::Point(coordinate) => coordinate.range(),
         Quantity::Storm(field) => field.range(),
-        Quantity::Own(_) => Range::Finite,
+        Quantity::Rise(_) | Quantity::Own(_) => Range::Finite,
     }
 }
 

@@ -265,7 +265,7 @@ impl PureStorm {
     pub(in crate::random) fn life(&self) -> Life {
         let yearly = self.random.iter().map(|input| input.every != Rate::Life).collect();
         let Lifetime { years, events_per_year: events, .. } = self.lifetime;
-        Life { years: years.unwrap_or(1.0), yearly, events }
+        Life { years: years.unwrap_or(1.0), yearly, events, clock: None }
     }
 }
 

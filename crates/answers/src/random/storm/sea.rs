@@ -165,7 +165,7 @@ pub(in crate::random) fn of_case(
     if kinetic != friction {
         return Err(SlidingError::TwoFrictions { kinetic, friction });
     }
-    let plain = Life { years: 1.0, yearly: vec![false; problem.random().len()], events: None };
+    let plain = Life { years: 1.0, yearly: vec![false; problem.random().len()], events: None, clock: None };
     if problem.lifetime().survived.is_some() {
         return Err(SlidingError::Survived);
     }
