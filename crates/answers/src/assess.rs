@@ -262,7 +262,7 @@ impl Assessment {
     pub fn all_checks(&self) -> Vec<AnyCheck<'_>> {
         let motion = self.motion_checks().into_iter().map(|(check, place)| AnyCheck::Motion(check, place));
         let mut checks: Vec<_> = self.checks().into_iter().map(AnyCheck::Instant).chain(motion).collect();
-        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
+        standfast::order::by_number(&mut checks, |one| -one.urgency());
         checks
     }
 
@@ -275,7 +275,7 @@ impl Assessment {
                 checks.extend(found.map(|check| AnyCheck::Motion(check, assessed.index)));
             }
         }
-        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
+        standfast::order::by_number(&mut checks, |one| -one.urgency());
         checks
     }
 
@@ -449,7 +449,7 @@ fn worst_check<'a>(
 
 /// Checks, the governing one first.
 fn by_urgency(mut checks: Vec<CaseCheck<'_>>) -> Vec<CaseCheck<'_>> {
-    checks.sort_by(|one, two| two.check.urgency().total_cmp(&one.check.urgency()));
+    standfast::order::by_number(&mut checks, |one| -one.check.urgency());
     checks
 }
 

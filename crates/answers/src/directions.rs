@@ -249,7 +249,7 @@ fn changes(
 ) -> Result<Vec<DirectionAnswer>, DirectionsError> {
     const NEAR: f64 = 1e-6;
     let mut around: Vec<&DirectionAnswer> = all.iter().chain(corners).collect();
-    around.sort_by(|one, two| one.degrees.total_cmp(&two.degrees));
+    standfast::order::by_number(&mut around, |one| one.degrees);
     let mut found = Vec::new();
     for (place, one) in around.iter().enumerate() {
         let two = around[(place + 1) % around.len()];

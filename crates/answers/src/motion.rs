@@ -133,7 +133,7 @@ impl FollowedMotion {
     pub fn checks(&self) -> Vec<MotionCheck> {
         let of = |criterion: &_| MotionCheck::of(*criterion, self.case.si, &self.outcome);
         let mut checks: Vec<_> = self.case.criteria.iter().map(of).collect();
-        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
+        standfast::order::by_number(&mut checks, |one| -one.urgency());
         checks
     }
 

@@ -341,7 +341,7 @@ impl<'a> Draft<'a> {
         for &line in self.given.sheet.formulas {
             let traces = self.given.traces().filter(|trace| trace.line == line);
             let mut arcs: Vec<_> = traces.flat_map(|trace| self.given.stretch(trace)).collect();
-            arcs.sort_by(|one, other| (other.to - other.from).total_cmp(&(one.to - one.from)));
+            standfast::order::by_number(&mut arcs, |one| -(one.to - one.from));
             if !arcs.is_empty() {
                 self.formula(line, &arcs);
             }

@@ -247,7 +247,7 @@ impl Draft {
     /// The name of the boundaries on rigid ground, beside the longest that has room for it.
     fn name_rigid(&mut self, plane: GroundPlane<'_>) {
         let mut arcs: Vec<Arc> = plane.rigid_lines(self.window).iter().flat_map(|part| arcs(part)).collect();
-        arcs.sort_by(|one, other| (other.to - other.from).total_cmp(&(one.to - one.from)));
+        standfast::order::by_number(&mut arcs, |one| -(one.to - one.from));
         self.canvas.beside_line(&arcs, &Text::inline(ON_RIGID, NUMBER));
     }
 

@@ -21,7 +21,7 @@ pub(crate) struct Tab {
 const NEAR: f64 = 3.0;
 
 fn sorted(mut tabs: Vec<Tab>) -> Vec<Tab> {
-    tabs.sort_by(|one, other| one.at.total_cmp(&other.at));
+    standfast::order::by_number(&mut tabs, |one| one.at);
     tabs
 }
 

@@ -208,7 +208,7 @@ fn name_rigid(canvas: &mut Canvas, given: &Plan<'_>, behind: &[Area], window: &V
     };
     let arcs = edges(behind, window).into_iter().filter(|arc| arc.to > from);
     let mut arcs: Vec<Arc> = arcs.map(|arc| Arc { from: arc.from.max(from), ..arc }).collect();
-    arcs.sort_by(|one, other| (other.to - other.from).total_cmp(&(one.to - one.from)));
+    standfast::order::by_number(&mut arcs, |one| -(one.to - one.from));
     canvas.beside_line(&arcs, &Text::inline(ON_RIGID, NUMBER));
 }
 

@@ -106,7 +106,7 @@ fn across(outlines: &[&[(f64, f64)]], spacing: f64, fall: Fall) -> Vec<Segment> 
             ((from > 0.0) != (to > 0.0)).then(|| (mean(one.0, other.0), mean(one.1, other.1)))
         });
         let mut places: Vec<(f64, f64)> = crossed.collect();
-        places.sort_by(|one, other| one.0.total_cmp(&other.0));
+        standfast::order::by_number(&mut places, |one| one.0);
         segments.extend(places.chunks_exact(2).map(|pair| (pair[0], pair[1])));
     }
     segments

@@ -212,7 +212,7 @@ fn matters(answer: &Probability, chances: &Chances) -> Markup {
         None => html! {},
     };
     let mut order: Vec<usize> = (0..answer.random.len()).collect();
-    order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+    standfast::order::by_number(&mut order, |one| -point.alpha[*one].abs());
     html! {
         h3 { "Which input matters" }
         table.numbers data-table="importance" {

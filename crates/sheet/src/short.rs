@@ -131,7 +131,7 @@ fn deciding(mut rows: Vec<Sensitivity>, changes: &[Change]) -> Vec<Sensitivity> 
         changes.map(f64::abs).fold(0.0, f64::max)
     };
     rows.retain(|row| effect(row) > 0.0);
-    rows.sort_by(|one, other| effect(other).total_cmp(&effect(one)));
+    standfast::order::by_number(&mut rows, |one| -effect(one));
     rows
 }
 

@@ -50,6 +50,7 @@ mod mode;
 mod motion;
 mod neighbour;
 pub mod number;
+pub mod order;
 pub mod plan;
 mod polynomial;
 mod quantity;

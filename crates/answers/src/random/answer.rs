@@ -438,7 +438,7 @@ impl Probability {
         let all: Vec<&ChanceProblem> = problems.iter().collect();
         let of = |(place, problem)| chances(problem, &request, each.part(place, problems.len()));
         let mut situations: Vec<Chances> = problems.iter().enumerate().map(of).collect::<Result<_, _>>()?;
-        situations.sort_by(|a, b| b.not_rest.value.total_cmp(&a.not_rest.value));
+        standfast::order::by_number(&mut situations, |one| -one.not_rest.value);
         let first = &problems[0];
         let worst = situations.first().and_then(|worst| {
             problems.iter().find(|problem| problem.situation() == worst.situation).cloned().map(Box::new)

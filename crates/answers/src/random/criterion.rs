@@ -140,7 +140,7 @@ pub(super) fn checked(
         each.reduce(|one, two| if two.utilisation() > one.utilisation() { two } else { one })
     };
     let mut checked: Vec<ChanceCriterion> = criteria.iter().filter_map(worst).collect();
-    checked.sort_by(|one, two| two.utilisation().total_cmp(&one.utilisation()));
+    standfast::order::by_number(&mut checked, |one| -one.utilisation());
     Ok(checked)
 }
 

@@ -70,7 +70,7 @@ impl Outcomes for AnyOf<'_> {
                 .filter(|((from, to), _)| from < to)
                 .collect();
         }
-        common.sort_by(|one, two| one.0.0.total_cmp(&two.0.0));
+        standfast::order::by_number(&mut common, |one| one.0.0);
         let mut end = f64::NEG_INFINITY;
         for ((from, to), by) in common {
             pieces.push(end, from, MOVES);

@@ -183,7 +183,7 @@ impl ChangeList {
         let (mut told, others): (Vec<_>, Vec<_>) = all.partition(|row| row.value.is_some());
         if self.of.is_met {
             let far = |row: &ChangeRow| row.share.map_or(f64::INFINITY, f64::abs);
-            told.sort_by(|one, two| far(one).total_cmp(&far(two)));
+            standfast::order::by_number(&mut told, far);
         }
         [told, others]
     }

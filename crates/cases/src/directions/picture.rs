@@ -65,7 +65,7 @@ fn with_chart(
     let name = assessment.name(assessed).map_or(String::new(), |name| format!(", {name}"));
     let title = assessment.case.title.as_deref().unwrap_or("A body");
     let mut around: Vec<&DirectionAnswer> = of.all.iter().chain(&of.corners).collect();
-    around.sort_by(|one, two| one.degrees.total_cmp(&two.degrees));
+    standfast::order::by_number(&mut around, |one| one.degrees);
     let at = |departure: &PlanDeparture| departure.wrench.as_ref().map(place);
     let mode = |one: &DirectionAnswer| if one.tips() { Mode::RockO } else { Mode::SlideLeft };
     let rest = around.iter().filter_map(|one| Some((at(&one.departure)?, mode(one))));

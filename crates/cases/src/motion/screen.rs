@@ -161,6 +161,6 @@ pub fn strengths_on_screen(followed: &FollowedMotion, width: f64) -> Option<Figu
     let strength = followed.strength.as_ref()?;
     let mut tried: Vec<_> = strength.tried.iter().map(|tried| (tried.factor, tried.overturned)).collect();
     tried.push((1.0, followed.outcome.overturned()));
-    tried.sort_by(|one, other| one.0.total_cmp(&other.0));
+    standfast::order::by_number(&mut tried, |one| one.0);
     Some(strength_strip(&tried, width))
 }

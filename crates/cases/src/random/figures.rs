@@ -63,7 +63,7 @@ pub(super) fn groups(answer: &Probability, worst: &Chances) -> Vec<(String, Vec<
     let floor = floor(answer);
     let chosen = |modes: &[(Happening, Estimate)]| -> Vec<(Happening, Estimate)> {
         let mut shown: Vec<_> = modes.iter().copied().filter(|(_, e)| e.value >= floor).collect();
-        shown.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
+        standfast::order::by_number(&mut shown, |one| -one.1.value);
         shown
     };
     let event = chosen(&worst.modes);
@@ -160,7 +160,7 @@ fn rare(happening: Happening) -> String {
 fn matters_drawn(answer: &Probability, worst: &Chances, title: &str) -> Option<Figure> {
     let point = worst.design_point.as_ref().filter(|_| worst.known.len() == answer.random.len())?;
     let mut order: Vec<usize> = (0..worst.known.len()).collect();
-    order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+    standfast::order::by_number(&mut order, |one| -point.alpha[*one].abs());
     // Nothing hangs on a probability that is as good as none.
     if worst.not_rest.value <= floor(answer) {
         return None;

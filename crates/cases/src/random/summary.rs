@@ -166,7 +166,7 @@ fn moves(answer: &Probability, worst: &Chances) -> String {
         (None, None) => String::new(),
     };
     let mut parts: Vec<_> = worst.modes.iter().filter(|(mode, _)| *mode != Happening::REST).collect();
-    parts.sort_by(|one, two| two.1.value.total_cmp(&one.1.value));
+    standfast::order::by_number(&mut parts, |one| -one.1.value);
     let most = parts.first().filter(|(_, e)| e.value >= NEARLY_ALL * worst.not_rest.value && e.value > 0.0);
     let goes = most.map_or(String::new(), |(mode, _)| match mode {
         Happening::First(_) => format!(" Then {}.", super::text::words(answer, *mode)),

@@ -322,7 +322,7 @@ fn departures(answer: &Probability, chances: &Chances) -> Option<String> {
     let mut shares: Vec<(String, f64)> =
         modes.iter().map(|(happening, share)| (happening.name(), share.value)).collect();
     shares.retain(|(_, share)| *share >= floor(answer).max(1e-4));
-    shares.sort_by(|a, b| b.1.total_cmp(&a.1));
+    standfast::order::by_number(&mut shares, |one| -one.1);
     let (joints, on_plan) = (answer.has_joints(), answer.is_on_plan());
     let mut parts = Vec::new();
     if !shares.is_empty() {
@@ -369,7 +369,7 @@ fn index(chances: &Chances) -> Option<String> {
 /// The places of the numbers, that which matters most first.
 pub(super) fn by_importance(point: &FormPoint) -> Vec<usize> {
     let mut order: Vec<usize> = (0..point.alpha.len()).collect();
-    order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+    standfast::order::by_number(&mut order, |one| -point.alpha[*one].abs());
     order
 }
 
@@ -495,7 +495,7 @@ fn modes_table(
 ) -> String {
     let floor = floor(answer);
     let mut shown: Vec<_> = modes.iter().filter(|(_, e)| e.value >= floor).collect();
-    shown.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
+    standfast::order::by_number(&mut shown, |one| -one.1.value);
     let mut rows: Vec<Vec<String>> =
         shown.iter().map(|(happening, e)| line(&words(answer, *happening), *e, method)).collect();
     rows.push(line("does not rest", not_rest, method));

@@ -135,7 +135,7 @@ fn at_ends(scene: &mut Scene, axes: &Axes, lines: &[ChanceLine<'_>]) -> Vec<usiz
             named.push((y, names));
         }
     }
-    named.sort_by(|one, other| one.0.total_cmp(&other.0));
+    standfast::order::by_number(&mut named, |one| one.0);
     // Lines that lie on each other have their names in as many rows.
     let rows: Vec<(f64, &str)> =
         named.iter().flat_map(|(y, names)| names.iter().map(|name| (*y, name.as_str()))).collect();
@@ -215,7 +215,7 @@ pub(crate) fn marks(scene: &mut Scene, axes: &Axes, marks: &[ChanceMark<'_>]) {
         .filter(|mark| axes.across.shows(mark.at))
         .map(|mark| (axes.x(mark.at), Text::inline(mark.words, SMALL)))
         .collect();
-    shown.sort_by(|a, b| a.0.total_cmp(&b.0));
+    standfast::order::by_number(&mut shown, |one| one.0);
     let Rect { x0, x1, y0, y1 } = axes.area;
     for (x, _) in &shown {
         scene.line((*x, y0 - 4.0), (*x, y1), Pen { colour: MARK, width: 0.9, dashes: "3 2.6" });

@@ -123,7 +123,7 @@ fn lines(map: &CrushMap, curve: &[RockEdgePoint], view: &View) -> Vec<OutlinedLi
         let strips = map.regions().iter().flat_map(|region| &region.strips);
         let mut stretches: Vec<(f64, f64)> =
             strips.filter(|strip| strip.lower == edge).map(|strip| (strip.from, strip.to)).collect();
-        stretches.sort_by(|one, other| one.0.total_cmp(&other.0));
+        standfast::order::by_number(&mut stretches, |one| one.0);
         let parts: Vec<Polyline> = joined(stretches)
             .into_iter()
             .flat_map(|(from, to)| match edge {

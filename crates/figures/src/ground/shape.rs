@@ -113,7 +113,7 @@ pub(super) fn strips_of(polygon: &[(f64, f64)], view: &View) -> Vec<Strip> {
         let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
         let spanning = edges.filter(|(one, other)| (one.0 < middle) != (other.0 < middle));
         let mut lines: Vec<Curve> = spanning.map(|(one, other)| through(*one, *other)).collect();
-        lines.sort_by(|one, other| one.at(middle).total_cmp(&other.at(middle)));
+        standfast::order::by_number(&mut lines, |one| one.at(middle));
         for pair in lines.chunks_exact(2) {
             strips.push(Strip { from: slab[0], to: slab[1], lower: pair[0], upper: Some(pair[1]) });
         }
@@ -159,7 +159,7 @@ pub(super) fn rest_of(taken: &[&[Strip]]) -> Vec<Strip> {
         let middle = if to.is_finite() { (from + to) / 2.0 } else { 2.0 * from + 1.0 };
         let mut here: Vec<&&Strip> =
             all.iter().filter(|strip| strip.from < middle && middle < strip.to).collect();
-        here.sort_by(|one, other| one.lower.at(middle).total_cmp(&other.lower.at(middle)));
+        standfast::order::by_number(&mut here, |one| one.lower.at(middle));
         let mut lower = Some(Curve::AXIS);
         for strip in here {
             if let Some(lower) = lower.filter(|lower| strip.lower.at(middle) - lower.at(middle) > 1e-9) {

@@ -35,7 +35,7 @@ impl LoadPath {
         let ends = self.stages.iter().flat_map(|stage| [stage.from, stage.to]);
         let at = |other: &f64| (other - factor).abs();
         let mut others: Vec<f64> = ends.chain([1.0]).filter(|other| *other != factor).collect();
-        others.sort_by(|one, other| at(one).total_cmp(&at(other)));
+        standfast::order::by_number(&mut others, at);
         format!("${}$", distinct_digits(factor, &others[..others.len().min(4)]))
     }
 

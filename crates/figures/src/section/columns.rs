@@ -266,7 +266,7 @@ impl Painter<'_> {
         const BESIDE: f64 = 15.0;
         let mut spots = spots;
         let wants = |spot: &Spot| spot.at.1 + spot.lower;
-        spots.sort_by(|one, other| wants(one).total_cmp(&wants(other)));
+        standfast::order::by_number(&mut spots, wants);
         let wanted: Vec<_> = spots.iter().map(|spot| (wants(spot), spot.text.height())).collect();
         let Some(places) = spread(&wanted, -ANYWHERE, ANYWHERE, LINE) else { return start };
         let moved = spots.iter().zip(&places).any(|(spot, y)| (wants(spot) - y).abs() > MOVED);
@@ -353,7 +353,7 @@ impl Painter<'_> {
             (tail.0.min(tip.0) - 2.0 * OFF, tail.0.max(tip.0) + 2.0 * OFF)
         });
         let mut cuts: Vec<_> = labels.chain(arrows).collect();
-        cuts.sort_by(|one, other| one.0.total_cmp(&other.0));
+        standfast::order::by_number(&mut cuts, |one| one.0);
         let (mut at, end) = (from.min(to), from.max(to));
         for (left, right) in cuts {
             if at < left.min(end) {

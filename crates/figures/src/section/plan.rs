@@ -124,7 +124,7 @@ impl Painter<'_> {
             (0..8).map(|eighth| (f64::from(eighth) * std::f64::consts::FRAC_PI_4).sin_cos()).collect();
         let near =
             |way: &(f64, f64)| (way.0 * pushed.0 + way.1 * pushed.1).max(way.0 * along.0 + way.1 * along.1);
-        ways.sort_by(|one, two| near(one).total_cmp(&near(two)));
+        standfast::order::by_number(&mut ways, near);
         let places: Vec<_> =
             ways.iter().map(|way| (centre.0 + 13.0 * way.0, centre.1 + 13.0 * way.1)).collect();
         self.free_label(&letter, &places, INK);

@@ -95,7 +95,7 @@ impl Painter<'_> {
 
     /// Labels in a row from `start` on, up or down; gives where the row ends.
     fn row(&mut self, mut spots: Vec<Spot>, start: f64, way: f64) -> f64 {
-        spots.sort_by(|one, other| one.at.0.total_cmp(&other.at.0));
+        standfast::order::by_number(&mut spots, |one| one.at.0);
         let wanted: Vec<_> = spots.iter().map(|spot| (spot.at.0, spot.text.width)).collect();
         let Some(places) = spread(&wanted, -ANYWHERE, ANYWHERE, WORDS) else { return start };
         let away =

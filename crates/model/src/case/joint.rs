@@ -100,7 +100,7 @@ impl Reader<'_> {
         self.fits_joints(case)?;
         let indices = 0..self.inputs.count(Table::Joint);
         let mut joints = indices.map(|index| self.joint(index, case)).collect::<Result<Vec<_>, Fault>>()?;
-        joints.sort_by(|one, two| one.level().value().total_cmp(&two.level().value()));
+        standfast::order::by_number(&mut joints, |one| one.level().value());
         for pair in joints.windows(2) {
             let [below, above] = [&pair[0], &pair[1]];
             let apart = above.level().value() - below.level().value();

@@ -159,7 +159,7 @@ fn cells(
     let middle = from + (to - from) / 2.0;
     let mut above: Vec<(f64, Curve)> = curves.iter().map(|curve| (curve.at(middle), *curve)).collect();
     above.retain(|(μ, _)| μ.is_finite() && *μ > 0.0);
-    above.sort_by(|one, two| one.0.total_cmp(&two.0));
+    crate::order::by_number(&mut above, |one| one.0);
 
     let mut cells: Vec<Cell> = Vec::new();
     let mut lower = (0.0, Curve::AXIS);

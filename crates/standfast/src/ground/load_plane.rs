@@ -228,7 +228,7 @@ impl GroundLoadPlane {
     fn boundaries(&self, edges: &[LoadEdge], factor: f64) -> Vec<(f64, LoadEdge)> {
         let mut above = self.all_at(edges, factor);
         above.retain(|(mu, _)| *mu > 0.0 && mu.is_finite());
-        above.sort_by(|one, other| one.0.total_cmp(&other.0));
+        crate::order::by_number(&mut above, |one| one.0);
         above.dedup_by(|later, earlier| later.0 - earlier.0 <= SAME * later.0);
         above
     }

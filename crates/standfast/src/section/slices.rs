@@ -80,11 +80,11 @@ fn slice(parts: &[Part], bottom: f64, top: f64, size: f64) -> Result<Slice, Sect
         let mut crossed: Vec<[f64; 3]> = crossed
             .map(|(p, q)| [bottom, middle, top].map(|y| p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x)))
             .collect();
-        crossed.sort_by(|one, two| one[1].total_cmp(&two[1]));
+        crate::order::by_number(&mut crossed, |one| one[1]);
         let pairs = crossed.chunks_exact(2);
         cuts.extend(pairs.map(|pair| Cut { part, left: pair[0], right: pair[1] }));
     }
-    cuts.sort_by(|one, two| one.left[1].total_cmp(&two.left[1]));
+    crate::order::by_number(&mut cuts, |one| one.left[1]);
     for pair in cuts.windows(2) {
         let [one, two] = [&pair[0], &pair[1]];
         let apart = two.left[1] - one.right[1];

@@ -133,7 +133,7 @@ impl Cloud {
     fn of_numbers(&self, problem: &ChanceProblem, worst: &Chances, title: &str) -> Option<Figure> {
         let mut order: Vec<usize> = (0..problem.random().len()).collect();
         if let Some(point) = &worst.design_point {
-            order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+            standfast::order::by_number(&mut order, |one| -point.alpha[*one].abs());
         }
         let [across, up, ref others @ ..] = order[..] else { return None };
         let paper = |i: usize| problem.random()[i].dimension().map_or(("", 1.0), Dimension::on_paper);

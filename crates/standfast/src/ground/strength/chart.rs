@@ -373,7 +373,7 @@ fn cells(
 ) -> Vec<(Mode, CrushStrip)> {
     let mut above: Vec<(f64, CrushEdge)> = curves.iter().map(|curve| (curve.at(middle), *curve)).collect();
     above.retain(|(mu, _)| mu.is_finite() && *mu > 0.0);
-    above.sort_by(|one, two| one.0.total_cmp(&two.0));
+    crate::order::by_number(&mut above, |one| one.0);
     let mut cells: Vec<(Mode, CrushStrip)> = Vec::new();
     let mut lower = (0.0, CrushEdge::Line(Curve::AXIS));
     for next in above.into_iter().map(Some).chain([None]) {
