@@ -16,6 +16,7 @@ which direction of the loads is the worst?                :func:`directions`
 what becomes of it in time: slide, rock, overturn         :func:`simulate`, :func:`spectrum`
 how likely is each mode, if numbers are random            :func:`probability`, :func:`draws`
 how likely is a limit state of my own below zero?         :func:`reliability`
+which factor gives several cases a reliability index?     :func:`calibrate`
 the calculation, to be filed and signed                   :func:`sheet`
 ========================================================  ==================================
 
@@ -28,6 +29,7 @@ from ._answer import Answer
 from ._arrays import Onset, OnsetArrays, classify, onset, symbols
 from ._arrow import ArrowArray, ArrowTable
 from ._assess import Assessment, assess
+from ._calibrate import Calibration, calibrate
 from ._contact import Contact, ContactArrays, contact, contact_conditions
 from ._design import Boundary, Design, Minimum, design
 from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
@@ -55,6 +57,7 @@ __all__ = [
     "ArrowTable",
     "Assessment",
     "Boundary",
+    "Calibration",
     "CaseError",
     "Contact",
     "ContactArrays",
@@ -92,6 +95,7 @@ __all__ = [
     "__version__",
     "assess",
     "assess_table",
+    "calibrate",
     "classify",
     "contact",
     "contact_conditions",
