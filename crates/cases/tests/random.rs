@@ -480,6 +480,62 @@ fn storms_of_a_case_are_sums_over_waves() {
     assert_eq!(sliding.years, 1.0);
 }
 
+/// The same of friction that is a tenth less once the body slips: each wave sets it off where P + μU exceeds μW', and slides it by P + μ_k U less μ_k W', which is followed in small
+/// steps of time here. The published formula takes one friction.
+#[test]
+fn storms_of_two_frictions() {
+    let text = goda("friction = { uniform = { from = 0.35, to = 0.55 } }")
+        .replace("friction = 0.6", "friction = 0.6\nkinetic_friction = 0.54")
+        .replace("[wave]", "[added_mass]\nmass = \"56.4 t/m\"\n\n[storm]\nwaves = 200\ntau0 = 1.5\n\n[wave]");
+    let effort = Effort { points: 1 << 16, ..Effort::default() };
+    let sliding = answer(&text, ChanceRequest { effort, ..ChanceRequest::default() }).sliding.unwrap();
+    let case = file(&text).case().unwrap();
+    let waves = case.goda().unwrap();
+    let (significant, largest) = (waves.goda.h_13, waves.goda.h_max);
+    let level = |h: f64| (1.416 * h / significant).powi(2);
+    let all = 1.0 - (-level(largest)).exp();
+    let (weight, mass, τ) = (2318640.0, 402_450.0, 1.5);
+    let slide = |goda: &standfast::wave::Goda, μ: f64| {
+        const STEPS: u32 = 4000;
+        let dt = τ / f64::from(STEPS);
+        let (mut v, mut x, mut moves) = (0.0f64, 0.0, false);
+        for i in 0..4 * STEPS {
+            let t = (f64::from(i) + 0.5) * dt;
+            let share = (1.0 - (2.0 * t / τ - 1.0).abs()).max(0.0);
+            moves |= t < τ && share * (goda.force + μ * goda.uplift) > μ * weight;
+            let slips = 0.9 * μ;
+            let force = share * (goda.force + slips * goda.uplift) - slips * weight;
+            v = if moves { (v + force / mass * dt).max(0.0) } else { 0.0 };
+            moves &= v > 0.0;
+            x += v * dt;
+        }
+        x
+    };
+    let (heights, frictions) = (120, 40);
+    let mut mean = 0.0;
+    for i in 0..heights {
+        let h = significant + (largest - significant) * (f64::from(i) + 0.5) / f64::from(heights);
+        let half = 0.5 * (largest - significant) / f64::from(heights);
+        let chance = ((-level(h - half)).exp() - (-level(h + half)).exp()) / all;
+        let at_wall = standfast::wave::Heights::Local { significant, maximum: h };
+        let goda = standfast::wave::goda(&waves.sea, &at_wall, &waves.section, &waves.choices).unwrap();
+        for j in 0..frictions {
+            let μ = 0.35 + 0.2 * (f64::from(j) + 0.5) / f64::from(frictions);
+            if goda.force + μ * goda.uplift > μ * weight {
+                mean += chance * slide(&goda, μ) / f64::from(frictions);
+            }
+        }
+    }
+    assert_close("mean", sliding.mean.value, 200.0 * mean, 1e-2);
+    let one = answer(
+        &text.replace("kinetic_friction = 0.54\n", ""),
+        ChanceRequest { effort, ..ChanceRequest::default() },
+    );
+    assert!(sliding.mean.value > 1.2 * one.sliding.unwrap().mean.value, "{:?}", sliding.mean);
+    let refused = refused_of(&text.replace("tau0 = 1.5", "tau0 = 1.5\npulse = \"shimosako\""));
+    assert!(refused.to_string().contains("pulse = \"shimosako\" takes one friction"), "{refused}");
+}
+
 /// A caisson on so much friction that waves turn it rather than slide it: those are counted apart.
 #[test]
 fn waves_that_begin_a_rotation_are_no_slides() {

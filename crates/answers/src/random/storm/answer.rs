@@ -102,7 +102,7 @@ pub enum SlidingError {
     },
     /// Two frictions.
     #[error(
-        "friction to slip is {kinetic} and to stick {friction}: the slide of a wave's pulse takes one friction"
+        "friction to slip is {kinetic} and to stick {friction}: pulse = \"shimosako\" takes one friction"
     )]
     TwoFrictions {
         /// To slip.

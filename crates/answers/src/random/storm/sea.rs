@@ -8,12 +8,13 @@ use standfast_probability::sums::OtherEvent;
 use standfast_watch::Portion;
 
 use super::answer::{Sliding, SlidingError, sliding};
+use super::pulse::slide_from;
 use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level, rotation};
 use crate::case::{Acting, Case, GodaWaves};
 use crate::random::answer::ChanceRequest;
 use crate::random::mechanics::Components;
 use crate::random::problem::ChanceProblem;
-use crate::random::quantity::Bias;
+use crate::random::quantity::{Bias, RandomInput};
 
 /// The storms of a case with random numbers.
 pub(in crate::random) struct SeaStorm<'a> {
@@ -109,13 +110,18 @@ impl Slide for GodaWave {
         let goda = self.goda(height);
         let (still, all) = (self.still, self.wrench(&goda));
         let (x, p) = (all.x - still.x, all.p - still.p);
-        let μ = self.block.mu_k;
         // To the left: F_S = −x − μp of the wave, and R = X + μP of everything else.
-        let resistance = still.x + μ * still.p;
-        let thrust = -x - μ * p;
-        let acceleration = resistance * self.gravity / self.block.m_x;
+        let against = |μ: f64| (-x - μ * p, still.x + μ * still.p);
+        let Block { mu_s, mu_k, m_x, .. } = self.block;
+        let (thrust, resistance) = against(mu_k);
         let tau0 = self.duration(height, &goda);
-        acceleration * tau0 * tau0 * self.pulse.slide(thrust / resistance)
+        let slide = if mu_s == mu_k {
+            self.pulse.slide(thrust / resistance)
+        } else {
+            let (thrust_sticking, sticks) = against(mu_s);
+            slide_from(thrust / resistance, sticks / thrust_sticking)
+        };
+        resistance * self.gravity / m_x * tau0 * tau0 * slide
     }
 
     fn follows(&self) -> bool {
@@ -162,7 +168,8 @@ pub(in crate::random) fn of_case(
         return Err(SlidingError::BiasOfMoment { name: input.name.clone() });
     }
     let (kinetic, friction) = (case.kinetic_friction, case.friction);
-    if kinetic != friction {
+    let is_random = problem.random().iter().any(RandomInput::is_kinetic_friction);
+    if storm.pulse == Pulse::Shimosako && (is_random || kinetic != friction) {
         return Err(SlidingError::TwoFrictions { kinetic, friction });
     }
     let plain = Life { years: 1.0, yearly: vec![false; problem.random().len()], events: None, clock: None };
