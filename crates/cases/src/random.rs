@@ -11,7 +11,7 @@ use standfast::InputError;
 use crate::document::{AnswerFigure, Document};
 use crate::summary::Summary;
 pub use standfast_answers::random::*;
-pub use summary::{after_rest, over_life, period, period_of, words as criterion_words};
+pub use summary::{after_rest, of_row, over_life, period, period_of, words as criterion_words};
 
 /// JSON as `docs/probability.schema.json` has it: of the least safe set of loads, and behind it of the others.
 impl Document for Probability {

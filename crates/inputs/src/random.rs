@@ -323,6 +323,18 @@ pub type ReadResult<T> = Result<T, (RandomProblem, Span<usize>)>;
 
 type Item<'a> = Spanned<DeValue<'a>>;
 
+/// What a `[random]` table has beside names with laws.
+const OPTIONS: [&str; 8] = [
+    "years",
+    "survived",
+    "target_beta",
+    "sensitivities",
+    "events_per_year",
+    "rise_per_year",
+    "bodies",
+    "records",
+];
+
 /// Reads a `[random]` table.
 pub fn read(item: &Item<'_>) -> ReadResult<Random> {
     let table = table(item, "`random`", "a table")?;
@@ -355,6 +367,11 @@ pub fn read(item: &Item<'_>) -> ReadResult<Random> {
             "bodies" => random.lifetime.bodies = Some(bodies(value)?),
             "correlation" => correlations = Some(value),
             "records" => random.records = records(value)?,
+            _ if value.get_ref().as_table().is_none() && closest(name, OPTIONS).is_some() => {
+                let (what, name) = ("[random]".to_owned(), name.to_owned());
+                let allowed = OPTIONS.map(str::to_owned).to_vec();
+                return Err((RandomProblem::Name { what, name, allowed }, value.span()));
+            }
             _ => laws::numbers(name.to_owned(), value, &mut random.named)?,
         }
     }

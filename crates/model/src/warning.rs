@@ -15,7 +15,7 @@ use crate::units::Extent;
 pub(crate) use search::SHAKING;
 use search::{
     BEARING, BUOYANT, DENSITY, FRICTION, GRAVITY, GYRATION, HEIGHTS, OBJECT, OBLIQUE, SLENDER, STIFFNESS,
-    STRENGTH, SUBMERGED, UNIT_WEIGHT, WATER,
+    STRENGTH, SUBMERGED, UNDRAINED, UNIT_WEIGHT, WATER,
 };
 
 /// A warning about a case.
@@ -823,6 +823,7 @@ impl fmt::Display for Warning {
             Warning::UnusualGround { id, value } => {
                 let (usual, unit, scale, plain) = match id.key {
                     Key::Strength => (STRENGTH, "kPa", 1e3, "Pa"),
+                    Key::UndrainedStrength => (UNDRAINED, "kPa", 1e3, "Pa"),
                     Key::UnitWeight | Key::SoilWeight | Key::SaturatedWeight | Key::DryWeight => {
                         (UNIT_WEIGHT, "kN/m³", 1e3, "N/m³")
                     }

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
     ChanceRequest, Chances, DesignValues, Estimate, Happening, Method, Probability, ProbabilityError, Random,
-    Rate, after_rest, criterion_words, over_life, period, period_of,
+    Rate, after_rest, criterion_words, of_row, over_life, period, period_of,
 };
 use standfast_cases::{Bound, CaseFile, Portion};
 
@@ -72,10 +72,16 @@ fn laws(random: &Random) -> Markup {
                     tr {
                         td { code { (named.name) } }
                         td { (named.law_words()) }
-                        td { (match named.every { Rate::Life => "once", Rate::Year => "each year", Rate::Event => "in each event" }) }
+                        td {
+                            (match named.every { Rate::Life => "once", Rate::Year => "each year", Rate::Event => "in each event" })
+                            @if named.own { ", for each body" }
+                        }
                     }
                 }
             }
+        }
+        @if let Some(rise) = &random.rise {
+            p { "The water level rises by " (rise.value) " (" code { (rise.name) } ") in each year of the life; a year has that of its middle." }
         }
         @if random.correlations.is_empty() && random.named.len() > 1 {
             p { "No correlation is given: the inputs are independent of each other." }
@@ -269,6 +275,9 @@ fn together(answer: &Probability) -> Markup {
                 "Under any of these " (joined.count) ", all with the same numbers drawn, the body does not stay at rest " (period(answer)) ": "
                 (chance(joined.not_rest)) " (" (interval(joined.not_rest)) ")."
             }
+        }
+        @for sentence in answer.situations.first().and_then(|worst| of_row(answer, worst)).unwrap_or_default() {
+            p { (sentence) }
         }
         @for check in &answer.criteria {
             @let (value, bound) = criterion_words(check);

@@ -87,7 +87,7 @@ bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U`
 | `target_beta` | the index for which design values and partial factors are told, by EN 1990, Annex C | `target_beta = 3.8` |
 | `sensitivities` | true: how the probability changes with mean and deviation of each law | `sensitivities = true` |
 | `survived` | years through which the body stayed at rest: what that says of the years to come | `survived = 30` |
-| `rise_per_year` | by how much the water level rises in each year of a life: each year has its own | `rise_per_year = "5 mm"` |
+| `rise_per_year` | by how much the water level rises in each year of a life: each year has that of its middle | `rise_per_year = "5 mm"` |
 | `bodies` | bodies alike in a row, of which any may move: caissons of a breakwater | `bodies = 20` |
 | `[[random.correlation]]` | of a pair, by `rank` (Spearman), `linear` (of the values) or `normal` (of the normals behind them); of several a matrix | `between = ["bias.P", "bias.U"]`, `rank = 0.6`; `between = ["a", "b", "c"]`, `rank = [[1, 0.6, 0], [0.6, 1, 0.2], [0, 0.2, 1]]` |
 

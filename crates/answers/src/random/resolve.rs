@@ -104,7 +104,7 @@ impl Resolve<'_> {
         let years = random.lifetime.years.ok_or_else(|| {
             refused("`rise_per_year` rises over the `years` of a life, and nothing says how many there are")
         })?;
-        let named = RandomEntry::without_law(parameter.name.clone(), parameter.span.clone());
+        let named = RandomEntry::without_law("[random]".to_owned(), parameter.span.clone());
         let rise = years * self.value(&named, &Quantity::Key(level.clone()), parameter)?;
         let law = Law::uniform(rise.min(0.0), rise.max(0.0))
             .map_err(|_| refused("`rise_per_year` is 0; expected a rise, or a fall below zero"))?;

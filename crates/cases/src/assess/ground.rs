@@ -35,7 +35,7 @@ const SHORT: &str = of_soil!(
     "The formulas hold for level, homogeneous, drained ground; the base of the given length has shape factors."
 );
 
-const CLAY: &str = "The formula holds for level, homogeneous clay that does not drain. Left out: depth of the base, layers, loss of strength under cycles of load, \
+const CLAY: &str = "Below a B'c_u/|X| of 1 the body slides within the clay, and R is 0; SF_sliding is that of friction on the base alone. The formula holds for level, homogeneous clay that does not drain. Left out: depth of the base, layers, loss of strength under cycles of load, \
     and what the clay becomes as it drains: ask for that with its angle of friction.";
 
 const ENVELOPE: &str = "The resistance of the whole base is given by the user. Butterfield and Gottardi's envelope tells how much of it is left under a force that is inclined \
@@ -82,6 +82,14 @@ pub fn left_out(case: &Case) -> Vec<&'static str> {
         notes.push(IN_TIME);
     }
     notes
+}
+
+/// c_u of clay that does not drain, Pa.
+fn clay(ground: &BaseResponse) -> Option<f64> {
+    match ground.limit {
+        Some(Limit::Ground(soil)) => soil.undrained_strength(),
+        _ => None,
+    }
 }
 
 /// Contact state of an elastic base, in words.
@@ -171,6 +179,11 @@ fn reaction(assessed: &Assessed, ground: &BaseResponse) -> Vec<Vec<String>> {
         let pressure = reaction.effective_pressure();
         let pressure = if pressure.is_finite() { output.pressure(pressure) } else { "none".to_owned() };
         rows.push(row!["pressure on it", "V/B'", pressure]);
+    }
+    if let (Some(strength), Some(reaction)) = (clay(ground), &ground.reaction) {
+        let factor = reaction.effective_width() * strength / reaction.x().abs();
+        let factor = if factor.is_finite() { output.factor(factor) } else { "no push".to_owned() };
+        rows.push(row!["sliding in the clay", "B'c_u/|X|", factor]);
     }
     if let Some(resistance) = ground.resistance {
         rows.push(row!["resistance", "R", assessed.output.force(resistance)]);

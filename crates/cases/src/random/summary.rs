@@ -127,7 +127,7 @@ pub fn after_rest(life: &LifeChances) -> Option<String> {
 }
 
 /// How far bodies of a row have things in common, in sentences.
-pub(super) fn of_row(answer: &Probability, worst: &Chances) -> Option<Vec<String>> {
+pub fn of_row(answer: &Probability, worst: &Chances) -> Option<Vec<String>> {
     let row = answer.row?;
     let own = answer.random.iter().filter(|number| number.own).map(|number| number.name.clone());
     let own: Vec<String> = own.collect();
@@ -150,8 +150,9 @@ pub(super) fn of_row(answer: &Probability, worst: &Chances) -> Option<Vec<String
     );
     let of_life = row.life.zip(worst.life.as_ref().filter(|_| answer.joined.is_none()));
     let life = of_life.map(|(any, life)| {
-        let stood =
-            life.stood.map_or(String::new(), |stood| format!(", after {} at rest", years(stood.years)));
+        let stood = life
+            .stood
+            .map_or(String::new(), |stood| format!(", after {} at rest, all of them", years(stood.years)));
         format!("Over {}{stood}: {}.", years(life.years), bounds(any, life.ahead().value))
     });
     Some(std::iter::once(event).chain(life).collect())
@@ -170,6 +171,7 @@ fn moves(answer: &Probability, worst: &Chances) -> String {
     let most = parts.first().filter(|(_, e)| e.value >= NEARLY_ALL * worst.not_rest.value && e.value > 0.0);
     let goes = most.map_or(String::new(), |(mode, _)| match mode {
         Happening::First(_) => format!(" Then {}.", super::text::words(answer, *mode)),
+        Happening::NoMode | Happening::NotABody => String::new(),
         _ => format!(" It then {}.", super::text::words(answer, *mode)),
     });
     let life = worst.life.as_ref().map_or(String::new(), |life| {
@@ -180,8 +182,12 @@ fn moves(answer: &Probability, worst: &Chances) -> String {
     });
     let row = answer.row.map_or(String::new(), |row| {
         let of_life = row.life.zip(worst.life.as_ref());
-        let life = of_life
-            .map_or(String::new(), |(any, life)| format!(", and {} over {}", known(any), years(life.years)));
+        let life = of_life.map_or(String::new(), |(any, life)| {
+            let stood = life.stood.map_or(String::new(), |stood| {
+                format!(" after {} in which all of them rested", years(stood.years))
+            });
+            format!(", and {} over {}{stood}", known(any), years(life.years))
+        });
         format!(" For any of {} in a row it is {} {}{life}.", row.bodies, known(row.not_rest), period(answer))
     });
     let impossible =

@@ -259,6 +259,12 @@ fn of_row(answer: &Probability, worst: &Chances) -> String {
         return String::new();
     };
     let mut text = "\nAny body of the row\n".to_owned() + &paragraphs(&sentences);
+    if answer.sliding.is_some() {
+        text += &paragraph(
+            "Under the whole H_max of each year; the slides of waves above are those of one body.",
+            2,
+        );
+    }
     if answer.row.is_some_and(|row| !row.precise) {
         text += &paragraph(&imprecise(answer), 2);
     }
@@ -442,7 +448,13 @@ fn slopes(answer: &Probability, chances: &Chances) -> String {
         format!(" The {what} of {name} does most: 1 % more of it changes P by {} %.", significant(change, 2))
     });
     format!("\n{}", columns(&rows, 0, &[1, 2, 3, 4]))
-        + &paragraph(&format!("P is that the body does not rest.{most}"), 2)
+        + &paragraph(
+            &format!(
+                "P is that the body does not rest {}; the mean changes with the deviation kept, and the other way round.{most}",
+                period(answer)
+            ),
+            2,
+        )
 }
 
 /// Table of the points at which each mode is nearest to the medians, if that is asked for.

@@ -31,7 +31,7 @@
 //!
 //! | symbol | identifier | unit |
 //! |---|---|---|
-//! | c_u, q | `undrained_strength`, `surcharge` | Pa; q is total |
+//! | c_u, q | `undrained_strength`, `surcharge` | Pa; q beside the base, less the water where P is less buoyancy |
 //! | φ, c' | `friction_angle_deg`, `cohesion` | degrees, Pa |
 //! | γ' | `unit_weight` | N/m³, effective: under water less that of water |
 //! | q' | `surcharge` | Pa, effective, beside the base |
@@ -363,7 +363,7 @@ impl Ground {
         }))
     }
 
-    /// Ground with an effective pressure of ground beside the base, q' (Pa), of clay that does not drain the total one. It means nothing to an envelope, which is returned as it is.
+    /// Ground with an effective pressure of ground beside the base, q' (Pa). It means nothing to an envelope, which is returned as it is.
     ///
     /// # Errors
     /// If it is negative or not finite.

@@ -80,7 +80,7 @@ impl Sheet<'_> {
         }
         if let Some(strength) = self.soil().and_then(|ground| ground.undrained_strength()) {
             steps.know("c_u", strength, KILOPASCAL);
-            steps.know("q", self.given(Key::Surcharge), KILOPASCAL);
+            steps.know("q'", self.given(Key::Surcharge), KILOPASCAL);
             return;
         }
         match self.soil().and_then(|ground| ground.factors()) {
@@ -259,7 +259,7 @@ impl Sheet<'_> {
             steps.add("Shape factor", law, [&s_c, &formula], 1.0 + 0.2 * shape.share.1, NONE, "");
             of_strength = format!("(π + 2) c_u {s_c} {i_c}");
         }
-        let besides = if self.given(Key::Surcharge) > 0.0 { " + q" } else { "" };
+        let besides = if self.given(Key::Surcharge) > 0.0 { " + q'" } else { "" };
         let formula = format!("{width}{} ({of_strength}{besides}){}", self.long, self.divided());
         let about = match at.of {
             "" => {
