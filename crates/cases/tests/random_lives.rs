@@ -260,6 +260,21 @@ fn water_that_rises_lifts_more_each_year() {
         let error = try_answer(&changed).expect_err(&changed);
         assert!(error.to_string().contains(expected), "{error}");
     }
+    // Part of a year is integrated as it is; a level that a combination sets, or that is drawn beside the one that rises, is refused.
+    let part = try_answer(&BLOCK.replace("years = 40", "years = 0.5")).unwrap();
+    assert!(life(&part) > 0.0 && life(&part) < 0.01, "{}", life(&part));
+    let set = BLOCK.replace(
+        "[random]",
+        "[[combination]]\nname = \"C\"\nfactors = { push = 1 }\nset = { \"water.level\" = 2 }\n[random]",
+    );
+    let sides = BLOCK.replace("level = 2", "left = 2\nright = 2.2")
+        + "water.right = { normal = { mean = 2.2, sd = 0.001 } }\n";
+    for (changed, expected) in
+        [(set, "water.level"), (sides, "make `water_level` random in place of `water.right`")]
+    {
+        let error = try_answer(&changed).expect_err(&changed);
+        assert!(error.to_string().contains(expected), "{error}");
+    }
     let point =
         try_answer(&format!("{LOW}years = 9\nrise_per_year = 0.1\nk = {{ normal = {{ sd = 0.05 }} }}\n"))
             .unwrap_err();

@@ -185,6 +185,8 @@ fn what_makes_no_row_is_refused() {
         let error = try_answer(&text).expect_err(&text);
         assert!(error.to_string().contains(expected), "{random}\n{error}");
     }
+    let stood = try_answer(&format!("{POINT}bodies = 3\nsurvived = 9\n{OWN}{k}")).unwrap_err();
+    assert!(stood.to_string().contains("nothing says how many years it has"), "{stood}");
     let text = format!(
         "{BLOCK}[criteria]\np_any = 0.1\n[random]\nfriction = {{ normal = {{ mean = 0.5, sd = 0.05 }} }}\n"
     );

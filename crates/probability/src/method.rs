@@ -157,7 +157,7 @@ pub fn integral_or(
 }
 
 /// Integrals with their errors as intervals.
-fn estimates(integrated: &Integrated) -> Sampled {
+pub fn estimates(integrated: &Integrated) -> Sampled {
     let with = |(value, error): (&f64, &f64)| {
         let value = value.clamp(0.0, 1.0);
         Estimate { value, low: (value - error).max(0.0), high: (value + error).min(1.0) }

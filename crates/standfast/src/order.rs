@@ -3,7 +3,7 @@
 //! Lists of many kinds are put in order by a number. A sort of numbers with their places is compiled once for all of them, where one that compares
 //! the things themselves is compiled for each kind.
 
-/// Puts a list in rising order of a number of each; what has the same number keeps its order, and numbers that are none come last.
+/// Puts a list in rising order of a number of each; what has the same number keeps its order.
 ///
 /// ```
 /// let mut joints = [("crest", 9.0), ("toe", 0.0), ("berm", 3.5)];

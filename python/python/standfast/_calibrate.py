@@ -19,6 +19,8 @@ from ._progress import shown
 from ._standfast import StandfastError
 from ._types import Progress
 
+#: Indices beyond it are taken as this: what next to never, or always, happens must not outweigh all others.
+_MOST = 8.0
 #: Steps of the search between two factors.
 _FINE = 200
 
@@ -35,7 +37,7 @@ class Calibration:
         factors: those tried, rising; shape (n,).
         names: of the cases.
         values: the value of ``vary`` by which each case has each factor, as texts with units; shape (cases, n).
-        betas: the index of each case with each factor; shape (cases, n).
+        betas: the index of each case with each factor, from −8 to 8; shape (cases, n). Of a life that of the upper end of the interval of its probability.
         needed: the factor with which each case has the index; NaN where it lies beyond those tried; shape (cases,).
         weights: of the cases, which add up to 1; shape (cases,).
     """
@@ -204,13 +206,13 @@ def _read(case: Case) -> dict[str, Any]:
 
 
 def _number(value: float | str | None) -> float:
-    """An index that may be infinite, or not there at all where everything moves."""
-    return float("-inf") if value is None else float("inf") if isinstance(value, str) else value
+    """An index within what is told; that of what always moves is not there."""
+    return -_MOST if value is None else _MOST if isinstance(value, str) else min(max(value, -_MOST), _MOST)
 
 
 def _index(chance: float) -> float:
-    """−Φ⁻¹, within what a probability of 1e-16 can tell."""
-    return -NormalDist().inv_cdf(min(max(chance, 1e-300), 1 - 1e-16))
+    """−Φ⁻¹, within what is told."""
+    return -NormalDist().inv_cdf(min(max(chance, NormalDist().cdf(-_MOST)), 1 - 1e-16))
 
 
 def _where(tried: NDArray[np.float64], curve: NDArray[np.float64], beta: float) -> float:

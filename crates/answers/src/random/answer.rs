@@ -24,7 +24,6 @@ use super::row::{RowChances, row_of};
 use super::storm::{self, Sliding};
 use super::subject::{ChanceSubject, problems_of};
 use crate::case::{BASE, called};
-use crate::couple::Variable;
 use crate::digits::digits;
 use crate::units::Dimension;
 use standfast_inputs::random::Rate;
@@ -268,7 +267,7 @@ pub struct RandomNumber {
 
 impl RandomNumber {
     pub(super) fn of(input: &RandomInput) -> RandomNumber {
-        let dimension = input.variable().or(input.rise_of()).and_then(Variable::dimension);
+        let dimension = input.dimension();
         RandomNumber {
             name: input.name.clone(),
             words: input.words(),

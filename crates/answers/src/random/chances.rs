@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use standfast_probability::form::{FormPoint, apart, boundary_points, design_point};
 use standfast_probability::integrate::{MOST_DIMENSIONS, Within, integrate_life};
 use standfast_probability::life::{Life, lives};
-use standfast_probability::method::{Found, Method, by, by_known, integral_or, within};
+use standfast_probability::method::{Found, Method, by, by_known, estimates, integral_or, within};
 use standfast_probability::problem::Outcomes;
 use standfast_probability::sample::{Effort, Estimate};
 use standfast_probability::slopes::slopes;
@@ -283,8 +283,14 @@ pub(super) fn over_years<O: Outcomes, D: Outcomes>(
     let is_whole = life.years.fract() == 0.0 || life.events.is_some();
     // A scan for each pair of the others would take minutes.
     if laws.laws().len() <= MOST_DIMENSIONS + usize::from(!yearly.is_scanned()) {
-        // Of part of a year there are no draws that could take the place of the integral.
-        let within = if is_whole { within(effort, yearly.cost(), portion) } else { Within::ALL_DIGITS };
+        if !is_whole {
+            // Of part of a year there are no draws that could take the place of the integral.
+            let integrated = integrate_life(laws, along, sets, life, Within::ALL_DIGITS);
+            let of_part = |_| ProbabilityError::PartOfYear { years: life.years };
+            let sampled = integrated.map(|found| estimates(&found)).map_err(of_part)?;
+            return Ok(Found { method: Method::Integrate, sampled, given_up: false });
+        }
+        let within = within(effort, yearly.cost(), portion);
         let integrated = integrate_life(laws, along, sets, life, within);
         return Ok(integral_or(integrated, effort, || {
             lives(laws, drawn, sets, life, effort.within(portion))

@@ -212,6 +212,6 @@ impl RandomInput {
 
     /// The dimension of its values.
     pub fn dimension(&self) -> Option<Dimension> {
-        self.variable()?.dimension()
+        self.variable().or(self.rise_of())?.dimension()
     }
 }

@@ -120,7 +120,7 @@ impl Explained for ProbabilityError {
             ProbabilityError::NoBody => "give the body, its loads and its [wave]".into(),
             ProbabilityError::TooMany { .. } => "without a method one is chosen that does".into(),
             ProbabilityError::PartOfYear { .. } => {
-                "up to three random numbers are integrated, over any number of years".into()
+                "up to three random numbers of one body are integrated, over any number of years".into()
             }
             ProbabilityError::Situation { .. } => "name one of them".into(),
             ProbabilityError::NoLife => "for example\n[random]\nyears = 50".into(),

@@ -297,7 +297,7 @@ impl ValueRange {
                 let read =
                     |text: &str| variable.read(text, file.inputs()).map_err(|problem| problem.to_string());
                 // The problems as they are, for what is random.
-                let random = problems_of(file, None, None)?;
+                let random = problems_of(file, request.years, None)?;
                 let same =
                     |problem: &ChanceProblem| problem.random().iter().any(|input| input.is_of(&variable));
                 if random.iter().any(same) {
@@ -305,7 +305,7 @@ impl ValueRange {
                 }
                 let at = |value: f64| {
                     let changed = file.varied(vary(file.inputs(), &case, &[(&variable, value)]));
-                    Ok((problems_of(&changed, None, None)?, Some(changed)))
+                    Ok((problems_of(&changed, request.years, None)?, Some(changed)))
                 };
                 let points = self.points(self.values(read)?, (request, portion), at)?;
                 // In the unit that is asked in, or else in that of the file.

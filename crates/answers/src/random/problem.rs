@@ -101,7 +101,8 @@ fn by_chance(case: &Case, acting: Acting, random: &[RandomInput]) -> Result<(), 
         if matches!(change.by, ChangeBy::Material(_) | ChangeBy::Resistance(_)) {
             return Err(Fault::new(Problem::PartialFactor { name: change.name.clone() }, at));
         }
-        if random.iter().any(|input| input.variable().is_some_and(|variable| variable.id() == change.id)) {
+        let is_of = |variable: &Variable| variable.id() == change.id;
+        if random.iter().any(|input| input.variable().or(input.rise_of()).is_some_and(is_of)) {
             return Err(Fault::new(Problem::SetAndRandom { name: change.name.clone() }, at));
         }
     }
@@ -531,7 +532,7 @@ impl ChanceProblem {
             .collect();
         for (input, rise) in self.random.iter().zip(values) {
             let Some(level) = input.rise_of() else { continue };
-            match named.iter_mut().find(|(variable, _)| variable.id() == level.id()) {
+            match named.iter_mut().find(|(variable, _)| *variable == level) {
                 Some((_, drawn)) => *drawn += rise,
                 None => named.push((level, level.value(inputs, case) + rise)),
             }

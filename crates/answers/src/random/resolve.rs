@@ -49,6 +49,19 @@ impl Resolve<'_> {
         }
         if let Some(rise) = &random.rise {
             let (input, law) = self.rise(rise, random)?;
+            let levels = [Key::Level, Key::WaterLeft, Key::WaterRight, Key::BaseDepth, Key::StillWaterLevel];
+            let is_other = |other: &&RandomInput| {
+                other.variable().is_some_and(|variable| {
+                    levels.contains(&variable.id().key) && Some(variable) != input.rise_of()
+                })
+            };
+            if let Some(other) = inputs.iter().find(is_other) {
+                let name = &other.name;
+                let message = format!(
+                    "`rise_per_year` raises the water level: make `water_level` random in place of `{name}`"
+                );
+                return Err((RandomProblem::Other(message), rise.span.clone()));
+            }
             inputs.push(input);
             laws.push(law);
         }

@@ -60,6 +60,13 @@ pub(super) fn row_of(
         Ok(found.estimates[0])
     };
     let survived = problems[0].lifetime().survived;
+    match &life {
+        None if survived.is_some() => return Err(ProbabilityError::NoLife),
+        Some(life) if !life.yearly.contains(&true) => {
+            return Err(ProbabilityError::NothingYearly { years: life.years });
+        }
+        _ => {}
+    }
     let life = life.map(|life| match survived {
         None => over(&life, of_life),
         Some(survived) => after(survived, &life, of_life, over),

@@ -148,12 +148,16 @@ pub fn of_row(answer: &Probability, worst: &Chances) -> Option<Vec<String>> {
         period(answer),
         bounds(row.not_rest, alone)
     );
-    let of_life = row.life.zip(worst.life.as_ref().filter(|_| answer.joined.is_none()));
-    let life = of_life.map(|(any, life)| {
+    let life = row.life.zip(worst.life.as_ref()).map(|(any, life)| {
         let stood = life
             .stood
             .map_or(String::new(), |stood| format!(", after {} at rest, all of them", years(stood.years)));
-        format!("Over {}{stood}: {}.", years(life.years), bounds(any, life.ahead().value))
+        // Of several sets of loads no life of one body is known.
+        let told = match answer.joined {
+            Some(_) => known(any),
+            None => bounds(any, life.ahead().value),
+        };
+        format!("Over {}{stood}: {told}.", years(life.years))
     });
     Some(std::iter::once(event).chain(life).collect())
 }

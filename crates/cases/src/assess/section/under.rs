@@ -13,7 +13,7 @@ const FAILS: &str = "ground fails this way (a sketch)";
 const WOULD_FAIL: &str = "ground would fail this way (a sketch)";
 const PRANDTL: &str = "Dashed: a sketch of how the ground fails, with the angles of Prandtl’s wedge and spiral for φ and the inclination of the \
     load; nothing is calculated of it.";
-const WITHOUT_ANGLE: &str = "Dashed: a sketch of how ground without friction fails, at 45° and along a circle, as the envelope has no angle; \
+const WITHOUT_ANGLE: &str = "Dashed: a sketch of how ground without friction fails, at 45° and along a circle, as neither clay that does not drain nor an envelope has an angle; \
     nothing is calculated of it.";
 
 /// Reaction of the base as the mode under the full load begins; `None` if nothing presses, the resultant misses the base, or the body

@@ -125,7 +125,11 @@ pub fn goda(
     let [significant, maximum] = found.map(|height| at_wall * height);
     Heights::Local { significant, maximum }.check()?;
     let mut goda = pressures(sea, (l0, l), computed, [significant, maximum], section, choices);
-    goda.warnings = WaveWarning::all(sea, heights, section, &goda);
+    let heights = match *heights {
+        Heights::DeepWater(height) => Heights::DeepWater(height * in_deep_water),
+        at_wall => at_wall,
+    };
+    goda.warnings = WaveWarning::all(sea, &heights, section, &goda);
     Ok(goda)
 }
 
