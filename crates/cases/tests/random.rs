@@ -3,7 +3,7 @@
 use standfast::initiation::Chart;
 use standfast::{Mode, Verdict};
 use standfast_cases::random::{
-    ChanceRequest, Chances, Draws, Happening, Method, Probability, ProbabilityError, ValueRange,
+    ChanceRequest, Chances, Draws, Happening, Method, Probability, ProbabilityError, Sliding, ValueRange,
 };
 use standfast_cases::{CaseFile, Document};
 use standfast_probability::normal::below;
@@ -436,43 +436,66 @@ fn few_lives_slide_far() {
     assert_close("waves", sliding.waves.value, 50_000.0 * sliding.wave.value, 1e-12);
 }
 
-/// A caisson under one storm of given sea, with friction alone random: the mean by sums over frictions and heights, each wave by
-/// Goda's formulas for heights at the wall, its mode by the classical factors, its slide by the closed form of a triangular pulse.
-#[test]
-fn storms_of_a_case_are_sums_over_waves() {
-    let text = goda("friction = { uniform = { from = 0.35, to = 0.55 } }");
-    let text = text
-        .replace("[wave]", "[added_mass]\nmass = \"56.4 t/m\"\n\n[storm]\nwaves = 200\ntau0 = 1.5\n\n[wave]");
-    let effort = Effort { points: 1 << 16, ..Effort::default() };
-    let sliding = answer(&text, ChanceRequest { effort, ..ChanceRequest::default() }).sliding.unwrap();
-    let case = standfast_cases::CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
+/// A caisson under one storm of 200 waves of the given sea, on a friction between 0.35 and 0.55, and what else the case has.
+fn in_a_storm() -> String {
+    goda("friction = { uniform = { from = 0.35, to = 0.55 } }")
+        .replace("[wave]", "[added_mass]\nmass = \"56.4 t/m\"\n\n[storm]\nwaves = 200\ntau0 = 1.5\n\n[wave]")
+}
+
+/// Its weight less buoyancy, N/m, its mass with the water that moves along, kg/m, and τ₀, s.
+const IN_A_STORM: (f64, f64, f64) = (2318640.0, 402_450.0, 1.5);
+
+/// The mean over heights and frictions of what a wave does, in so many steps of each: heights by Rayleigh's law from the significant one to the largest, as smaller
+/// waves do not slide it at these frictions; each wave by Goda's formulas for heights at the wall.
+fn mean_of_wave(
+    text: &str,
+    (heights, frictions): (u32, u32),
+    does: impl Fn(&standfast::wave::Goda, f64) -> f64,
+) -> f64 {
+    let case = file(text).case().unwrap();
     let waves = case.goda().unwrap();
     let (significant, largest) = (waves.goda.h_13, waves.goda.h_max);
     let level = |h: f64| (1.416 * h / significant).powi(2);
     let all = 1.0 - (-level(largest)).exp();
-    let (weight, mass, τ) = (2318640.0, 402_450.0, 1.5);
+    let mut mean = 0.0;
+    for i in 0..heights {
+        let h = significant + (largest - significant) * (f64::from(i) + 0.5) / f64::from(heights);
+        let half = 0.5 * (largest - significant) / f64::from(heights);
+        let chance = ((-level(h - half)).exp() - (-level(h + half)).exp()) / all;
+        let at_wall = standfast::wave::Heights::Local { significant, maximum: h };
+        let goda = standfast::wave::goda(&waves.sea, &at_wall, &waves.section, &waves.choices).unwrap();
+        for j in 0..frictions {
+            let μ = 0.35 + 0.2 * (f64::from(j) + 0.5) / f64::from(frictions);
+            mean += chance * does(&goda, μ) / f64::from(frictions);
+        }
+    }
+    mean
+}
+
+fn slid(text: &str) -> Sliding {
+    let effort = Effort { points: 1 << 16, ..Effort::default() };
+    answer(text, ChanceRequest { effort, ..ChanceRequest::default() }).sliding.unwrap()
+}
+
+/// Friction alone is random: the mean by sums over frictions and heights, the mode of each wave by the classical factors, its slide by the closed form of a triangular
+/// pulse.
+#[test]
+fn storms_of_a_case_are_sums_over_waves() {
+    let (weight, mass, τ) = IN_A_STORM;
+    let sliding = slid(&in_a_storm());
     let pulse = |s: f64| match s - 1.0 {
         x if x <= 0.0 => 0.0,
         x if x <= 0.5f64.sqrt() => (0.25 + 2f64.sqrt() / 6.0) * x.powi(3) / (s * s),
         x => x * x / 8.0 - 1.0 / (96.0 * s * s),
     };
-    let (steps, frictions) = (1500, 200);
-    let (mut mean, mut adds) = (0.0, 0.0);
-    // Smaller waves than the significant one do not slide it at these frictions.
-    for i in 0..steps {
-        let h = significant + (largest - significant) * (f64::from(i) + 0.5) / f64::from(steps);
-        let half = 0.5 * (largest - significant) / f64::from(steps);
-        let chance = ((-level(h - half)).exp() - (-level(h + half)).exp()) / all;
-        let heights = standfast::wave::Heights::Local { significant, maximum: h };
-        let goda = standfast::wave::goda(&waves.sea, &heights, &waves.section, &waves.choices).unwrap();
+    let share = |goda: &standfast::wave::Goda, μ: f64| {
         assert!(weight * 7.5 - goda.uplift_moment > goda.force_moment, "no wave turns it");
-        for j in 0..frictions {
-            let μ = 0.35 + 0.2 * (f64::from(j) + 0.5) / f64::from(frictions);
-            let s = (goda.force + μ * goda.uplift) / (μ * weight);
-            mean += chance * pulse(s) * μ * weight * τ * τ / mass / f64::from(frictions);
-            adds += chance * f64::from(u8::from(s > 1.0)) / f64::from(frictions);
-        }
-    }
+        (goda.force + μ * goda.uplift) / (μ * weight)
+    };
+    let steps = (1500, 200);
+    let mean =
+        mean_of_wave(&in_a_storm(), steps, |goda, μ| pulse(share(goda, μ)) * μ * weight * τ * τ / mass);
+    let adds = mean_of_wave(&in_a_storm(), steps, |goda, μ| f64::from(u8::from(share(goda, μ) > 1.0)));
     assert!(mean > 0.0);
     assert_close("mean", sliding.mean.value, 200.0 * mean, 3e-3);
     assert_close("chance", sliding.wave.value, adds, 5e-3);
@@ -484,19 +507,14 @@ fn storms_of_a_case_are_sums_over_waves() {
 /// steps of time here. The published formula takes one friction.
 #[test]
 fn storms_of_two_frictions() {
-    let text = goda("friction = { uniform = { from = 0.35, to = 0.55 } }")
-        .replace("friction = 0.6", "friction = 0.6\nkinetic_friction = 0.54")
-        .replace("[wave]", "[added_mass]\nmass = \"56.4 t/m\"\n\n[storm]\nwaves = 200\ntau0 = 1.5\n\n[wave]");
-    let effort = Effort { points: 1 << 16, ..Effort::default() };
-    let sliding = answer(&text, ChanceRequest { effort, ..ChanceRequest::default() }).sliding.unwrap();
-    let case = file(&text).case().unwrap();
-    let waves = case.goda().unwrap();
-    let (significant, largest) = (waves.goda.h_13, waves.goda.h_max);
-    let level = |h: f64| (1.416 * h / significant).powi(2);
-    let all = 1.0 - (-level(largest)).exp();
-    let (weight, mass, τ) = (2318640.0, 402_450.0, 1.5);
+    let (weight, mass, τ) = IN_A_STORM;
+    let text = in_a_storm().replace("friction = 0.6", "friction = 0.6\nkinetic_friction = 0.54");
+    let sliding = slid(&text);
     let slide = |goda: &standfast::wave::Goda, μ: f64| {
         const STEPS: u32 = 4000;
+        if goda.force + μ * goda.uplift <= μ * weight {
+            return 0.0;
+        }
         let dt = τ / f64::from(STEPS);
         let (mut v, mut x, mut moves) = (0.0f64, 0.0, false);
         for i in 0..4 * STEPS {
@@ -511,27 +529,10 @@ fn storms_of_two_frictions() {
         }
         x
     };
-    let (heights, frictions) = (120, 40);
-    let mut mean = 0.0;
-    for i in 0..heights {
-        let h = significant + (largest - significant) * (f64::from(i) + 0.5) / f64::from(heights);
-        let half = 0.5 * (largest - significant) / f64::from(heights);
-        let chance = ((-level(h - half)).exp() - (-level(h + half)).exp()) / all;
-        let at_wall = standfast::wave::Heights::Local { significant, maximum: h };
-        let goda = standfast::wave::goda(&waves.sea, &at_wall, &waves.section, &waves.choices).unwrap();
-        for j in 0..frictions {
-            let μ = 0.35 + 0.2 * (f64::from(j) + 0.5) / f64::from(frictions);
-            if goda.force + μ * goda.uplift > μ * weight {
-                mean += chance * slide(&goda, μ) / f64::from(frictions);
-            }
-        }
-    }
+    let mean = mean_of_wave(&text, (120, 40), slide);
     assert_close("mean", sliding.mean.value, 200.0 * mean, 1e-2);
-    let one = answer(
-        &text.replace("kinetic_friction = 0.54\n", ""),
-        ChanceRequest { effort, ..ChanceRequest::default() },
-    );
-    assert!(sliding.mean.value > 1.2 * one.sliding.unwrap().mean.value, "{:?}", sliding.mean);
+    let one = slid(&in_a_storm());
+    assert!(sliding.mean.value > 1.2 * one.mean.value, "{:?}", sliding.mean);
     let refused = refused_of(&text.replace("tau0 = 1.5", "tau0 = 1.5\npulse = \"shimosako\""));
     assert!(refused.to_string().contains("pulse = \"shimosako\" takes one friction"), "{refused}");
 }

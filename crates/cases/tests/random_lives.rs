@@ -1,19 +1,18 @@
 //! Lives of events that come by Poisson's law, bodies that have stood, and design values: against closed forms written out here.
 
-use standfast_cases::random::{ChanceRequest, Effort, Probability, ProbabilityError};
-use standfast_cases::{CaseFile, Document};
+mod common;
 
-const LOW: &str = "[point]\ngamma = 0.5\nk_prime = 0\nmu = 0.5\nk = 0.3\n[random]\n";
+use common::{POINT, chances_at_point, mean, try_chances};
+use standfast_cases::random::{ChanceRequest, Probability, ProbabilityError};
+use standfast_cases::{CaseFile, Document};
+use standfast_probability::normal::below;
 
 fn try_answer(text: &str) -> Result<Probability, ProbabilityError> {
-    let effort = Effort { precision: 0.01, ..Effort::default() };
-    let file = CaseFile::parse("case.toml", text)?;
-    Probability::of(&file, ChanceRequest { effort, ..ChanceRequest::default() })
+    try_chances(text, 0.01)
 }
 
 fn answer(random: &str) -> Probability {
-    try_answer(&format!("{LOW}{random}"))
-        .unwrap_or_else(|error| panic!("{random}\n{}", standfast_cases::report(&error)))
+    chances_at_point(random, 0.01)
 }
 
 fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
@@ -161,7 +160,7 @@ fn rates_that_do_not_go_together_are_refused() {
         (format!("target_beta = -1\n{year}"), "`target_beta` is -1; expected a number above zero"),
         (format!("survived = 10\n{year}"), "a life is asked for, and nothing says how many years it has"),
     ] {
-        let text = format!("{LOW}{random}");
+        let text = format!("{POINT}{random}");
         let error = try_answer(&text).expect_err(&text);
         assert!(error.to_string().contains(expected), "{random}\n{error}");
     }
@@ -195,7 +194,7 @@ fn slopes_are_those_of_changed_laws() {
     assert_eq!(json["sensitivities"][1]["name"], "k");
     let plain = answer(&random(0.5, 0.05).replace("sensitivities = true\n", ""));
     assert_eq!(plain.situations[0].slopes, None);
-    let error = try_answer(&format!("{LOW}{}", random(0.5, 0.05).replace("= true", "= 1"))).unwrap_err();
+    let error = try_answer(&format!("{POINT}{}", random(0.5, 0.05).replace("= true", "= 1"))).unwrap_err();
     assert!(error.to_string().contains("`sensitivities` is a number; expected true or false"), "{error}");
 }
 
@@ -207,21 +206,11 @@ fn water_that_rises_lifts_more_each_year() {
                          [[load]]\nname = \"push\"\nforce = 150e3\nelevation = 1\n[random]\nyears = 40\nrise_per_year = \"20 mm\"\n\
                          friction = { normal = { mean = 0.5, sd = 0.05 } }\n\
                          \"load.push.force\" = { normal = { mean = 150e3, sd = 15e3 }, every = \"year\" }\n";
-    let below = |z: f64| {
-        let h = (z.clamp(-9.0, 9.0) + 9.0) / 600.0;
-        let density = |x: f64| (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt();
-        (0..600).map(|i| h * density(-9.0 + (f64::from(i) + 0.5) * h)).sum::<f64>()
-    };
-    let mean = |f: &dyn Fn(f64) -> f64| {
-        let h = 1.0 / 32.0;
-        let density = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
-        (-256..=256).map(|i| f64::from(i) * h).map(|z| h * density(z) * f(z)).sum::<f64>()
-    };
     let slides = |mu: f64, level: f64| 1.0 - below((mu * (600e3 - 60e3 * level) - 150e3) / 15e3);
     let never =
         |mu: f64| (0..40).map(|year| 1.0 - slides(mu, 2.0 + 0.02 * (f64::from(year) + 0.5))).product::<f64>();
-    let life_by_hand = mean(&|z| 1.0 - never(0.5 + 0.05 * z));
-    let year_by_hand = mean(&|z| {
+    let life_by_hand = mean(|z| 1.0 - never(0.5 + 0.05 * z));
+    let year_by_hand = mean(|z| {
         (0..40).map(|year| slides(0.5 + 0.05 * z, 2.0 + 0.02 * (f64::from(year) + 0.5))).sum::<f64>() / 40.0
     });
     let found = try_answer(BLOCK).unwrap();
@@ -235,7 +224,7 @@ fn water_that_rises_lifts_more_each_year() {
     let never = |mu: f64| {
         (0..40).map(|year| 1.0 - with_tide(mu, 2.0 + 0.02 * (f64::from(year) + 0.5))).product::<f64>()
     };
-    let by_hand = mean(&|z| 1.0 - never(0.5 + 0.05 * z));
+    let by_hand = mean(|z| 1.0 - never(0.5 + 0.05 * z));
     let file = CaseFile::parse("case.toml", &format!("{BLOCK}{tide}")).unwrap();
     let tidal = Probability::of(&file, ChanceRequest::default()).unwrap();
     let e = tidal.situations[0].life.as_ref().unwrap().not_rest;
@@ -276,7 +265,7 @@ fn water_that_rises_lifts_more_each_year() {
         assert!(error.to_string().contains(expected), "{error}");
     }
     let point =
-        try_answer(&format!("{LOW}years = 9\nrise_per_year = 0.1\nk = {{ normal = {{ sd = 0.05 }} }}\n"))
+        try_answer(&format!("{POINT}years = 9\nrise_per_year = 0.1\nk = {{ normal = {{ sd = 0.05 }} }}\n"))
             .unwrap_err();
     assert!(point.to_string().contains("the case has none"), "{point}");
 }

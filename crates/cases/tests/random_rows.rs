@@ -1,41 +1,21 @@
 //! Rows of bodies alike: that any of them leaves rest, against integrals written out here.
 
-use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
-use standfast_cases::random::{ChanceRequest, Effort, Probability, ProbabilityError};
-use standfast_cases::{Assessment, CaseFile, Document, Portion};
+mod common;
 
-/// At γ = 0.5 pushed at its middle it slides where k exceeds μ; it does not rock below k = 2.
-const POINT: &str = "[point]\ngamma = 0.5\nk_prime = 0\nmu = 0.5\nk = 0.3\n[random]\n";
+use common::{POINT, chances_at_point, file, mean, try_chances};
+use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
+use standfast_cases::random::{Probability, ProbabilityError};
+use standfast_cases::{Assessment, Document, Portion};
+use standfast_probability::normal::below;
+
 const OWN: &str = "mu = { normal = { mean = 0.5, sd = 0.04 }, each = \"body\" }\n";
 
-fn file(text: &str) -> CaseFile {
-    CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
-}
-
 fn try_answer(text: &str) -> Result<Probability, ProbabilityError> {
-    let effort = Effort { precision: 0.02, ..Effort::default() };
-    let file = CaseFile::parse("case.toml", text)?;
-    Probability::of(&file, ChanceRequest { effort, ..ChanceRequest::default() })
+    try_chances(text, 0.02)
 }
 
 fn answer(random: &str) -> Probability {
-    try_answer(&format!("{POINT}{random}"))
-        .unwrap_or_else(|error| panic!("{random}\n{}", standfast_cases::report(&error)))
-}
-
-/// ∫ φ(z) f(z) dz by the trapezoidal rule.
-fn mean(f: impl Fn(f64) -> f64) -> f64 {
-    let h = 1.0 / 128.0;
-    let density = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
-    (-1152..=1152).map(|i| f64::from(i) * h).map(|z| h * density(z) * f(z)).sum()
-}
-
-/// Φ by its integral.
-fn below(z: f64) -> f64 {
-    let h = (z.max(-9.0) + 9.0) / 4000.0;
-    let density = |x: f64| (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt();
-    let weight = |i: i32| if i == 0 || i == 4000 { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
-    (0..=4000).map(|i| weight(i) * density(-9.0 + f64::from(i) * h)).sum::<f64>() * h / 3.0
+    chances_at_point(random, 0.02)
 }
 
 fn slides(k: f64) -> f64 {

@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 use std::fmt;
 
 use standfast::Quantity;
+use standfast::wave::STEEPEST;
 
 use crate::listed;
 use crate::units::Dimension;
@@ -583,7 +584,7 @@ impl Range {
             Range::Digits => [3.0, 12.0],
             Range::Floor => [-45.0, 45.0],
             Range::Turn => [-360.0, 360.0],
-            Range::Steepness => [0.0, 0.142],
+            Range::Steepness => [0.0, STEEPEST],
         }
     }
 }

@@ -104,7 +104,10 @@ pub fn integrate_life<O: Outcomes>(
     assert!(life.yearly[outcomes.line()], "the line is drawn yearly");
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();
     assert!(life.clock != Some(outcomes.line()), "the line does not go with the time");
-    let frame = Frame::ranked(inputs, outcomes, |input| life.rank(input));
+    let frame = Frame::ranked(inputs, outcomes, |input| {
+        // What lasts, then the clock, then what each year draws.
+        (life.yearly[input], life.clock != Some(input))
+    });
     Nest::of(&frame, sets, Some((once, life)), within)
 }
 

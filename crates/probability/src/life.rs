@@ -7,13 +7,9 @@
 
 use crate::normal;
 use crate::points::Stream;
-use crate::problem::{Frame, Outcomes, RandomVector};
-use crate::sample::{Averages, Sampled, Work};
-
-/// The lives of one scramble that are taken first.
-const FIRST: u64 = 16;
-/// Largest dependence of the line on a yearly input that counts as none.
-pub(crate) const NONE: f64 = 1e-12;
+use crate::problem::{Outcomes, RandomVector};
+use crate::row::{Row, rows};
+use crate::sample::{Sampled, Work};
 
 /// Inputs of which some are drawn anew each year, or in each event, and the others once.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,15 +29,6 @@ impl Life {
     /// The normal of the clock in one of so many years; `None` of events, which come at any time.
     pub(crate) fn clock_at(&self, year: u64, times: u64) -> Option<f64> {
         self.events.is_none().then(|| normal::quantile((year as f64 + 0.5) / times as f64))
-    }
-
-    /// For what an input of a number stays the same: rising where what lasts is first, and the clock before what is drawn in each year.
-    pub(crate) fn rank(&self, input: usize) -> u8 {
-        match (self.yearly[input], self.clock == Some(input)) {
-            (false, _) => 0,
-            (true, true) => 1,
-            (true, false) => 2,
-        }
     }
 
     /// The logarithm of the chance that what has this probability each time is never met.
@@ -102,183 +89,11 @@ pub fn lives<'w, O: Outcomes>(
     life: &Life,
     work: impl Into<Work<'w>>,
 ) -> Sampled {
-    let work @ Work { effort, .. } = work.into();
-    life.check(inputs);
-    let line = outcomes.line();
-    let frame = &Frame::ranked(inputs, outcomes, |input| life.rank(input));
-    let clock = life.clock.and_then(|clock| frame.order().iter().position(|input| *input == clock));
-    let once = frame.order().iter().filter(|input| **input != line && !life.yearly[**input]).count();
-    let others = frame.dimensions();
-    // What is drawn yearly depends on what is drawn once. If that is the line, it has to be drawn before.
-    let line_first = !life.yearly[line] && frame.line_on()[once..others].iter().any(|on| on.abs() > NONE);
-    let drawn = DrawnLives { inputs, outcomes, sets, life };
-    let times = (life.times().ceil() as u64).max(1);
-    // One coordinate at least: a life is no fixed number, even if nothing is drawn once.
-    let dimensions = (once + usize::from(line_first)).max(1);
-    let averages = Averages { dimensions, first: FIRST, cost: times, count: sets.len(), precise: sets.len() };
-    let mut sampled = if line_first {
-        averages.take(work, || drawn.worker(effort.seed))
-    } else {
-        averages.take(work, || {
-            let mut scratch = frame.scratch();
-            let mut point = vec![0.0; others];
-            let mut met: Vec<Vec<(f64, f64)>> = vec![Vec::new(); sets.len()];
-            let mut missed = vec![0.0; sets.len()];
-            move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
-                point[..once].iter_mut().zip(coordinates).for_each(|(u, p)| *u = normal::quantile(*p));
-                let mut stream = stream(effort.seed, scramble, index);
-                met.iter_mut().for_each(Vec::clear);
-                missed.fill(0.0);
-                let times = life.draw_times(&mut stream);
-                for year in 0..times {
-                    point[once..].iter_mut().for_each(|u| *u = normal::quantile(stream.draw()));
-                    if let (Some(place), Some(time)) = (clock, life.clock_at(year, times)) {
-                        point[place] = time;
-                    }
-                    if life.yearly[line] {
-                        frame.evaluate(&point, &mut scratch);
-                        for (missed, set) in missed.iter_mut().zip(sets) {
-                            *missed += libm::log1p(-scratch.of_set(*set).min(1.0));
-                        }
-                    } else {
-                        frame.intervals(&point, &mut scratch, |piece| {
-                            let holds =
-                                sets.iter().zip(&mut met).filter(|(set, _)| *set >> piece.outcome & 1 == 1);
-                            holds.for_each(|(_, met)| met.push((piece.from, piece.to)));
-                        });
-                    }
-                }
-                for ((sum, met), missed) in sums.iter_mut().zip(&mut met).zip(&missed) {
-                    *sum += if life.yearly[line] { -libm::expm1(*missed) } else { measure(met) };
-                }
-            }
-        })
-    };
-    sampled.points *= times;
-    sampled.course.iter_mut().for_each(|(points, _)| *points *= times);
-    sampled.are_probabilities();
-    sampled
+    let alone = Row { bodies: 1, own: vec![false; inputs.laws().len()] };
+    rows(inputs, outcomes, sets, &alone, life, work)
 }
 
 /// The stream of a life. Those of plain draws have small numbers.
 pub(crate) fn stream(seed: u64, scramble: usize, index: u64) -> Stream {
     Stream::new(seed, 1 << 63 | (scramble as u64) << 48 | index)
-}
-
-/// The probability that a standard normal lies in any of these intervals.
-pub(crate) fn measure(intervals: &mut [(f64, f64)]) -> f64 {
-    intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (mut sum, mut reached) = (0.0, f64::NEG_INFINITY);
-    for &(from, to) in intervals.iter() {
-        if to > reached {
-            sum += normal::between(from.max(reached), to);
-            reached = to;
-        }
-    }
-    sum.min(1.0)
-}
-
-/// Lives of which everything is drawn.
-struct DrawnLives<'a, O> {
-    inputs: &'a RandomVector,
-    outcomes: &'a O,
-    sets: &'a [u64],
-    life: &'a Life,
-}
-
-impl<O: Outcomes> DrawnLives<'_, O> {
-    fn worker(&self, seed: u64) -> impl FnMut(usize, u64, &[f64], &mut [f64]) {
-        let mut values = Values::of_life(self.inputs, self.life);
-        move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
-            let mut stream = stream(seed, scramble, index);
-            values.begin(coordinates);
-            let times = self.life.draw_times(&mut stream);
-            let met = (0..times).fold(0, |met, year| {
-                met | self.outcomes.at(values.of_year(self.life.clock_at(year, times), &mut stream))
-            });
-            for (sum, set) in sums.iter_mut().zip(self.sets) {
-                *sum += f64::from(u8::from(met & set != 0));
-            }
-        }
-    }
-}
-
-/// Values of all inputs, what is drawn once apart from what is drawn yearly.
-pub(crate) struct Values<'a> {
-    inputs: &'a RandomVector,
-    /// Those that are drawn once, and then the others.
-    order: Vec<usize>,
-    factor: Vec<Vec<f64>>,
-    once: usize,
-    /// The place of what goes with the time.
-    clock: Option<usize>,
-    u: Vec<f64>,
-    values: Vec<f64>,
-}
-
-impl<'a> Values<'a> {
-    pub(crate) fn new(inputs: &'a RandomVector, yearly: &[bool]) -> Values<'a> {
-        let n = inputs.laws().len();
-        let mut order: Vec<usize> = (0..n).collect();
-        order.sort_by_key(|input| yearly[*input]);
-        let factor = inputs.copula().factor(&order).expect("a copula is positive definite in any order");
-        let once = yearly.iter().filter(|yearly| !**yearly).count();
-        Values { inputs, order, factor, once, clock: None, u: vec![0.0; n], values: vec![0.0; n] }
-    }
-
-    /// Those of a life.
-    pub(crate) fn of_life(inputs: &'a RandomVector, life: &Life) -> Values<'a> {
-        let values = Values::new(inputs, &life.yearly);
-        let clock = life.clock.and_then(|clock| values.order.iter().position(|input| *input == clock));
-        Values { clock, ..values }
-    }
-
-    /// Begins a life with the chances of what is drawn once.
-    pub(crate) fn begin(&mut self, chances: &[f64]) {
-        self.u[..self.once].iter_mut().zip(chances).for_each(|(u, p)| *u = normal::quantile(*p));
-        (0..self.once).for_each(|place| self.set(place));
-    }
-
-    /// Begins a life with the standard normals of what is drawn once.
-    pub(crate) fn begin_at(&mut self, u: &[f64]) {
-        self.u[..self.once].copy_from_slice(&u[..self.once]);
-        (0..self.once).for_each(|place| self.set(place));
-    }
-
-    /// The values as they are.
-    pub(crate) fn all(&self) -> &[f64] {
-        &self.values
-    }
-
-    /// The values of the next year, at a time of the life, by its normal.
-    pub(crate) fn of_year(&mut self, time: Option<f64>, stream: &mut Stream) -> &[f64] {
-        for place in self.once..self.order.len() {
-            self.u[place] = normal::quantile(stream.draw());
-            if self.clock == Some(place) {
-                self.u[place] = time.unwrap_or(self.u[place]);
-            }
-            self.set(place);
-        }
-        &self.values
-    }
-
-    fn set(&mut self, place: usize) {
-        let input = self.order[place];
-        let z = self.factor[place].iter().zip(&self.u[..=place]).map(|(a, u)| a * u).sum();
-        self.values[input] = self.inputs.laws()[input].value(z);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn unions_count_what_is_covered_once() {
-        let whole = (f64::NEG_INFINITY, f64::INFINITY);
-        assert_eq!(measure(&mut [whole, (0.0, 1.0)]), 1.0);
-        let apart = normal::between(-1.0, 0.0) + normal::between(1.0, 2.0);
-        assert!((measure(&mut [(1.0, 1.5), (-1.0, 0.0), (-0.5, -0.2), (1.2, 2.0)]) - apart).abs() < 1e-16);
-        assert_eq!(measure(&mut []), 0.0);
-    }
 }

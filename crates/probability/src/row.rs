@@ -5,7 +5,7 @@
 //! years; over a life some numbers are common and yearly (the sea), others each body's own and drawn once (its friction), and the line is
 //! united over what it stays the same for.
 
-use crate::life::{Life, NONE, measure, stream};
+use crate::life::{Life, stream};
 use crate::normal;
 use crate::points::Stream;
 use crate::problem::{Frame, Outcomes, RandomVector};
@@ -13,6 +13,8 @@ use crate::sample::{Averages, Sampled, Work};
 
 /// The lives of one scramble that are taken first.
 const FIRST: u64 = 16;
+/// Largest dependence on another input that counts as none.
+const NONE: f64 = 1e-12;
 
 /// Bodies alike, each of which has some inputs of its own.
 #[derive(Debug, Clone, PartialEq)]
@@ -119,7 +121,7 @@ pub fn rows<'w, O: Outcomes>(
     assert!(row.clash(inputs, life).is_none(), "what is common is no other for each body");
     let kinds = Kinds { row, life };
     let line = outcomes.line();
-    let frame = &Frame::ranked(inputs, outcomes, |input| kinds.of(input));
+    let frame = &Frame::ranked(inputs, outcomes, |input| (kinds.of(input), life.clock != Some(input)));
     let others = &frame.order()[..frame.dimensions()];
     let of_line = kinds.of(line);
     // What changes while the line stays the same must not depend on it: else the line is drawn, before.
@@ -141,9 +143,7 @@ pub fn rows<'w, O: Outcomes>(
             let mut values = vec![0.0; order.len()];
             move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
                 let mut stream = stream(effort.seed, scramble, index);
-                let times = life.draw_times(&mut stream);
-                drawn.begin(coordinates, bodies, times, &mut stream);
-                drawn.pass(life, times);
+                let times = drawn.begin(life, bodies, coordinates, &mut stream);
                 let mut met = 0;
                 for body in 0..bodies {
                     for year in 0..times {
@@ -162,6 +162,9 @@ pub fn rows<'w, O: Outcomes>(
         })
     } else {
         let alike = if is_one && row.own[line] { row.bodies as f64 } else { 1.0 };
+        let by_year = of_line == Kind::CommonYearly;
+        // What stays the same for one body in one year alone has nothing to be united with.
+        let is_alone = of_line == Kind::OwnYearly || by_year && bodies == 1;
         averages.take(work, || {
             let mut drawn = Drawn::new(others, &kinds);
             let mut scratch = frame.scratch();
@@ -169,12 +172,9 @@ pub fn rows<'w, O: Outcomes>(
             let mut missed = vec![0.0; sets.len()];
             move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
                 let mut stream = stream(effort.seed, scramble, index);
-                let times = life.draw_times(&mut stream);
-                drawn.begin(coordinates, bodies, times, &mut stream);
-                drawn.pass(life, times);
+                let times = drawn.begin(life, bodies, coordinates, &mut stream);
                 missed.fill(0.0);
                 met.iter_mut().for_each(Vec::clear);
-                let by_year = of_line == Kind::CommonYearly;
                 let (outer, inner) = if by_year { (times, bodies) } else { (bodies, times) };
                 let close = |met: &mut Vec<Vec<(f64, f64)>>, missed: &mut Vec<f64>| {
                     for (missed, met) in missed.iter_mut().zip(met) {
@@ -186,7 +186,7 @@ pub fn rows<'w, O: Outcomes>(
                     for other in 0..inner {
                         let (body, year) = if by_year { (other, one) } else { (one, other) };
                         let point = drawn.of(body, year, &mut stream);
-                        if of_line == Kind::OwnYearly {
+                        if is_alone {
                             frame.evaluate(point, &mut scratch);
                             for (missed, set) in missed.iter_mut().zip(sets) {
                                 *missed += libm::log1p(-scratch.of_set(*set).min(1.0));
@@ -237,19 +237,9 @@ impl Drawn {
         Drawn { counts, own: Vec::new(), common: Vec::new(), clock, point: vec![0.0; order.len()] }
     }
 
-    /// Sets what goes with the time.
-    fn pass(&mut self, life: &Life, times: u64) {
-        let [_, _, yearly, _] = self.counts;
-        let Some(place) = self.clock else { return };
-        for year in 0..times {
-            if let Some(time) = life.clock_at(year, times) {
-                self.common[year as usize * yearly + place] = time;
-            }
-        }
-    }
-
-    /// Begins a life with the chances of what is common and drawn once.
-    fn begin(&mut self, chances: &[f64], bodies: u64, times: u64, stream: &mut Stream) {
+    /// Begins a life with the chances of what is common and drawn once, and gives how many years, or events, it has.
+    fn begin(&mut self, life: &Life, bodies: u64, chances: &[f64], stream: &mut Stream) -> u64 {
+        let times = life.draw_times(stream);
         let [once, own, yearly, _] = self.counts;
         self.point[..once].iter_mut().zip(chances).for_each(|(u, p)| *u = normal::quantile(*p));
         let fill = |list: &mut Vec<f64>, count: usize, stream: &mut Stream| {
@@ -258,6 +248,12 @@ impl Drawn {
         };
         fill(&mut self.own, own * bodies as usize, stream);
         fill(&mut self.common, yearly * times as usize, stream);
+        for (year, common) in (0..times).zip(self.common.chunks_exact_mut(yearly.max(1))) {
+            if let (Some(place), Some(time)) = (self.clock, life.clock_at(year, times)) {
+                common[place] = time;
+            }
+        }
+        times
     }
 
     /// The normals of a body in a year.
@@ -273,5 +269,32 @@ impl Drawn {
         part(&self.common, year, yearly);
         each.iter_mut().for_each(|u| *u = normal::quantile(stream.draw()));
         &self.point
+    }
+}
+
+/// The probability that a standard normal lies in any of these intervals.
+fn measure(intervals: &mut [(f64, f64)]) -> f64 {
+    intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut sum, mut reached) = (0.0, f64::NEG_INFINITY);
+    for &(from, to) in intervals.iter() {
+        if to > reached {
+            sum += normal::between(from.max(reached), to);
+            reached = to;
+        }
+    }
+    sum.min(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unions_count_what_is_covered_once() {
+        let whole = (f64::NEG_INFINITY, f64::INFINITY);
+        assert_eq!(measure(&mut [whole, (0.0, 1.0)]), 1.0);
+        let apart = normal::between(-1.0, 0.0) + normal::between(1.0, 2.0);
+        assert!((measure(&mut [(1.0, 1.5), (-1.0, 0.0), (-0.5, -0.2), (1.2, 2.0)]) - apart).abs() < 1e-16);
+        assert_eq!(measure(&mut []), 0.0);
     }
 }

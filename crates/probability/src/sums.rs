@@ -7,7 +7,7 @@
 //! * the *law* of the sum is that of lives drawn year by year. Of a year's events only those that add something are drawn: their
 //!   number is binomial, their amounts those of the tail.
 
-use crate::life::{Life, Values, stream};
+use crate::life::{Life, stream};
 use crate::normal;
 use crate::points::{Sobol, Stream};
 use crate::problem::RandomVector;
@@ -329,6 +329,72 @@ impl Lives {
         let total: f64 = all.iter().sum();
         let worst = (share * all.len() as f64).round() as usize;
         if total > 0.0 { all[..worst].iter().sum::<f64>() / total } else { 0.0 }
+    }
+}
+
+/// Values of all inputs, what is drawn once apart from what is drawn yearly.
+struct Values<'a> {
+    inputs: &'a RandomVector,
+    /// Those that are drawn once, and then the others.
+    order: Vec<usize>,
+    factor: Vec<Vec<f64>>,
+    once: usize,
+    /// The place of what goes with the time.
+    clock: Option<usize>,
+    u: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl<'a> Values<'a> {
+    fn new(inputs: &'a RandomVector, yearly: &[bool]) -> Values<'a> {
+        let n = inputs.laws().len();
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_by_key(|input| yearly[*input]);
+        let factor = inputs.copula().factor(&order).expect("a copula is positive definite in any order");
+        let once = yearly.iter().filter(|yearly| !**yearly).count();
+        Values { inputs, order, factor, once, clock: None, u: vec![0.0; n], values: vec![0.0; n] }
+    }
+
+    /// Those of a life.
+    fn of_life(inputs: &'a RandomVector, life: &Life) -> Values<'a> {
+        let values = Values::new(inputs, &life.yearly);
+        let clock = life.clock.and_then(|clock| values.order.iter().position(|input| *input == clock));
+        Values { clock, ..values }
+    }
+
+    /// Begins a life with the chances of what is drawn once.
+    fn begin(&mut self, chances: &[f64]) {
+        self.u[..self.once].iter_mut().zip(chances).for_each(|(u, p)| *u = normal::quantile(*p));
+        (0..self.once).for_each(|place| self.set(place));
+    }
+
+    /// Begins a life with the standard normals of what is drawn once.
+    fn begin_at(&mut self, u: &[f64]) {
+        self.u[..self.once].copy_from_slice(&u[..self.once]);
+        (0..self.once).for_each(|place| self.set(place));
+    }
+
+    /// The values as they are.
+    fn all(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The values of the next year, at a time of the life, by its normal.
+    fn of_year(&mut self, time: Option<f64>, stream: &mut Stream) -> &[f64] {
+        for place in self.once..self.order.len() {
+            self.u[place] = normal::quantile(stream.draw());
+            if self.clock == Some(place) {
+                self.u[place] = time.unwrap_or(self.u[place]);
+            }
+            self.set(place);
+        }
+        &self.values
+    }
+
+    fn set(&mut self, place: usize) {
+        let input = self.order[place];
+        let z = self.factor[place].iter().zip(&self.u[..=place]).map(|(a, u)| a * u).sum();
+        self.values[input] = self.inputs.laws()[input].value(z);
     }
 }
 

@@ -1,47 +1,19 @@
 //! Lives and sums over many events, against integrals written out here and against events drawn one by one.
 
+mod common;
+
+use common::{Fails, mean};
 use standfast_probability::copula::{Copula, Correlation, CorrelationMeasure};
 use standfast_probability::integrate::{Within, integrate_life};
 use standfast_probability::law::Law;
 use standfast_probability::life::{Life, lives};
 use standfast_probability::normal::below;
 use standfast_probability::points::Stream;
-use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
+use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::Effort;
 use standfast_probability::sums::{EventMeans, Lives, Sums, expected, lives as sums_of_lives};
 
-/// Fails where a resistance, the first input, is below the sum of the others; the line is one of them.
-struct Fails {
-    line: usize,
-}
-
-impl Outcomes for Fails {
-    fn count(&self) -> usize {
-        1
-    }
-    fn line(&self) -> usize {
-        self.line
-    }
-    fn along(&self, values: &[f64], pieces: &mut Pieces) {
-        let loads: f64 = (1..values.len()).filter(|i| *i != self.line).map(|i| values[i]).sum();
-        match self.line {
-            0 => pieces.push(f64::NEG_INFINITY, loads, 0),
-            _ => pieces.push(values[0] - loads, f64::INFINITY, 0),
-        }
-    }
-    fn at(&self, values: &[f64]) -> u64 {
-        u64::from(values[0] < values[1..].iter().sum())
-    }
-}
-
 const YEARS: f64 = 20.0;
-
-/// ∫ φ(z) f(z) dz by the trapezoidal rule; no code of the crate.
-fn mean(f: impl Fn(f64) -> f64) -> f64 {
-    let h = 1.0 / 256.0;
-    let density = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
-    (-2304..=2304).map(|i| f64::from(i) * h).map(|z| h * density(z) * f(z)).sum()
-}
 
 /// A resistance N(3.8, 0.5) for life and yearly loads N(1, 0.4) and N(1.2, 0.3), whose sum is N(2.2, 0.5).
 fn inputs(correlation: f64) -> RandomVector {
@@ -156,6 +128,46 @@ fn what_goes_with_the_time_has_another_value_each_year() {
     let found = expected_mean(&inputs);
     let m = drawn.mean(|life| life.sum);
     assert!((m.value - YEARS * found).abs() < m.high - m.low, "{m:?} {found}");
+}
+
+/// Each year has its own time, the middle of a twentieth of the life: a level above 0.96 of its rise is that of the last year alone, in every life.
+#[test]
+fn each_year_has_its_own_time() {
+    use standfast_probability::row::{Row, rows};
+    let law = |mean| Law::normal(mean, 1e-9).unwrap().into();
+    let laws = vec![law(3.96), Law::uniform(0.0, 1.0).unwrap().into(), law(3.0)];
+    let inputs = RandomVector::independent(laws);
+    let life = Life { years: YEARS, yearly: vec![false, true, true], events: None, clock: Some(1) };
+    let row = Row { bodies: 3, own: vec![true, false, false] };
+    for line in [0, 2] {
+        let of_one = lives(&inputs, &Fails { line }, &[1], &life, &effort(1 << 14)).estimates[0];
+        let of_row = rows(&inputs, &Fails { line }, &[1], &row, &life, &effort(1 << 14)).estimates[0];
+        assert_eq!((of_one.value, of_row.value), (1.0, 1.0), "line {line}");
+        // Events come at any time: 20 on average, each with 0.04.
+        let events = Life { events: Some(1.0), ..life.clone() };
+        let any = lives(&inputs, &Fails { line }, &[1], &events, &effort(1 << 18)).estimates[0];
+        let by_hand = -(-YEARS * 0.04).exp_m1();
+        assert!((any.value - by_hand).abs() < any.high - any.low, "line {line}: {any:?} {by_hand}");
+    }
+    let sums = sums_of_lives(&inputs, &Late, 7, &life, &effort(1 << 14), |_| false);
+    let m = sums.mean(|life| life.sum);
+    assert_eq!((m.value, m.low, m.high), (7.0, 7.0, 7.0));
+}
+
+/// Every event adds 1 in a year whose level is above 0.96.
+struct Late;
+
+impl Sums for Late {
+    type Year = ();
+    fn year(&self, values: &[f64]) -> Option<()> {
+        (values[1] > 0.96).then_some(())
+    }
+    fn of_event(&self, _: &()) -> EventMeans {
+        EventMeans { mean: 1.0, adds: 1.0, other: 0.0 }
+    }
+    fn amount(&self, _: &(), _: f64) -> f64 {
+        1.0
+    }
 }
 
 fn expected_mean(inputs: &RandomVector) -> f64 {

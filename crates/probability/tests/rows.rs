@@ -1,45 +1,17 @@
 //! Rows of bodies alike, against integrals written out here, and against bodies and years drawn one by one.
 
+mod common;
+
+use common::{Fails, mean};
 use standfast_probability::copula::{Copula, Correlation, CorrelationMeasure};
 use standfast_probability::integrate::{Within, integrate_life};
 use standfast_probability::law::Law;
 use standfast_probability::life::{Life, lives};
 use standfast_probability::normal::below;
 use standfast_probability::points::Stream;
-use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
+use standfast_probability::problem::RandomVector;
 use standfast_probability::row::{Row, rows};
 use standfast_probability::sample::{Effort, Estimate};
-
-/// Fails where a resistance, the first input, is below the sum of the others; the line is one of them.
-struct Fails {
-    line: usize,
-}
-
-impl Outcomes for Fails {
-    fn count(&self) -> usize {
-        1
-    }
-    fn line(&self) -> usize {
-        self.line
-    }
-    fn along(&self, values: &[f64], pieces: &mut Pieces) {
-        let loads: f64 = (1..values.len()).filter(|i| *i != self.line).map(|i| values[i]).sum();
-        match self.line {
-            0 => pieces.push(f64::NEG_INFINITY, loads, 0),
-            _ => pieces.push(values[0] - loads, f64::INFINITY, 0),
-        }
-    }
-    fn at(&self, values: &[f64]) -> u64 {
-        u64::from(values[0] < values[1..].iter().sum())
-    }
-}
-
-/// ∫ φ(z) f(z) dz by the trapezoidal rule; no code of the crate.
-fn mean(f: impl Fn(f64) -> f64) -> f64 {
-    let h = 1.0 / 256.0;
-    let density = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
-    (-2304..=2304).map(|i| f64::from(i) * h).map(|z| h * density(z) * f(z)).sum()
-}
 
 /// Means and deviations of a resistance and loads.
 const LAWS: [(f64, f64); 4] = [(3.9, 0.5), (0.3, 0.2), (1.2, 0.4), (0.6, 0.3)];

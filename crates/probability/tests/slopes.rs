@@ -1,32 +1,19 @@
 //! Moments of laws, and how probabilities change with them, against closed forms written out here.
 
+mod common;
+
+use common::Fails;
 use standfast_probability::copula::Copula;
 use standfast_probability::form::design_point;
 use standfast_probability::law::{Distribution, Law, Moments};
 use standfast_probability::method::Method;
 use standfast_probability::normal::{above, below, density, quantile_above};
-use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
+use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::Effort;
 use standfast_probability::slopes::slopes;
 use standfast_watch::Portion;
 
-/// Fails where the first input is below the sum of the others.
-struct Fails;
-
-impl Outcomes for Fails {
-    fn count(&self) -> usize {
-        1
-    }
-    fn line(&self) -> usize {
-        0
-    }
-    fn along(&self, values: &[f64], pieces: &mut Pieces) {
-        pieces.push(f64::NEG_INFINITY, values[1..].iter().sum(), 0);
-    }
-    fn at(&self, values: &[f64]) -> u64 {
-        u64::from(values[0] < values[1..].iter().sum())
-    }
-}
+const FAILS: Fails = Fails { line: 0 };
 
 fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
     assert!((value - expected).abs() <= relative * expected.abs(), "{what}: {value}, {expected}");
@@ -51,12 +38,12 @@ fn slopes_of_normals() {
         let s = deviations.iter().map(|sd| sd * sd).sum::<f64>().sqrt();
         let beta = (means[0] - means[1..n].iter().sum::<f64>()) / s;
         let about: Vec<Vec<f64>> = match method {
-            Method::Importance => vec![design_point(&inputs, &Fails, 1).unwrap().u],
+            Method::Importance => vec![design_point(&inputs, &FAILS, 1).unwrap().u],
             _ => Vec::new(),
         };
         for input in 0..n {
             let work = (Effort { threads: 2, ..Effort::default() }.within(Portion::UNSEEN), 1);
-            let found = slopes((&inputs, &Fails, 1), input, (method, &about, 1 << 17), work).unwrap();
+            let found = slopes((&inputs, &FAILS, 1), input, (method, &about, 1 << 17), work).unwrap();
             let sign = if input == 0 { -1.0 } else { 1.0 };
             let what = format!("{method} {input}");
             assert_close(&what, found.by_mean.unwrap(), sign * density(beta) / s, accuracy);
@@ -75,7 +62,7 @@ fn slopes_of_a_lognormal_are_those_of_its_family() {
     // The other input hardly varies.
     let inputs = RandomVector::independent(vec![law(Law::lognormal(m, s)), law(Law::normal(c, 1e-3))]);
     let work = (Effort::default().within(Portion::UNSEEN), 1);
-    let found = slopes((&inputs, &Fails, 1), 0, (Method::Integrate, &[], 0), work).unwrap();
+    let found = slopes((&inputs, &FAILS, 1), 0, (Method::Integrate, &[], 0), work).unwrap();
     let v2 = (s / m).powi(2);
     let zeta = v2.ln_1p().sqrt();
     let lambda = m.ln() - 0.5 * zeta * zeta;
@@ -124,7 +111,7 @@ fn other_laws_are_moved_and_stretched() {
     for (what, distribution, density) in laws {
         let inputs = RandomVector::independent(vec![law(Law::normal(c, 1e-3)), distribution]);
         let work = (Effort::default().within(Portion::UNSEEN), 1);
-        let found = slopes((&inputs, &Fails, 1), 1, (Method::Integrate, &[], 0), work).unwrap();
+        let found = slopes((&inputs, &FAILS, 1), 1, (Method::Integrate, &[], 0), work).unwrap();
         let Moments { mean, sd } = found.moments;
         assert_close(what, found.by_mean.unwrap(), density, 2e-3);
         assert_close(what, found.by_sd.unwrap(), density * (c - mean) / sd, 4e-3);
@@ -134,7 +121,7 @@ fn other_laws_are_moved_and_stretched() {
     let cut = Distribution::truncated(Law::normal(m, s).unwrap(), 3.0, f64::INFINITY).unwrap();
     let inputs = RandomVector::independent(vec![law(Law::normal(c, 1e-3)), cut]);
     let work = (Effort::default().within(Portion::UNSEEN), 1);
-    let found = slopes((&inputs, &Fails, 1), 1, (Method::Integrate, &[], 0), work).unwrap();
+    let found = slopes((&inputs, &FAILS, 1), 1, (Method::Integrate, &[], 0), work).unwrap();
     let (z, a) = ((c - m) / s, (3.0 - m) / s);
     let by_mean = (density(z) * above(a) - density(a) * above(z)) / (s * above(a).powi(2));
     assert_close("cut", found.by_mean.unwrap(), by_mean, 1e-3);
@@ -144,7 +131,7 @@ fn other_laws_are_moved_and_stretched() {
         Copula::independent(2),
     );
     let work = (Effort::default().within(Portion::UNSEEN), 1);
-    let found = slopes((&steps, &Fails, 1), 1, (Method::Integrate, &[], 0), work).unwrap();
+    let found = slopes((&steps, &FAILS, 1), 1, (Method::Integrate, &[], 0), work).unwrap();
     assert_eq!((found.by_mean, found.by_sd), (None, None));
     assert_close("mean", found.moments.mean, 0.3, 1e-12);
     assert_close("sd", found.moments.sd, 0.21f64.sqrt(), 1e-12);

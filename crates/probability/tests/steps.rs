@@ -1,5 +1,8 @@
 //! Numbers with few values, and mixtures, in every method: against sums over the values and closed forms.
 
+mod common;
+
+use common::Fails;
 use standfast_probability::copula::{Copula, Correlation, CorrelationMeasure};
 use standfast_probability::form;
 use standfast_probability::integrate::{Within, integrate};
@@ -8,28 +11,9 @@ use standfast_probability::normal;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::{self, Effort};
 
-/// Fails where the first number is below the sum of the others.
-struct Fails;
+const FAILS: Fails = Fails { line: 0 };
 
-impl Outcomes for Fails {
-    fn count(&self) -> usize {
-        1
-    }
-
-    fn line(&self) -> usize {
-        0
-    }
-
-    fn along(&self, values: &[f64], pieces: &mut Pieces) {
-        pieces.push(f64::NEG_INFINITY, values[1..].iter().sum(), 0);
-    }
-
-    fn at(&self, values: &[f64]) -> u64 {
-        u64::from(values[0] < values[1..].iter().sum())
-    }
-}
-
-/// The same, scanned.
+/// The limit state, scanned.
 struct Scanned(Distribution);
 
 impl Outcomes for Scanned {
@@ -47,7 +31,7 @@ impl Outcomes for Scanned {
     }
 
     fn at(&self, values: &[f64]) -> u64 {
-        Fails.at(values)
+        FAILS.at(values)
     }
 }
 
@@ -60,7 +44,7 @@ fn discrete(values: &[f64], probabilities: &[f64]) -> Distribution {
 }
 
 fn exact(inputs: &RandomVector) -> f64 {
-    integrate(inputs, &Fails, &[1], Within::ALL_DIGITS).unwrap().probabilities[0]
+    integrate(inputs, &FAILS, &[1], Within::ALL_DIGITS).unwrap().probabilities[0]
 }
 
 fn assert_close(what: &str, found: f64, expected: f64, relative: f64) {
@@ -109,7 +93,7 @@ fn a_sum_over_a_sample() {
         values.iter().map(|load| normal::above((4.0 - load - 0.5) / 0.5f64.hypot(0.3))).sum::<f64>() / 300.0;
     let sample = Law::sample(&values).unwrap().into();
     let inputs = RandomVector::independent(vec![normal_law(4.0, 0.5), normal_law(0.5, 0.3), sample]);
-    let found = integrate(&inputs, &Fails, &[1], Within::ALL_DIGITS).unwrap();
+    let found = integrate(&inputs, &FAILS, &[1], Within::ALL_DIGITS).unwrap();
     assert_close("sample", found.probabilities[0], expected, 1e-12);
     assert!(found.evaluations < 300_000, "{}", found.evaluations);
 }
@@ -147,8 +131,8 @@ fn correlated_with_a_normal_number() {
             .sum();
         assert_close(&format!("{between:?}"), exact(&inputs), expected, 1e-8);
         let effort = Effort { precision: 0.01, floor: 1e-9, points: 1 << 20, ..Effort::default() };
-        let drawn = sample::monte_carlo(&inputs, &Fails, &[1], &effort);
-        for found in [sample::sobol(&inputs, &Fails, &[1], &effort), drawn] {
+        let drawn = sample::monte_carlo(&inputs, &FAILS, &[1], &effort);
+        for found in [sample::sobol(&inputs, &FAILS, &[1], &effort), drawn] {
             let found = found.estimates[0];
             let about = 0.5 * (found.high - found.low);
             assert!((found.value - expected).abs() <= 2.0 * about, "{between:?}: {found:?}, {expected}");
@@ -166,7 +150,7 @@ fn a_mixture_is_the_sum_of_its_parts() {
     let mixture: Distribution = Law::mixture(vec![(0.98, often), (0.02, rare)]).unwrap().into();
     let inputs = RandomVector::independent(vec![normal_law(5.0, 0.5), mixture]);
     assert_close("mixture", exact(&inputs), expected, 1e-10);
-    let point = form::design_point(&inputs, &Fails, 1).unwrap();
+    let point = form::design_point(&inputs, &FAILS, 1).unwrap();
     assert!((point.values[1] - point.values[0]).abs() < 1e-6 && point.values[1] > 3.0, "{point:?}");
     // A gap between two uniform loads is not smoothed over.
     let uniform = |from, to| Distribution::from(Law::uniform(from, to).unwrap());

@@ -53,9 +53,11 @@ impl Lines {
         /// So many steps are found one by one along another number.
         const FEW: usize = 8;
         let is_smooth = |place: usize| laws.laws()[place].breaks_of_normal().len() <= FEW;
+        // What goes with the time is never one: each year has its own.
+        let may_be = |place: usize| among(place) && inputs[place].rise_of().is_none();
         let find = |of: &dyn Fn(&RandomInput) -> bool, smooth: bool| {
             let suits =
-                |place: &usize| among(*place) && of(&inputs[*place]) && (!smooth || is_smooth(*place));
+                |place: &usize| may_be(*place) && of(&inputs[*place]) && (!smooth || is_smooth(*place));
             (0..inputs.len()).find(suits)
         };
         // Over directions a body rests, or not, on arcs that are too narrow to be seen from outside.

@@ -138,8 +138,7 @@ impl ChanceProblem {
             return Err(file.error(plan.not_for("a bias that is random")));
         }
         let lines = Lines::of(&inputs, Some(&case));
-        let is_no_clock = |place: usize| inputs[place].rise_of().is_none();
-        let line = lines.first(&inputs, &laws, is_no_clock).unwrap_or(Line::Scan(0));
+        let line = lines.first(&inputs, &laws, |_| true).unwrap_or(Line::Scan(0));
         let mut unnamed = file.inputs().clone();
         [Key::Title, Key::Note].into_iter().for_each(|key| unnamed.remove(key.into()));
         let is_random = |key| inputs.iter().any(|input| input.is_key(key));
@@ -294,7 +293,7 @@ impl ChanceProblem {
 
     /// Problem along a number that is drawn yearly, as a life needs it; none if there is no such number.
     pub(super) fn along_yearly(&self) -> Option<ChanceProblem> {
-        self.along_one(|input| input.every != Rate::Life && input.rise_of().is_none())
+        self.along_one(|input| input.every != Rate::Life)
     }
 
     /// Problem along a number that each body of a row has of its own; none if there is no such number.

@@ -113,10 +113,13 @@ pub fn goda(
     let l0 = deep_water_wavelength(period, g);
     let l = wavelength(period, h, g);
     let [in_deep_water, at_wall] = choices.height_factors;
-    let (computed, found) = match *heights {
+    let heights = match *heights {
+        Heights::DeepWater(height) => Heights::DeepWater(height * in_deep_water),
+        at_wall => at_wall,
+    };
+    let (computed, found) = match heights {
         Heights::DeepWater(height) => {
-            let height = height * in_deep_water;
-            Heights::DeepWater(height).check()?;
+            heights.check()?;
             let computed = DesignHeights::from_deep_water(sea, height);
             (Some(computed), [computed.significant, computed.maximum])
         }
@@ -125,10 +128,6 @@ pub fn goda(
     let [significant, maximum] = found.map(|height| at_wall * height);
     Heights::Local { significant, maximum }.check()?;
     let mut goda = pressures(sea, (l0, l), computed, [significant, maximum], section, choices);
-    let heights = match *heights {
-        Heights::DeepWater(height) => Heights::DeepWater(height * in_deep_water),
-        at_wall => at_wall,
-    };
     goda.warnings = WaveWarning::all(sea, &heights, section, &goda);
     Ok(goda)
 }
