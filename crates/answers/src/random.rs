@@ -53,6 +53,7 @@ pub use overturn::{Overturning, PeakChances};
 pub use row::RowChances;
 pub use standfast_probability::method::Method;
 pub use standfast_probability::sample::{Effort, Estimate};
+pub use standfast_probability::slopes::Slopes;
 
 pub use storm::{
     Exceedance, FollowedWaves, Pulse, Quantile, RotatingWaves, Sliding, SlidingError, Storm, StormField,

@@ -613,6 +613,9 @@ fn clay_that_does_not_drain() {
     }
     let words = assessment(&text(clay)).text(&AssessmentView::default());
     assert!(words.contains("clay that does not drain, c_u = 60 kPa"), "{words}");
+    // 8.4375 m · 60 kPa over 250 kN/m.
+    let row = words.lines().find(|line| line.contains("sliding in the clay")).expect("a row");
+    assert!(row.contains("B'c_u/|X|") && row.trim_end().ends_with("2.025"), "{row}");
     let soft = assessment(&text("undrained_strength = 60"));
     assert!(soft.case.warnings().iter().any(|warning| warning.name() == "unusual-ground"));
 }

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
     ChanceRequest, Chances, DesignValues, Estimate, Happening, Method, Probability, ProbabilityError, Random,
-    Rate, after_rest, criterion_words, of_row, over_life, period, period_of,
+    RandomNumber, Rate, Slopes, after_rest, criterion_words, of_row, over_life, period, period_of,
 };
 use standfast_cases::{Bound, CaseFile, Portion};
 
@@ -81,7 +81,8 @@ fn laws(random: &Random) -> Markup {
             }
         }
         @if let Some(rise) = &random.rise {
-            p { "The water level rises by " (rise.value) " (" code { (rise.name) } ") in each year of the life; a year has that of its middle." }
+            @let each = if random.lifetime.events_per_year.is_some() { "an event has that of its time" } else { "a year has that of its middle" };
+            p { "The water level rises by " (rise.value) " (" code { (rise.name) } ") in each year of the life; " (each) "." }
         }
         @if random.correlations.is_empty() && random.named.len() > 1 {
             p { "No correlation is given: the inputs are independent of each other." }
@@ -236,6 +237,7 @@ fn matters(answer: &Probability, chances: &Chances) -> Markup {
         }
         p.note { "Known means held at its median." }
         @if let Some(asked) = &chances.design_values { (design_values(answer, asked)) }
+        @if let Some(asked) = &chances.slopes { (slopes(answer, asked)) }
     }
 }
 
@@ -263,6 +265,36 @@ fn design_values(answer: &Probability, asked: &DesignValues) -> Markup {
         p.note {
             "EN 1990, Annex C: F⁻¹(Φ(αβ)), α at the nearest point at which the body does not rest. The factor is the design value over the \
              characteristic of what is unfavourable where it is high, and the characteristic over it of what is so where it is low."
+        }
+    }
+}
+
+/// What means and deviations of the laws do.
+fn slopes(answer: &Probability, asked: &[Option<Slopes>]) -> Markup {
+    let slope = |number: &RandomNumber, slope: Option<f64>| {
+        slope.map_or("none".to_owned(), |slope| number.per_unit(slope))
+    };
+    html! {
+        h3 { "What means and deviations do" }
+        table.numbers data-table="slopes" {
+            thead { tr { th { "Input" } th.n { "Mean" } th.n { "Deviation" } th.n { "∂P/∂mean" } th.n { "∂P/∂deviation" } } }
+            tbody {
+                @for (number, asked) in answer.random.iter().zip(asked) {
+                    @if let Some(Slopes { moments, by_mean, by_sd }) = asked {
+                        tr {
+                            td { code { (number.name) } }
+                            td.n { (number.written(moments.mean)) }
+                            td.n { (number.written(moments.sd)) }
+                            td.n { (slope(number, *by_mean)) }
+                            td.n { (slope(number, *by_sd)) }
+                        }
+                    }
+                }
+            }
+        }
+        p.note {
+            "P is that the body does not rest " (period(answer)) "; the mean changes with the deviation kept, and the other way round. Both are those \
+             before a law is cut."
         }
     }
 }

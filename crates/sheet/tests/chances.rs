@@ -47,6 +47,34 @@ fn the_section_has_the_numbers_of_the_answer() {
     assert!(words.contains("ranks, Spearman's") && words.contains("only approximates the probability above"));
 }
 
+/// What is asked besides stands there too: any of a row, the rise of the water, means and deviations in the units of the page.
+#[test]
+fn what_is_asked_besides_is_on_the_sheet() {
+    let text = "[body]\nwidth = 6\nheight = 5\nmass = 60e3\nfriction = 0.5\n[water]\nlevel = 2\ndensity = 1000\n\
+                [[load]]\nname = \"push\"\nforce = 150e3\nelevation = 1\n[random]\nyears = 40\nrise_per_year = \"20 mm\"\n\
+                bodies = 4\nsensitivities = true\nfriction = { normal = { mean = 0.5, sd = 0.05 }, each = \"body\" }\n\
+                \"load.push.force\" = { normal = { mean = 150e3, sd = 15e3 }, every = \"year\" }\n";
+    let answer =
+        Probability::of(&CaseFile::parse("case.toml", text).unwrap(), ChanceRequest::default()).unwrap();
+    let page = scraper::Html::parse_document(&html(text));
+    let cells = |css: &str| {
+        let selector = scraper::Selector::parse(css).unwrap();
+        page.select(&selector).map(|found| found.text().collect::<String>()).collect::<Vec<_>>().join("|")
+    };
+    assert!(cells("table[data-table=laws] td").contains("once, for each body"), "{}", cells("td"));
+    let words = cells("section p");
+    assert!(words.contains("The water level rises by 20 mm (rise_per_year) in each year"), "{words}");
+    assert!(words.contains("At least one of 4 bodies in a row, each with its own friction"), "{words}");
+    let slopes = answer.situations[0].slopes.as_ref().unwrap();
+    let by_force = slopes[1].unwrap().by_mean.unwrap();
+    let found = cells("table[data-table=slopes] td");
+    let expected = format!(
+        "load.push.force|150 kN/m|15 kN/m|{} per kN/m",
+        standfast_cases::layout::digits(1e3 * by_force)
+    );
+    assert!(found.contains(&expected), "{found}, {expected}");
+}
+
 /// Page 1 says what was asked for with its period, in the words of the top of `standfast probability`; the section has the period at
 /// every table.
 #[test]

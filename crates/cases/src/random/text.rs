@@ -61,7 +61,7 @@ fn static_modes(answer: &Probability) -> String {
         );
         text += &format!("\n{}", paragraph(&words, 0));
     }
-    text
+    text + &answer.situations.first().map_or(String::new(), |worst| of_row(answer, worst))
 }
 
 fn warnings(answer: &Probability) -> String {
@@ -249,15 +249,12 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
             text += &paragraph(&imprecise(answer), 2);
         }
     }
-    text + &of_row(answer, chances)
+    text
 }
 
 /// Any of the bodies of a row, under the worst set of loads or any of them.
 fn of_row(answer: &Probability, worst: &Chances) -> String {
-    let is_worst = answer.situations.first().is_some_and(|first| std::ptr::eq(first, worst));
-    let Some(sentences) = super::summary::of_row(answer, worst).filter(|_| is_worst) else {
-        return String::new();
-    };
+    let Some(sentences) = super::summary::of_row(answer, worst) else { return String::new() };
     let mut text = "\nAny body of the row\n".to_owned() + &paragraphs(&sentences);
     if answer.sliding.is_some() {
         text += &paragraph(
@@ -445,7 +442,14 @@ fn slopes(answer: &Probability, chances: &Chances) -> String {
     let most =
         changes.filter(|(change, ..)| change.is_finite()).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
     let most = most.map_or(String::new(), |(change, what, name)| {
-        format!(" The {what} of {name} does most: 1 % more of it changes P by {} %.", significant(change, 2))
+        // What has no slope may matter more.
+        let has_all = known().count() == all.len()
+            && known().all(|(_, slopes)| slopes.by_mean.is_some() && slopes.by_sd.is_some());
+        let the = if has_all { "The" } else { "Of what has a slope, the" };
+        format!(
+            " {the} {what} of {name} does most: 1 % more of it changes P by {} %.",
+            significant(change, 2)
+        )
     });
     format!("\n{}", columns(&rows, 0, &[1, 2, 3, 4]))
         + &paragraph(
