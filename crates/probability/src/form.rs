@@ -16,6 +16,7 @@
 use crate::normal;
 use crate::points::Sobol;
 use crate::problem::{Frame, Outcomes, RandomVector, Scratch};
+use crate::simplex::simplex;
 
 /// The point of some outcomes that is nearest to the medians, in standard normals.
 #[derive(Debug, Clone, PartialEq)]
@@ -139,7 +140,7 @@ pub fn local_design_points<O: Outcomes>(inputs: &RandomVector, outcomes: &O, whi
             Some(FormPoint {
                 beta,
                 alpha: u.iter().map(|u| if beta > 0.0 { u / beta } else { 0.0 }).collect(),
-                values: inputs.laws().iter().zip(&z).map(|(law, &z)| law.value(z)).collect(),
+                values: inputs.values_of(&z),
                 u,
                 at_change: search.at_change(&v),
                 agreeing,
@@ -199,9 +200,10 @@ impl<O: Outcomes> Search<'_, '_, O> {
     /// The least square that is found from a start, and where; no farther than to where another start has led.
     fn descend(&mut self, start: &[f64], found: &[Candidate]) -> Option<(f64, Vec<f64>)> {
         let mut best = (self.square(start), start.to_vec());
-        let (mut size, mut agreed) = (0.5, 0);
+        let (mut size, mut agreed): (f64, usize) = (0.5, 0);
         for round in 0..60 {
-            let next = self.simplex(&best.1, if round % 2 == 0 { size } else { -size });
+            let signed: f64 = if round % 2 == 0 { size } else { -size };
+            let next = simplex(&mut |v| self.square(v), &best.1, signed);
             let gain = best.0 - next.0;
             let little = gain <= AGREED * best.0.max(1e-300);
             if next.0 < best.0 {
@@ -222,63 +224,6 @@ impl<O: Outcomes> Search<'_, '_, O> {
             size = if little { size * 0.05 } else { size.max(1e-3) };
         }
         best.0.is_finite().then_some(best)
-    }
-
-    /// One round of Nelder and Mead's simplex about a point, with the coefficients of Gao and Han for many dimensions
-    /// (Computational Optimization and Applications 51, 2012).
-    fn simplex(&mut self, about: &[f64], size: f64) -> (f64, Vec<f64>) {
-        let n = about.len();
-        let mut corners: Vec<(f64, Vec<f64>)> = vec![(self.square(about), about.to_vec())];
-        for i in 0..n {
-            let mut corner = about.to_vec();
-            corner[i] += size;
-            corners.push((self.square(&corner), corner));
-        }
-        if n == 0 {
-            return corners.swap_remove(0);
-        }
-        let m = (n as f64).max(2.0);
-        let (expand, contract, shrink) = (1.0 + 2.0 / m, 0.75 - 0.5 / m, 1.0 - 1.0 / m);
-        for _ in 0..400 * n {
-            corners.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let (least, greatest) = (corners[0].0, corners[n].0);
-            let wide =
-                corners[1..].iter().map(|corner| distance(&corner.1, &corners[0].1)).fold(0.0, f64::max);
-            if greatest - least <= 1e-15 * least || wide < 1e-12 {
-                break;
-            }
-            let centre: Vec<f64> =
-                (0..n).map(|i| corners[..n].iter().map(|c| c.1[i]).sum::<f64>() / n as f64).collect();
-            let worst = corners[n].1.clone();
-            let mut along = |step: f64| {
-                let v: Vec<f64> = centre.iter().zip(&worst).map(|(c, w)| c + step * (c - w)).collect();
-                (self.square(&v), v)
-            };
-            let reflected = along(1.0);
-            let taken = if reflected.0 < least {
-                let expanded = along(expand);
-                Some(if expanded.0 < reflected.0 { expanded } else { reflected })
-            } else if reflected.0 < corners[n - 1].0 {
-                Some(reflected)
-            } else {
-                let (contracted, bound) = if reflected.0 < greatest {
-                    (along(contract), reflected.0)
-                } else {
-                    (along(-contract), greatest)
-                };
-                (contracted.0 < bound).then_some(contracted)
-            };
-            if let Some(corner) = taken {
-                corners[n] = corner;
-                continue;
-            }
-            let best = corners[0].1.clone();
-            for corner in &mut corners[1..] {
-                let v: Vec<f64> = best.iter().zip(&corner.1).map(|(b, c)| b + shrink * (c - b)).collect();
-                *corner = (self.square(&v), v);
-            }
-        }
-        corners.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).expect("a simplex has corners")
     }
 
     /// True if the pattern of the pieces changes at a point.

@@ -17,6 +17,7 @@
 //! | [`lognormal`] | the nearest curve, as of counts the likeliest | fragility along a number |
 //! | [`method`] | one of these by its name, or the one that suits | |
 //! | [`limit_state`] | a function whose sign tells, scanned along one input | published problems |
+//! | [`fit`] | the likeliest parameters, and how sure they are | laws of values that were measured |
 //! | [`slopes`] | differences with the same points | what a law’s mean and deviation do |
 //! | [`form`] | nearest points, β and α, without gradients | which input matters |
 //!
@@ -51,9 +52,11 @@
 
 mod beta;
 pub mod copula;
+pub mod fit;
 pub mod form;
 mod fraction;
 mod gamma;
+mod inputs;
 pub mod integrate;
 pub mod law;
 pub mod legendre;
@@ -67,6 +70,7 @@ pub mod problem;
 mod roots;
 pub mod row;
 pub mod sample;
+mod simplex;
 pub mod slopes;
 pub mod sums;
 

@@ -144,10 +144,12 @@ pub fn reliability<G: LimitFunction>(
     function: &G,
     asked: &Asked<'_>,
 ) -> Result<Reliability, LimitStateError> {
-    let mut state = LimitState::new(inputs, function, asked.line.unwrap_or(0));
+    let first = (0..inputs.laws().len()).find(|input| !inputs.is_parent(*input)).unwrap_or(0);
+    let mut state = LimitState::new(inputs, function, asked.line.unwrap_or(first));
     let points = boundary_points(inputs, &state, 1 << BELOW, 1 << NOT_BELOW);
     if let (None, Some(point)) = (asked.line, points.first()) {
-        let weight = |input: &usize| (!inputs.laws()[*input].is_discrete(), point.alpha[*input].abs());
+        let may_be = |input: usize| !inputs.is_parent(input) && !inputs.laws()[input].is_discrete();
+        let weight = |input: &usize| (may_be(*input), point.alpha[*input].abs());
         let first =
             |a: &usize, b: &usize| weight(a).partial_cmp(&weight(b)).unwrap_or(std::cmp::Ordering::Equal);
         let line = (0..point.alpha.len()).max_by(first).unwrap_or(0);
@@ -202,9 +204,18 @@ struct LimitState<'a, G> {
     not_a_number: Mutex<Option<Vec<f64>>>,
 }
 
+/// How far off, in deviations, values that a law depends on are looked at.
+const FAR: f64 = 4.0;
+
 /// The values at which the sign is looked at along an input.
 fn grid(inputs: &RandomVector, line: usize) -> Vec<f64> {
     let mut grid = scanned(&inputs.laws()[line], &[]);
+    // Where those that its law depends on lie far off, it has values elsewhere.
+    for far in [-FAR, FAR].into_iter().filter(|_| !inputs.parents(line).is_empty()) {
+        let far = inputs.values_of(&vec![far; inputs.laws().len()]);
+        grid.extend(scanned(&inputs.law_at(line, &far), &[]));
+    }
+    grid.sort_by(f64::total_cmp);
     grid.retain(|x| x.is_finite());
     grid.dedup();
     grid

@@ -1,46 +1,12 @@
-//! Problems: random inputs, and outcomes that are known along one of them.
+//! Problems: [random inputs](RandomVector), and outcomes that are known along one of them.
 //!
 //! For given values of all inputs but one, each outcome holds on intervals of that one, its *line*. Then no sample of the line
 //! is needed, and no indicator is averaged: given the others, an outcome's probability is that of its intervals, a continuous
 //! function. It is smooth but where its [`Pieces`] change their pattern, which their signature tells.
 
-use crate::copula::Copula;
+pub use crate::inputs::{GivenLaw, RandomVector};
 use crate::law::Distribution;
 use crate::normal;
-
-/// Random inputs: a law for each, and how they are correlated.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RandomVector {
-    laws: Vec<Distribution>,
-    copula: Copula,
-}
-
-impl RandomVector {
-    /// Inputs of these laws, correlated by a copula of as many.
-    ///
-    /// # Panics
-    /// If the copula is of another number of inputs.
-    pub fn new(laws: Vec<Distribution>, copula: Copula) -> RandomVector {
-        assert_eq!(laws.len(), copula.len(), "a copula of as many inputs as there are laws");
-        RandomVector { laws, copula }
-    }
-
-    /// Independent inputs of these laws.
-    pub fn independent(laws: Vec<Distribution>) -> RandomVector {
-        let copula = Copula::independent(laws.len());
-        RandomVector { laws, copula }
-    }
-
-    /// The laws, in order.
-    pub fn laws(&self) -> &[Distribution] {
-        &self.laws
-    }
-
-    /// Correlation of the inputs.
-    pub fn copula(&self) -> &Copula {
-        &self.copula
-    }
-}
 
 /// An interval of the line on which an outcome holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -258,6 +224,8 @@ pub(crate) struct Frame<'a, O> {
     /// The places of the inputs: the one that is held, if any, the others, and the line last (or first, if it is held).
     order: Vec<usize>,
     factor: Vec<Vec<f64>>,
+    /// The places in the order of all inputs but the line, each after those that its law depends on.
+    sequence: Vec<usize>,
     held: Held,
     /// Of the input at each place of the order, the normals between which it is smooth, or has one value, rising.
     breaks: Vec<Vec<f64>>,
@@ -321,22 +289,27 @@ impl<'a, O: Outcomes> Frame<'a, O> {
     ) -> Frame<'a, O> {
         let line = outcomes.line();
         let mut others: Vec<usize> =
-            (0..inputs.laws.len()).filter(|i| *i != line && Some(*i) != held).collect();
+            (0..inputs.laws().len()).filter(|i| *i != line && Some(*i) != held).collect();
         // What has a few values is summed over, the outermost, so that between them nothing has to be sought.
-        others.sort_by_key(|i| (rank(*i), !inputs.laws[*i].is_discrete(), outcomes.is_quick(*i)));
+        others.sort_by_key(|i| (rank(*i), !inputs.laws()[*i].is_discrete(), outcomes.is_quick(*i)));
         let order: Vec<usize> = match held {
             Some(held) if held == line => std::iter::once(line).chain(others).collect(),
             held => held.into_iter().chain(others).chain([line]).collect(),
         };
-        let factor = inputs.copula.factor(&order).expect("a copula is positive definite in any order");
+        let factor = inputs.copula().factor(&order).expect("a copula is positive definite in any order");
         let held = match held {
             None => Held::Nothing,
             Some(held) if held == line => Held::Line,
             Some(_) => Held::Other,
         };
-        let breaks = order.iter().map(|input| inputs.laws[*input].breaks_of_normal()).collect();
-        let atoms = inputs.laws[line].atoms();
-        Frame { inputs, outcomes, order, factor, held, breaks, atoms }
+        let breaks = order.iter().map(|input| inputs.laws()[*input].breaks_of_normal()).collect();
+        let atoms = inputs.laws()[line].atoms();
+        assert!(!inputs.is_parent(line), "no law depends on the line");
+        let mut sequence: Vec<usize> = (0..order.len()).filter(|place| order[*place] != line).collect();
+        if inputs.has_given() {
+            sequence.sort_by_key(|place| inputs.sequence().iter().position(|input| *input == order[*place]));
+        }
+        Frame { inputs, outcomes, order, factor, sequence, held, breaks, atoms }
     }
 
     /// The intervals of the line for these values of the other inputs. What holds at a value with a probability of its own is decided there: on which
@@ -376,17 +349,17 @@ impl<'a, O: Outcomes> Frame<'a, O> {
     /// alone, and no input after it is correlated with it.
     pub(crate) fn is_stepped(&self, depth: usize) -> bool {
         let place = self.place_of(depth);
-        self.inputs.laws[self.order[place]].is_discrete()
+        self.inputs.laws()[self.order[place]].is_discrete()
             && self.factor[place + 1..].iter().all(|row| row[place] == 0.0)
     }
 
     /// The number of independent standard normals a point has.
     pub(crate) fn dimensions(&self) -> usize {
-        self.inputs.laws.len() - 1 - usize::from(self.held == Held::Other)
+        self.inputs.laws().len() - 1 - usize::from(self.held == Held::Other)
     }
 
     pub(crate) fn scratch(&self) -> Scratch {
-        let n = self.inputs.laws.len();
+        let n = self.inputs.laws().len();
         let shares = vec![0.0; self.outcomes.count()];
         Scratch { u: vec![0.0; n], values: vec![0.0; n], pieces: Pieces::default(), shares }
     }
@@ -398,10 +371,9 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         let at = usize::from(self.held != Held::Nothing);
         u[at..at + point.len()].copy_from_slice(point);
         let mean = |i: usize| self.factor[i][..i].iter().zip(u.iter()).map(|(a, b)| a * b).sum::<f64>();
-        for (i, &input) in self.order.iter().enumerate() {
-            if input != self.outcomes.line() {
-                values[input] = self.inputs.laws[input].value(mean(i) + self.factor[i][i] * u[i]);
-            }
+        for &i in &self.sequence {
+            let (input, z) = (self.order[i], mean(i) + self.factor[i][i] * u[i]);
+            values[input] = self.inputs.value(input, z, values);
         }
         let last = self.order.len() - 1;
         if self.held == Held::Line { (0.0, 0.0) } else { (mean(last), self.factor[last][last]) }
@@ -434,8 +406,8 @@ impl<'a, O: Outcomes> Frame<'a, O> {
 
     /// The outcomes' probabilities of the intervals that were found, given mean and deviation of the line's normal, and the signature.
     fn share(&self, (mean, deviation): (f64, f64), scratch: &mut Scratch) -> u64 {
-        let Scratch { pieces, shares, .. } = scratch;
-        let law = &self.inputs.laws[self.outcomes.line()];
+        let Scratch { values, pieces, shares, .. } = scratch;
+        let law = self.inputs.law_at(self.outcomes.line(), values);
         let corners = &self.breaks[self.order.len() - 1];
         shares.fill(0.0);
         let mut signature = pieces.signature;
@@ -476,7 +448,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         let (mean, deviation) = self.place(point, scratch);
         let Scratch { values, pieces, .. } = scratch;
         self.along(values, pieces);
-        let law = &self.inputs.laws[self.outcomes.line()];
+        let law = self.inputs.law_at(self.outcomes.line(), values);
         let reach = |x: f64| (law.z(x) - mean) / deviation;
         for piece in pieces.iter() {
             each(OutcomePiece { from: reach(piece.from), to: reach(piece.to), ..*piece });
@@ -499,7 +471,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         let (mean, deviation) = self.place(point, scratch);
         let Scratch { values, pieces, .. } = scratch;
         self.along(values, pieces);
-        let law = &self.inputs.laws[self.outcomes.line()];
+        let law = self.inputs.law_at(self.outcomes.line(), values);
         let reach = |x: f64| (law.z(x) - mean) / deviation;
         pieces
             .iter()
@@ -519,13 +491,13 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         for (i, &input) in self.order.iter().enumerate() {
             z[input] = self.factor[i].iter().zip(&u).map(|(a, b)| a * b).sum();
         }
-        self.inputs.copula.independent_of(&z)
+        self.inputs.copula().independent_of(&z)
     }
 
     /// The independent normals that a point has, from those of all inputs in the order in which they are given: without the line's, and
     /// without that of an input that is held.
     pub(crate) fn others_of(&self, u: &[f64]) -> Vec<f64> {
-        let z = self.inputs.copula.correlated(u);
+        let z = self.inputs.copula().correlated(u);
         let mut point: Vec<f64> = Vec::with_capacity(z.len());
         for (row, &input) in self.factor.iter().zip(&self.order) {
             let known: f64 = row.iter().zip(&point).map(|(a, b)| a * b).sum();

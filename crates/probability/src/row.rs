@@ -140,7 +140,7 @@ pub fn rows<'w, O: Outcomes>(
             let order = kinds.in_order();
             let factor = factor_of(inputs, &order);
             let mut drawn = Drawn::new(&order, &kinds);
-            let mut values = vec![0.0; order.len()];
+            let (mut normals, mut values) = (vec![0.0; order.len()], vec![0.0; order.len()]);
             move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
                 let mut stream = stream(effort.seed, scramble, index);
                 let times = drawn.begin(life, bodies, coordinates, &mut stream);
@@ -149,9 +149,9 @@ pub fn rows<'w, O: Outcomes>(
                     for year in 0..times {
                         let u = drawn.of(body, year, &mut stream);
                         for (row, &input) in factor.iter().zip(&order) {
-                            let z = row.iter().zip(u).map(|(a, u)| a * u).sum();
-                            values[input] = inputs.laws()[input].value(z);
+                            normals[input] = row.iter().zip(u).map(|(a, u)| a * u).sum();
                         }
+                        inputs.put_values(&normals, &mut values);
                         met |= outcomes.at(&values);
                     }
                 }

@@ -443,8 +443,9 @@ const AT_ONCE: usize = 128;
 fn draw_block(inputs: &RandomVector, seed: u64, block: u64, mut each: impl FnMut(&[f64])) {
     let mut stream = Stream::new(seed, block);
     let (laws, n) = (inputs.laws(), inputs.laws().len());
-    let factor = (!inputs.copula().is_independent()).then(|| inputs.copula().natural_factor());
-    let mut values = vec![0.0; n];
+    let is_plain = inputs.copula().is_independent() && !inputs.has_given();
+    let factor = (!is_plain).then(|| inputs.copula().natural_factor());
+    let (mut normals, mut values) = (vec![0.0; n], vec![0.0; n]);
     // The numbers of one draw after another, as the stream has them; and those of one input after another.
     let (mut numbers, mut columns) = (vec![0.0; n * AT_ONCE], vec![0.0; n * AT_ONCE]);
     for _ in 0..BLOCK as usize / AT_ONCE {
@@ -452,9 +453,10 @@ fn draw_block(inputs: &RandomVector, seed: u64, block: u64, mut each: impl FnMut
         if let Some(factor) = &factor {
             normal::quantiles(&mut numbers);
             for u in numbers.chunks(n) {
-                for ((x, law), row) in values.iter_mut().zip(laws).zip(factor) {
-                    *x = law.value(row.iter().zip(u).map(|(a, u)| a * u).sum());
+                for (z, row) in normals.iter_mut().zip(factor) {
+                    *z = row.iter().zip(u).map(|(a, u)| a * u).sum();
                 }
+                inputs.put_values(&normals, &mut values);
                 each(&values);
             }
             continue;

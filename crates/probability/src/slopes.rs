@@ -25,7 +25,7 @@ const STEP: f64 = 0.01;
 const INTEGRATED: u64 = 1 << 19;
 
 /// Slopes of the probability of a set along the law of one input, found by the method that found it, with as many points; `None` of a law without
-/// a deviation.
+/// a deviation, or one that depends on other inputs.
 pub fn slopes<O: Outcomes>(
     (laws, outcomes, set): (&RandomVector, &O, u64),
     input: usize,
@@ -33,7 +33,8 @@ pub fn slopes<O: Outcomes>(
     (work, cost): (Work<'_>, u64),
 ) -> Option<Slopes> {
     let law = &laws.laws()[input];
-    let own = law.law().moments().filter(|own| own.sd > 0.0)?;
+    let is_given = !laws.parents(input).is_empty();
+    let own = law.law().moments().filter(|own| own.sd > 0.0 && !is_given)?;
     // Hits that are counted have no slope.
     let method = if method == Method::MonteCarlo { Method::Sobol } else { method };
     let effort = match method {
@@ -44,9 +45,7 @@ pub fn slopes<O: Outcomes>(
     let step = STEP * own.sd;
     let portions = work.portion.parts([1.0; 4]);
     let at = |moments: Moments, which: usize| {
-        let mut changed = laws.laws().to_vec();
-        changed[input] = law.with_moments(own, moments)?;
-        let changed = RandomVector::new(changed, laws.copula().clone());
+        let changed = laws.clone().with_law(input, law.with_moments(own, moments)?);
         let work = (effort.within(portions[which]), cost);
         Some(by(method, &changed, outcomes, &[set], about, work).sampled.estimates[0].value)
     };

@@ -350,6 +350,10 @@ impl<'a> Values<'a> {
         let n = inputs.laws().len();
         let mut order: Vec<usize> = (0..n).collect();
         order.sort_by_key(|input| yearly[*input]);
+        if inputs.has_given() {
+            let place = |input: &usize| inputs.sequence().iter().position(|other| other == input);
+            order.sort_by_key(|input| (yearly[*input], place(input)));
+        }
         let factor = inputs.copula().factor(&order).expect("a copula is positive definite in any order");
         let once = yearly.iter().filter(|yearly| !**yearly).count();
         Values { inputs, order, factor, once, clock: None, u: vec![0.0; n], values: vec![0.0; n] }
@@ -394,7 +398,7 @@ impl<'a> Values<'a> {
     fn set(&mut self, place: usize) {
         let input = self.order[place];
         let z = self.factor[place].iter().zip(&self.u[..=place]).map(|(a, u)| a * u).sum();
-        self.values[input] = self.inputs.laws()[input].value(z);
+        self.values[input] = self.inputs.value(input, z, &self.values);
     }
 }
 

@@ -60,6 +60,17 @@ impl Law {
         Ok(Law(Kind::LogNormal { mean: mean.ln() - 0.5 * variance, sd: variance.sqrt() }))
     }
 
+    /// The lognormal law of which the logarithm has this mean and standard deviation.
+    ///
+    /// # Errors
+    /// Unless `mean` is a number and `sd` one above zero.
+    pub fn lognormal_of_logs(mean: f64, sd: f64) -> Checked {
+        let of = LawName("lognormal");
+        of.number("log_mean", mean)?;
+        of.positive("log_sd", sd)?;
+        Ok(Law(Kind::LogNormal { mean, sd }))
+    }
+
     /// Gumbel's law of maxima, F = exp(−exp(−(x − mode)/scale)).
     ///
     /// # Errors
