@@ -103,6 +103,17 @@ pub(crate) fn reliability(
         })
     };
     let line = line.as_ref().map(place).transpose()?;
+    if let Some(line) = line.filter(|line| inputs.is_parent(*line)) {
+        let expected: Vec<&str> = (0..names.len())
+            .filter(|place| !inputs.is_parent(*place))
+            .map(|place| &names[place][..])
+            .collect();
+        return Err(StandfastError::new_err(format!(
+            "line is {:?}, on which the law of another number depends; expected one of {}",
+            names[line],
+            expected.join(", ")
+        )));
+    }
     // One thread: only one at a time can call a function of Python.
     let effort = Effort { threads: 1, ..asked.effort() };
     let function = Limit { function: limit_state, names: names.clone(), raised: Mutex::new(None) };

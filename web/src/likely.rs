@@ -155,7 +155,7 @@ fn deviation(entry: &RandomEntry) -> Option<(&Parameter, String, String)> {
             let (digits, unit) = split_text(text)?;
             (digits.to_owned(), unit.trim().to_owned())
         }
-        Written::List(_) => return None,
+        Written::List(_) | Written::Function(_) => return None,
     };
     Some((parameter, digits, unit))
 }

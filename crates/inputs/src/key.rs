@@ -1258,6 +1258,9 @@ listed! {
     StormTau0 = key(Storm, "tau0", time(Positive), "τ_0", "how long a wave pushes, or \"shimosako-takahashi\"", "\"1.5 s\"");
     StormPulse = key(Storm, "pulse", PULSES, "", "how the slide of a wave is found", "\"triangle\"").silent("slide of a wave: triangle");
     StormCut = key(Storm, "cut", Truth, "", "whether heights are cut at H_max of the sea", "false").silent("heights of waves: cut at H_max");
+    StormFactors = key(Storm, "height_factors", Plains, "", "the sea of each of as many equal parts of a storm, over that of its peak", "[0.7, 1, 0.8]");
+    StormRises = key(Storm, "level_rises", List(Dimension::Length), "", "the water level in each part of a storm, over that of the case", "[\"0 m\", \"0.6 m\", \"0.2 m\"]");
+    StormCombination = key(Storm, "combination", Text, "", "name of the combination under which its waves come", "\"waves\"");
     StormHeight = key(Storm, "significant_height", length(Positive), "H_13", "significant height of a storm without a body", "\"4.5 m\"");
     ForcePerHeight = key(Storm, "force_per_height", Measured(Dimension::Pressure, NotNegative), "P_H", "its thrust for each metre of a wave’s height", "\"90 kN/m2\"");
     UpliftPerHeight = key(Storm, "uplift_per_height", Measured(Dimension::Pressure, NotNegative), "U_H", "its uplift for each metre of a wave’s height", "\"45 kN/m2\"")

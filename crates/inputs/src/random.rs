@@ -100,6 +100,8 @@ pub struct RandomEntry {
     pub every: Rate,
     /// True if each body of a row draws it for itself.
     pub own: bool,
+    /// The number on which its law depends, by its name.
+    pub given: Option<Parameter>,
     /// The name of its law.
     pub law: &'static str,
     /// The law's parameters as written.
@@ -123,6 +125,7 @@ impl RandomEntry {
             name,
             every: Rate::Life,
             own: false,
+            given: None,
             law: "",
             parameters: Vec::new(),
             of: Vec::new(),
@@ -142,7 +145,7 @@ impl RandomEntry {
             Some(share) => format!("{} of ({})", share.value, of.law_words()),
             None => format!("of {}", of.law_words()),
         }));
-        parts.extend([&self.lower, &self.upper].into_iter().flatten().map(written));
+        parts.extend([&self.lower, &self.upper, &self.given].into_iter().flatten().map(written));
         parts.join(", ")
     }
 }
@@ -177,7 +180,7 @@ pub struct Parameter {
     pub span: Span<usize>,
 }
 
-/// A plain number, a text with a unit, or a list of them.
+/// A plain number, a text with a unit, a list of them, or a function.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Written {
     /// A plain number.
@@ -186,6 +189,8 @@ pub enum Written {
     Text(String),
     /// Several.
     List(Vec<Written>),
+    /// A function of another number, by its parameters.
+    Function(Vec<Parameter>),
 }
 
 impl fmt::Display for Written {
@@ -196,6 +201,10 @@ impl fmt::Display for Written {
             Written::List(list) => {
                 let all: Vec<String> = list.iter().map(Written::to_string).collect();
                 f.write_str(&all.join("; "))
+            }
+            Written::Function(of) => {
+                let all: Vec<String> = of.iter().map(|p| format!("{} {}", p.name, p.value)).collect();
+                write!(f, "({})", all.join(", "))
             }
         }
     }

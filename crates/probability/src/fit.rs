@@ -2,7 +2,7 @@
 //!
 //! The parameters are the likeliest. What so few values leave uncertain is told by the observed information, the second derivatives of the
 //! log-likelihood there: parameters are about normal, scales and shapes above zero about lognormal, with the inverse of the information for
-//! covariance (S. Coles, An Introduction to Statistical Modeling of Extreme Values, 2001, has both; it was not read, they are older).
+//! covariance.
 //!
 //! ```
 //! use standfast_probability::fit::{Family, Fit};

@@ -26,6 +26,11 @@ impl GivenLaw {
     pub fn new(on: Vec<usize>, law: impl Fn(&[f64]) -> Distribution + Send + Sync + 'static) -> GivenLaw {
         GivenLaw { on, law: Arc::new(law) }
     }
+
+    /// The inputs that it depends on.
+    pub fn on(&self) -> &[usize] {
+        &self.on
+    }
 }
 
 impl fmt::Debug for GivenLaw {
@@ -124,7 +129,7 @@ impl RandomVector {
 
     /// The inputs that the law of one depends on.
     pub fn parents(&self, input: usize) -> &[usize] {
-        self.given[input].as_ref().map_or(&[], |given| &given.on)
+        self.given[input].as_ref().map_or(&[], GivenLaw::on)
     }
 
     /// True if the law of another input depends on this one: it can't be the line, along which the others have their values.

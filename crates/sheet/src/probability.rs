@@ -85,7 +85,8 @@ fn laws(random: &Random) -> Markup {
             p { "The water level rises by " (rise.value) " (" code { (rise.name) } ") in each year of the life; " (each) "." }
         }
         @if random.correlations.is_empty() && random.named.len() > 1 {
-            p { "No correlation is given: the inputs are independent of each other." }
+            @let depends = random.named.iter().any(|named| named.given.is_some());
+            p { "No correlation is given: " @if depends { "but for laws that depend on another input, " } "the inputs are independent of each other." }
         }
         @for (first, second, measure) in &random.correlations {
             p { "Correlation of " code { (random.named[*first].name) } " and " code { (random.named[*second].name) } ": "
@@ -346,8 +347,11 @@ fn sliding(answer: &Probability) -> Markup {
                 }
             }
         }
+        @if sliding.storm.parts.len() > 1 || sliding.storm.combination.is_some() {
+            p { "Each year has " (sliding.storm_words()) "." }
+        }
         p {
-            (digits(100.0 * sliding.of_worst)) " % of the mean comes of the worst 5 % of all lives. Waves that begin a rotation are left \
+            (digits(100.0 * sliding.of_worst)) " % of the mean comes of the worst 5 % of all lives. " (sliding.left_out_words()) " are left \
              out of the slides: " (digits(sliding.rotating.wave.value)) " of all waves."
         }
     }
@@ -362,6 +366,9 @@ fn left_out(answer: &Probability) -> Markup {
             li { "the error of the laws themselves and of their parameters, which a small probability feels most;" }
             li { "errors of the models, unless a bias stands among the inputs; gross errors of design, execution and use;" }
             li { "what no mode of this calculation has, see the next section." }
+        }
+        @for (number, words) in answer.random.iter().filter_map(|number| Some((number, number.fit_words()?))) {
+            p { code { (number.name) } " is " (words) ". What they leave uncertain is drawn once for all events." }
         }
         @for number in cut {
             p { (digits(number.cut)) " of the law of " code { (number.name) } " is cut away: no body has such values." }

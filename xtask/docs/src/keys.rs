@@ -93,7 +93,7 @@ bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U`
 
 | law | parameters; mean and deviation are those before it is cut |
 |---|---|
-| `normal`, `lognormal` | `mean` (the case's value if not given), and `sd` or `cov` |
+| `normal`, `lognormal` | `mean` (the case's value if not given), and `sd` or `cov`; of `lognormal` also `log_mean` and `log_sd`, those of the logarithm in SI units |
 | `gumbel` | of maxima: `mean` and `sd` or `cov`; `mode` and `scale`; or two return values as `"10 years" = "5.4 m"` |
 | `weibull` | `scale`, `shape`, `location` (0 if not given) |
 | `gev` | `location`, `scale`, `shape` (above zero: heavy) |
@@ -107,7 +107,9 @@ bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U`
 | `sample` | a list of values, each as likely: `sample = ["4.1 m", "3.7 m", "5.2 m"]` |
 | `quantiles` | `values` with the `probabilities` below them, as `values = ["4 m", "5.5 m", "6.6 m"]`, `probabilities = [0.5, 0.9, 0.99]`; between them a curve that rises, beyond them straight on normal paper. `normals` in place of probabilities |
 | `mixture` | a list of laws, each with its `probability`, and `lower` and `upper` of its own: `mixture = [{ probability = 0.9, gumbel = { … } }, { probability = 0.1, gpd = { … } }]` |
+| `fitted` | `law` (of `normal`, `lognormal`, `gumbel`, `weibull`, `gev`, `exponential`, `gpd`) and the `values` that it is fitted to, five or more; `location`, where `exponential`, `gpd` and `weibull` begin. Its parameters are random numbers of their own, drawn once: `wave.deep_water_height.mode` |
 | `max_of` | `count`, and the law of which it is the largest, with its own `lower` and `upper` |
+| beside any | `given = "wave.deep_water_height"`: the law depends on another random number, and some of its parameters are functions of it: `mean = { at = ["3 m", "6 m"], is = ["8 s", "11 s"] }`, straight between points and level beyond, `{ constant = 0, factor = 4.5, power = 0.5 }` or `{ constant = 0, factor = 4.5, rate = 0.1 }`, c + f xᵖ and c + f eʳˣ in SI units. Of `normal`, `lognormal`, `gumbel`, `weibull`, `gev` and `uniform` |
 | beside any | `lower`, `upper` cut the law; `every = "year"` draws it anew each year, `"event"` in each event, `"life"` (if not given) once; `each = "body"` for each body of a row, `"row"` (if not given) for all of them |
 
 `records = ["a.smc", "b.smc"]` are shakings for `--over pga=…` of a body with `[motion.base]`: every body that is drawn is followed under each of them, in the place of the case's own. With its vertical partner a record is `{ horizontal = "a.smc", vertical = "b.smc" }`: one factor scales both. There the numbers of `[motion.impact]` and `[motion.initial]` may be random too; those of `[motion.base]` are scaled to the peak.

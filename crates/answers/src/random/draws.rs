@@ -7,7 +7,7 @@ use super::answer::{Happening, Probability};
 use super::error::ProbabilityError;
 use super::mechanics::Mechanics;
 use super::problem::ChanceProblem;
-use super::quantity::RandomInput;
+use super::quantity::{Quantity, RandomInput};
 use super::stack::Asked;
 use super::subject::ChanceSubject;
 use crate::units::Dimension;
@@ -212,6 +212,14 @@ impl RandomInput {
 
     /// The dimension of its values.
     pub fn dimension(&self) -> Option<Dimension> {
-        self.variable().or(self.rise_of())?.dimension()
+        let of = match &self.quantity {
+            Quantity::Key(variable) | Quantity::Rise(variable) => variable,
+            Quantity::Fitted { of, has_dimension: true, .. } => match &**of {
+                Quantity::Key(variable) => variable,
+                _ => return None,
+            },
+            _ => return None,
+        };
+        of.dimension()
     }
 }

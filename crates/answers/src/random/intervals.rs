@@ -108,8 +108,9 @@ impl Outcomes for ChanceProblem {
 impl ChanceProblem {
     /// The outcomes along a number of which no boundary is known in closed form; `at` has them for all values, a bit for each.
     pub(super) fn scan(&self, place: usize, values: &[f64], pieces: &mut Pieces, at: impl Fn(&[f64]) -> u64) {
+        let law = self.laws().law_at(place, values);
         let values = RefCell::new(values.to_vec());
-        pieces.scan(&self.laws().laws()[place], &[], |x| {
+        pieces.scan(&law, &[], |x| {
             let mut values = values.borrow_mut();
             values[place] = x;
             at(&values)

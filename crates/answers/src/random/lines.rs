@@ -53,8 +53,9 @@ impl Lines {
         /// So many steps are found one by one along another number.
         const FEW: usize = 8;
         let is_smooth = |place: usize| laws.laws()[place].breaks_of_normal().len() <= FEW;
-        // What goes with the time is never one: each year has its own.
-        let may_be = |place: usize| among(place) && inputs[place].rise_of().is_none();
+        // What goes with the time is never one: each year has its own. Nor is what another's law depends on.
+        let may_be =
+            |place: usize| among(place) && inputs[place].rise_of().is_none() && !laws.is_parent(place);
         let find = |of: &dyn Fn(&RandomInput) -> bool, smooth: bool| {
             let suits =
                 |place: &usize| may_be(*place) && of(&inputs[*place]) && (!smooth || is_smooth(*place));

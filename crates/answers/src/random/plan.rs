@@ -214,7 +214,7 @@ impl ChanceProblem {
                 let grown = |[start, slope]: [BaseWrench; 2], value: f64| start.plus(slope.times(value));
                 let [start, slope] = [0, 1].map(|which| permanent[which].plus(variable[which]));
                 let marks = zero.marks_of_growing(start, slope);
-                pieces.scan(&self.laws().laws()[place], &marks, |value| {
+                pieces.scan(&self.laws().law_at(place, values), &marks, |value| {
                     let (permanent, variable) = (grown(permanent, value), grown(variable, value));
                     OnPlan { permanent, variable, ..zero.clone() }.outcomes(zero.friction, asked)
                 });
@@ -225,14 +225,14 @@ impl ChanceProblem {
                 let [Some(left), Some(away), Some(right)] = quarters else { return nothing(pieces) };
                 let permanent = Turning::through([left.permanent, away.permanent, right.permanent]);
                 let variable = Turning::through([left.variable, away.variable, right.variable]);
-                let law = &self.laws().laws()[place];
+                let law = self.laws().law_at(place, values);
                 let marks = left.marks_of_turning(&permanent, &variable);
                 let turns = |of: f64| (of / 360.0).floor() as i32;
                 let [from, to] = [-REACH, REACH].map(|u| law.value(u));
                 let marks: Vec<f64> = (turns(from)..=turns(to))
                     .flat_map(|turn| marks.iter().map(move |mark| mark + 360.0 * f64::from(turn)))
                     .collect();
-                pieces.scan(law, &marks, |degrees| {
+                pieces.scan(&law, &marks, |degrees| {
                     let (permanent, variable) = (permanent.at(degrees), variable.at(degrees));
                     OnPlan { permanent, variable, ..left.clone() }.outcomes(left.friction, asked)
                 });

@@ -17,7 +17,8 @@ use super::lines::{Line, Lines};
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
 use super::quantity::{Bias, FrictionOf, Quantity, RandomInput};
-use super::resolve::{Names, Resolve};
+use super::resolve::{Names, Resolve, WATER_LEVEL};
+use super::storm::{SlidingError, StormPart};
 use crate::case::{Acting, Biases, Case, ChangeBy, Shaking, Trial, Waves};
 use crate::couple::{Variable, vary};
 use crate::digits::digits;
@@ -41,6 +42,8 @@ pub struct ChanceProblem {
     /// True if it is asked what means and deviations of the laws do.
     pub(super) sensitivities: bool,
     lines: Lines,
+    /// The water level, where the case has one.
+    level: Option<Variable>,
     /// Of each number a value that it has as good as never more than.
     reaches: Vec<f64>,
     /// Number of problems of the same case, itself among them.
@@ -67,7 +70,14 @@ enum Model {
 
 /// Of each number the value beyond which no method looks, twelve deviations from the median.
 fn reaches(laws: &RandomVector) -> Vec<f64> {
-    laws.laws().iter().map(|law| law.value(12.0)).collect()
+    const FAR: f64 = 12.0;
+    let reach = |place: usize| {
+        // A law that depends on others reaches farthest where they are at one of their ends.
+        let ends = [-FAR, 0.0, FAR].map(|far| laws.values_of(&vec![far; laws.laws().len()]));
+        let ends = ends.iter().map(|values| laws.law_at(place, values).value(FAR));
+        ends.fold(f64::NEG_INFINITY, f64::max)
+    };
+    (0..laws.laws().len()).map(reach).collect()
 }
 
 /// An |α| below which a number hardly matters.
@@ -139,6 +149,7 @@ impl ChanceProblem {
         }
         let lines = Lines::of(&inputs, Some(&case));
         let line = lines.first(&inputs, &laws, |_| true).unwrap_or(Line::Scan(0));
+        let level = Variable::find(WATER_LEVEL, file.inputs()).ok();
         let mut unnamed = file.inputs().clone();
         [Key::Title, Key::Note].into_iter().for_each(|key| unnamed.remove(key.into()));
         let is_random = |key| inputs.iter().any(|input| input.is_key(key));
@@ -165,6 +176,7 @@ impl ChanceProblem {
                     target_beta: random.target_beta,
                     sensitivities: random.sensitivities,
                     lines,
+                    level: level.clone(),
                     reaches: reaches(&laws),
                     count: 1,
                     line,
@@ -200,6 +212,7 @@ impl ChanceProblem {
             target_beta: random.target_beta,
             sensitivities: random.sensitivities,
             lines,
+            level: None,
             reaches,
             count: 1,
             line,
@@ -320,7 +333,8 @@ impl ChanceProblem {
         if !self.lines.loads {
             return None;
         }
-        let linear = (0..self.random.len()).filter(|place| self.random[*place].is_linear());
+        let may_be = |place: &usize| self.random[*place].is_linear() && !self.laws.is_parent(*place);
+        let linear = (0..self.random.len()).filter(may_be);
         let best = linear.max_by(|a, b| alpha[*a].abs().total_cmp(&alpha[*b].abs()).then(b.cmp(a)))?;
         let line = Line::Load(best);
         (line != self.line && alpha[best].abs() > own).then(|| ChanceProblem {
@@ -432,7 +446,12 @@ impl ChanceProblem {
         if self.is_of_plane() {
             return self.at_point(values);
         }
-        let mut mechanics = self.components(values)?.mechanics(&|bias| self.bias(bias, values));
+        Some(self.mechanics_of(&self.components(values)?, values))
+    }
+
+    /// The contact problem of components, with these values of the numbers that are put in beside them.
+    pub(super) fn mechanics_of(&self, components: &Components, values: &[f64]) -> Mechanics {
+        let mut mechanics = components.mechanics(&|bias| self.bias(bias, values));
         for place in (0..self.random.len()).filter(|place| self.is_apart(*place)) {
             let block = match self.friction_of(place) {
                 None => continue,
@@ -442,7 +461,7 @@ impl ChanceProblem {
             let ratio = if block.mu_s > 0.0 { block.mu_k / block.mu_s } else { 1.0 };
             (block.mu_s, block.mu_k) = (values[place], values[place] * ratio);
         }
-        Some(mechanics)
+        mechanics
     }
 
     /// Mechanics on the way to the full load: of the report's force, at any size, only the elevation counts.
@@ -487,11 +506,16 @@ impl ChanceProblem {
     }
 
     fn assembled(&self, values: &[f64]) -> Option<Components> {
-        let Model::Case { acting, shaking, quick, .. } = &self.model else { return None };
+        let Model::Case { quick, .. } = &self.model else { return None };
         if let Some(quick) = quick {
             return quick.components(self.heights(values)?, &self.biases_of_case(values));
         }
-        let case = self.case_with(values)?;
+        self.components_of(&self.case_with(values)?)
+    }
+
+    /// Components of the loads on a case that was made with values of the numbers.
+    pub(super) fn components_of(&self, case: &Case) -> Option<Components> {
+        let Model::Case { acting, shaking, .. } = &self.model else { return None };
         let trial = Trial::shaken(*shaking);
         let situation = case.situation(*acting, trial).ok()?;
         let of = case.under(*acting);
@@ -512,8 +536,13 @@ impl ChanceProblem {
 
     /// The case with these values of all numbers but friction; none if they do not go together.
     pub(super) fn case_with(&self, values: &[f64]) -> Option<Case> {
+        self.case_in(values, &StormPart::PEAK)
+    }
+
+    /// The case in a part of a storm, with these values of all numbers but friction; none if they do not go together.
+    pub(super) fn case_in(&self, values: &[f64], part: &StormPart) -> Option<Case> {
         let Model::Case { inputs, case, quick, .. } = &self.model else { return None };
-        if let Some(quick) = quick {
+        if let Some(quick) = quick.as_ref().filter(|_| *part == StormPart::PEAK) {
             return quick.case(case, self.heights(values)?, &self.biases_of_case(values));
         }
         let mut named: Vec<(&Variable, f64)> = self
@@ -529,14 +558,22 @@ impl ChanceProblem {
                 !variable.id().table.is_of_motion() || inputs.get(variable.id()).is_some()
             })
             .collect();
-        for (input, rise) in self.random.iter().zip(values) {
-            let Some(level) = input.rise_of() else { continue };
+        let of_level = self.level.as_ref().map(|level| (level, part.rise)).filter(|(_, rise)| *rise != 0.0);
+        let rises =
+            self.random.iter().zip(values).filter_map(|(input, rise)| Some((input.rise_of()?, *rise)));
+        for (level, rise) in rises.chain(of_level) {
             match named.iter_mut().find(|(variable, _)| *variable == level) {
                 Some((_, drawn)) => *drawn += rise,
                 None => named.push((level, level.value(inputs, case) + rise)),
             }
         }
-        let case = Case::of(&vary(inputs, case, &named)).ok()?.biased(self.biases_of_case(values)).ok()?;
+        let mut biases = self.biases_of_case(values);
+        if part.height != 1.0 {
+            let is_deep = matches!(case.goda()?.heights, Heights::DeepWater(_));
+            let bias = if is_deep { Bias::DeepWaterHeight } else { Bias::Height };
+            biases.set(bias, part.height * biases.get(bias).unwrap_or(1.0));
+        }
+        let case = Case::of(&vary(inputs, case, &named)).ok()?.biased(biases).ok()?;
         match case.goda().filter(|waves| waves.share_of_steepest().is_some_and(|share| share > 1.0)) {
             Some(waves) => Some(case.with_goda(waves.clone().broken()?)),
             None => Some(case),
@@ -616,6 +653,18 @@ impl ChanceProblem {
         let variable = Wrench { x: -k, p: 0.0, m: k * point.k_prime() * gamma };
         let block = Block::uniform(gamma, point.mu());
         Some(Mechanics { block, base: Base::Rigid, permanent, variable, formulas: 0, above: Vec::new() })
+    }
+
+    /// Refuses parts of a storm with other levels where the case has none, or a combination sets it.
+    pub(super) fn can_rise(&self) -> Result<(), SlidingError> {
+        let (Some(level), Some((case, acting))) = (&self.level, self.case()) else {
+            return Err(SlidingError::NoLevel);
+        };
+        let Acting::Combination(index) = acting else { return Ok(()) };
+        match case.combinations[index].changes.iter().find(|change| change.id == level.id()) {
+            Some(change) => Err(SlidingError::SetLevel { name: change.name.clone() }),
+            None => Ok(()),
+        }
     }
 
     /// True if this is a point of the report's plane.

@@ -5,6 +5,7 @@ use crate::couple::Variable;
 use crate::key::{Id, Key, Range};
 use standfast_inputs::random::Rate;
 pub use standfast_model::case::Bias;
+use standfast_probability::fit::Fit;
 
 /// Quantity that a random number is.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +22,15 @@ pub enum Quantity {
     Rise(Variable),
     /// A number of a limit state that is the user's own, by its name.
     Own(String),
+    /// A parameter of a law that was fitted to values of another quantity.
+    Fitted {
+        /// The other quantity.
+        of: Box<Quantity>,
+        /// Its name.
+        parameter: &'static str,
+        /// True if it has the dimension of that quantity.
+        has_dimension: bool,
+    },
 }
 
 /// A number of the report's problem.
@@ -83,6 +93,8 @@ pub struct RandomInput {
     pub own: bool,
     /// Share of its law that was cut because no body has such values.
     pub cut: f64,
+    /// Law that was fitted to values of it.
+    pub fit: Option<Fit>,
 }
 
 impl RandomInput {
@@ -93,7 +105,8 @@ impl RandomInput {
             | Quantity::Point(_)
             | Quantity::Storm(_)
             | Quantity::Rise(_)
-            | Quantity::Own(_) => None,
+            | Quantity::Own(_)
+            | Quantity::Fitted { .. } => None,
         }
     }
 
@@ -107,7 +120,11 @@ impl RandomInput {
 
     /// Its meaning in a few words, for people; of a table that a case may have several times, with the place of that.
     pub fn words(&self) -> String {
-        match &self.quantity {
+        RandomInput::words_of(&self.quantity)
+    }
+
+    fn words_of(quantity: &Quantity) -> String {
+        match quantity {
             // The mass's where it varies by the density.
             Quantity::Key(variable) => Id { key: variable.key(), ..variable.id() }.words(),
             Quantity::Bias(bias) => bias.words().to_owned(),
@@ -115,6 +132,10 @@ impl RandomInput {
             Quantity::Storm(field) => Id::from(field.key()).words(),
             Quantity::Rise(_) => "rise of the water since the life began".to_owned(),
             Quantity::Own(name) => name.clone(),
+            Quantity::Fitted { of, parameter, .. } => {
+                let name = parameter.replace('_', " ");
+                format!("{name} of the law fitted to the {}", RandomInput::words_of(of))
+            }
         }
     }
 
@@ -175,7 +196,11 @@ impl RandomInput {
         match &self.quantity {
             Quantity::Bias(bias) => !bias.is_of_case(),
             Quantity::Point(Coordinate::K) => true,
-            Quantity::Point(_) | Quantity::Storm(_) | Quantity::Rise(_) | Quantity::Own(_) => false,
+            Quantity::Point(_)
+            | Quantity::Storm(_)
+            | Quantity::Rise(_)
+            | Quantity::Own(_)
+            | Quantity::Fitted { .. } => false,
             Quantity::Key(variable) => variable.id().key == Key::Force,
         }
     }

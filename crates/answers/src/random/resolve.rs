@@ -14,7 +14,11 @@ use standfast_inputs::random::{Parameter, Random, RandomEntry, RandomProblem, Ra
 use standfast_model::CaseFile;
 use standfast_probability::law::{Distribution, Law};
 
+mod given;
 mod laws;
+
+/// Name of the sea's level, with what goes with it.
+pub(super) const WATER_LEVEL: &str = "water_level";
 
 /// From names and laws as they are written to what they are.
 pub(super) struct Resolve<'a>(pub(super) Names<'a>);
@@ -42,11 +46,29 @@ impl Resolve<'_> {
                 let (name, other) = (named.name.clone(), other.name.clone());
                 return Err((RandomProblem::Twice { name, other }, named.span.clone()));
             }
-            let (law, cut) = self.law(named, &quantity)?;
+            let fit = (named.law == "fitted").then(|| self.fitted(named, &quantity)).transpose()?;
+            // The law of what depends on others is found when all are known.
+            let law = match (&fit, &named.given) {
+                (Some(fit), None) => fit.likeliest().map(Some),
+                (None, Some(_)) => Law::normal(0.0, 1.0).map(Some),
+                (Some(_), Some(of)) => {
+                    let message = format!("`{}` is fitted, and given another number", named.name);
+                    return Err((RandomProblem::Other(message), of.span.clone()));
+                }
+                (None, None) => Ok(None),
+            };
+            let law = law.map_err(|error| (RandomProblem::Other(error.to_string()), named.span.clone()))?;
+            let (law, cut) = match law {
+                Some(law) if fit.is_none() => (law.into(), 0.0),
+                Some(law) => self.cut(named, &quantity, law)?,
+                None => self.law(named, &quantity)?,
+            };
             let name = named.name.clone();
-            inputs.push(RandomInput { name, quantity, every: named.every, own: named.own, cut });
+            inputs.push(RandomInput { name, quantity, every: named.every, own: named.own, cut, fit });
             laws.push(law);
         }
+        let (mut given, cuts) = self.given(random, &inputs, &laws)?;
+        cuts.into_iter().for_each(|(place, cut)| inputs[place].cut = cut);
         if let Some(rise) = &random.rise {
             let (input, law) = self.rise(rise, random)?;
             let levels = [Key::Level, Key::WaterLeft, Key::WaterRight, Key::BaseDepth, Key::StillWaterLevel];
@@ -65,11 +87,16 @@ impl Resolve<'_> {
             inputs.push(input);
             laws.push(law);
         }
-        let correlations: Vec<Correlation> = random
+        let mut correlations: Vec<Correlation> = random
             .correlations
             .iter()
             .map(|&(first, second, measure)| Correlation { first, second, measure })
             .collect();
+        for (place, named) in random.named.iter().enumerate() {
+            let Some(fit) = inputs[place].fit.clone() else { continue };
+            let of = (place, &fit);
+            given.push(self.add_parameters(named, of, (&mut inputs, &mut laws), &mut correlations)?);
+        }
         let copula = Copula::new(&laws, &correlations).map_err(|error| {
             let at = |first: usize, second: usize| {
                 let place = random.correlations.iter().rposition(|(a, b, _)| (*a, *b) == (first, second));
@@ -100,7 +127,7 @@ impl Resolve<'_> {
                 other => (RandomProblem::Other(other.to_string()), random.span.clone()),
             }
         })?;
-        Ok((inputs, RandomVector::new(laws, copula)))
+        Ok((inputs, RandomVector::new(laws, copula).with_given(given)))
     }
 
     /// The rise of the water over the years, in each of which it has a value of its own: of an average year, any of them as likely.
@@ -108,7 +135,7 @@ impl Resolve<'_> {
         let refused = |message: &str| (RandomProblem::Other(message.to_owned()), parameter.span.clone());
         let level = match self.0 {
             Names::Case(file, case, _) if case.plan.is_none() => {
-                Variable::find("water_level", file.inputs()).ok()
+                Variable::find(WATER_LEVEL, file.inputs()).ok()
             }
             _ => None,
         };
@@ -123,7 +150,10 @@ impl Resolve<'_> {
             .map_err(|_| refused("`rise_per_year` is 0; expected a rise, or a fall below zero"))?;
         let every = if random.lifetime.events_per_year.is_some() { Rate::Event } else { Rate::Year };
         let quantity = Quantity::Rise(level);
-        Ok((RandomInput { name: "rise".to_owned(), quantity, every, own: false, cut: 0.0 }, law.into()))
+        Ok((
+            RandomInput { name: "rise".to_owned(), quantity, every, own: false, cut: 0.0, fit: None },
+            law.into(),
+        ))
     }
 
     /// Quantity that a name stands for.

@@ -67,7 +67,7 @@ pub fn spreads(file: &CaseFile) -> Result<Vec<Spread>, CaseError> {
 fn input(file: &CaseFile, case: &Case, name: &str) -> Option<RandomInput> {
     let entry = RandomEntry::without_law(name.to_owned(), 0..0);
     let quantity = Resolve(Names::Case(file, case, None)).quantity(&entry).ok()?;
-    Some(RandomInput { name: entry.name, quantity, every: Rate::Life, own: false, cut: 0.0 })
+    Some(RandomInput { name: entry.name, quantity, every: Rate::Life, own: false, cut: 0.0, fit: None })
 }
 
 fn own(input: &RandomInput, file: &CaseFile, case: &Case) -> String {

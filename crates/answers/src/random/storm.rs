@@ -41,6 +41,24 @@ pub struct Storm {
     pub pulse: Pulse,
     /// True if heights are cut at H_max of the sea.
     pub(super) is_cut: bool,
+    /// Its equal parts.
+    pub parts: Vec<StormPart>,
+    /// The name of the combination under which its waves come.
+    pub combination: Option<String>,
+}
+
+/// A part of a storm: what its sea is over that of the peak, and by how much the water stands higher than in the case, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StormPart {
+    /// Factor on wave heights in deep water, or on those at the wall where these are given.
+    pub height: f64,
+    /// Rise of the water level, m.
+    pub rise: f64,
+}
+
+impl StormPart {
+    /// The peak.
+    pub const PEAK: StormPart = StormPart { height: 1.0, rise: 0.0 };
 }
 
 impl Storm {
@@ -72,8 +90,15 @@ fn height(level: f64, significant: f64) -> f64 {
     level.sqrt() * significant / RAYLEIGH
 }
 
-/// One year's storm: on which levels of height waves slide the body, on which they begin a rotation, and how far they slide it.
+/// One year's storm: its equal parts, but those in which nothing moves the body.
 pub(super) struct Year<W> {
+    parts: Vec<Part<W>>,
+    /// The share of all waves that come in one of them.
+    share: f64,
+}
+
+/// Part of a storm, or a whole one: on which levels of height waves slide the body, on which they begin a rotation, and how far they slide it.
+pub(super) struct Part<W> {
     slides: Vec<(f64, f64)>,
     turns: Vec<(f64, f64)>,
     /// The level at which heights are cut; infinite if they are not.
@@ -97,7 +122,7 @@ pub(super) trait Slide {
     }
 }
 
-impl<W: Slide> Year<W> {
+impl<W: Slide> Part<W> {
     /// The chance of a level in an interval.
     fn chance(&self, &(from, to): &(f64, f64)) -> f64 {
         let all = -(-self.cut).exp_m1();
@@ -146,6 +171,51 @@ impl<W: Slide> Year<W> {
     }
 }
 
+impl<W: Slide> Year<W> {
+    /// The storm with these of so many parts; none if nothing moves the body in any.
+    fn of(parts: Vec<Part<W>>, count: usize) -> Option<Year<W>> {
+        let share = 1.0 / count as f64;
+        (!parts.is_empty()).then_some(Year { parts, share })
+    }
+
+    fn chances(&self) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        for part in &self.parts {
+            sums.iter_mut().zip(part.chances()).for_each(|(sum, chance)| *sum += self.share * chance);
+        }
+        sums
+    }
+
+    fn of_event(&self) -> EventMeans {
+        let mut sums = EventMeans::default();
+        for part in &self.parts {
+            let EventMeans { mean, adds, other } = part.of_event();
+            sums.mean += self.share * mean;
+            sums.adds += self.share * adds;
+            sums.other += self.share * other;
+        }
+        sums
+    }
+
+    /// The part that a share of all waves of a kind falls to, by their chances in each, and the share that is left in it.
+    fn part_of(&self, share: f64, which: usize) -> (&Part<W>, f64) {
+        if let [one] = &self.parts[..] {
+            return (one, share);
+        }
+        let chances: Vec<f64> = self.parts.iter().map(|part| part.chances()[which]).collect();
+        let mut rest = share * chances.iter().sum::<f64>();
+        for (part, chance) in self.parts.iter().zip(&chances) {
+            if rest <= *chance && *chance > 0.0 {
+                return (part, rest / chance);
+            }
+            rest -= chance;
+        }
+        // Rounding has left a little more than all.
+        let last = chances.iter().rposition(|chance| *chance > 0.0).unwrap_or(0);
+        (&self.parts[last], 1.0)
+    }
+}
+
 /// The panels over which levels beyond the least are integrated: e⁻⁴⁰ is nothing.
 const PANELS: [f64; 9] = [0.0, 0.25, 0.75, 1.5, 3.0, 6.0, 12.0, 24.0, 40.0];
 
@@ -174,13 +244,16 @@ impl<S: Storms> Sums for Slides<'_, S> {
     }
 
     fn amount(&self, year: &Year<S::Wave>, share: f64) -> f64 {
-        year.amount(share)
+        let (part, share) = year.part_of(share, 0);
+        part.amount(share)
     }
 
     fn other(&self, year: &Year<S::Wave>) -> Option<impl Fn(f64) -> OtherEvent> {
         let turned = |share: f64| {
-            year.level_of(&year.turns, share).map_or(OtherEvent::default(), |level| year.wave.turned(level))
+            let (part, share) = year.part_of(share, 1);
+            let level = part.level_of(&part.turns, share);
+            level.map_or(OtherEvent::default(), |level| part.wave.turned(level))
         };
-        year.wave.follows().then_some(turned)
+        year.parts.iter().any(|part| part.wave.follows()).then_some(turned)
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use standfast_probability::fit;
 use standfast_probability::form::FormPoint;
 use standfast_probability::sample::Estimate;
 use standfast_probability::slopes::Slopes;
@@ -168,6 +169,10 @@ struct SlidingDocument {
     years: f64,
     /// Of each year's storm.
     waves: u64,
+    /// Equal parts of a storm.
+    parts: usize,
+    /// The combination under which its waves come.
+    combination: Option<String>,
     pulse: &'static str,
     lives: u64,
     mean: f64,
@@ -224,6 +229,38 @@ struct RandomDocument<'a> {
     name: &'a str,
     /// The share of its law that no body has, which was cut away.
     cut: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fit: Option<FittedLawDocument>,
+}
+
+/// Law that was fitted to values.
+#[derive(Serialize)]
+struct FittedLawDocument {
+    law: &'static str,
+    values: usize,
+    parameters: Vec<FittedParameterDocument>,
+}
+
+#[derive(Serialize)]
+struct FittedParameterDocument {
+    name: &'static str,
+    estimate: f64,
+    /// Of the logarithm, where that is said to be normal.
+    standard_error: f64,
+    of_logarithm: bool,
+}
+
+impl FittedLawDocument {
+    fn of(fit: &fit::Fit) -> FittedLawDocument {
+        let parameter = |of: &fit::FittedParameter| FittedParameterDocument {
+            name: of.name,
+            estimate: of.estimate,
+            standard_error: of.deviation,
+            of_logarithm: of.is_positive,
+        };
+        let parameters = fit.parameters.iter().map(parameter).collect();
+        FittedLawDocument { law: fit.family.name(), values: fit.count, parameters }
+    }
 }
 
 #[derive(Serialize)]
@@ -383,7 +420,11 @@ pub(super) fn json(answer: &Probability, figures: &[String]) -> String {
         random: answer
             .random
             .iter()
-            .map(|RandomNumber { name, cut, .. }| RandomDocument { name, cut: *cut })
+            .map(|RandomNumber { name, cut, fit, .. }| RandomDocument {
+                name,
+                cut: *cut,
+                fit: fit.as_ref().map(FittedLawDocument::of),
+            })
             .collect(),
         integrated: &answer.line.0,
         worst: document(answer, worst),
@@ -502,6 +543,8 @@ impl SlidingDocument {
         SlidingDocument {
             years: sliding.years,
             waves: sliding.storm.waves,
+            parts: sliding.storm.parts.len(),
+            combination: sliding.storm.combination.clone(),
             pulse: sliding.storm.pulse.name(),
             lives: sliding.lives,
             mean: sliding.mean.value,

@@ -97,8 +97,8 @@ fn slides(answer: &Probability, sliding: &Sliding) -> String {
     let of_years = if *years == 1.0 { "1 year".to_owned() } else { format!("{} years", digits(*years)) };
     let mut text = paragraph(
         &format!(
-            "Sliding in {of_years} (a storm of {} waves each; mean integrated, {} lives drawn, seed {})",
-            storm.waves,
+            "Sliding in {of_years} ({}; mean integrated, {} lives drawn, seed {})",
+            sliding.storm_words(),
             grouped(sliding.lives),
             answer.request.effort.seed
         ),
@@ -128,7 +128,8 @@ fn slides(answer: &Probability, sliding: &Sliding) -> String {
         text += &paragraph(&words, 2);
     } else if rotating.wave.value > 0.0 {
         let words = format!(
-            "Waves that begin a rotation are left out, because the slide of a pulse does not hold for them: {} of all waves; {} of all lives have one.",
+            "{} are left out, because the slide of a pulse does not hold for them: {} of all waves; {} of all lives have one.",
+            sliding.left_out_words(),
             probability(rotating.wave.value),
             probability(rotating.life.value)
         );
@@ -298,6 +299,10 @@ pub(super) fn notes(answer: &Probability, chances: &Chances) -> Vec<String> {
         let period = if answer.random.iter().any(|number| number.yearly) { "A year" } else { "An event" };
         notes.push(format!("{period} is one of the life, any of them as likely: with a rise of its own."));
     }
+    let fits = answer.random.iter().filter_map(|number| Some((&number.name, number.fit_words()?)));
+    notes.extend(fits.map(|(name, words)| {
+        format!("{name} is {words}. What they leave uncertain is drawn once for all events.")
+    }));
     // Less is in the JSON alone.
     let cut = answer.random.iter().filter(|number| number.cut >= 1e-12);
     notes.extend(cut.map(|RandomNumber { name, cut, .. }| {

@@ -59,7 +59,7 @@ impl CaseText {
         let value = match value {
             Written::Number(number) => super::toml_number(*number),
             Written::Text(text) => format!("\"{text}\""),
-            Written::List(_) => return None,
+            Written::List(_) | Written::Function(_) => return None,
         };
         // The name stands before the sign before the value.
         let before = self.text()[..own.span.start].trim_end().strip_suffix('=')?.trim_end();

@@ -1,11 +1,13 @@
 //! Laws of random numbers, as they are written.
 
+use standfast_probability::fit::Family;
+
 use super::{
     Item, Parameter, RandomEntry, RandomProblem, Rate, ReadResult, Written, in_order, table, written, wrong,
 };
 
 /// The laws, by their names.
-pub const LAWS: [&str; 16] = [
+pub const LAWS: [&str; 17] = [
     "normal",
     "lognormal",
     "gumbel",
@@ -20,6 +22,7 @@ pub const LAWS: [&str; 16] = [
     "discrete",
     "sample",
     "quantiles",
+    "fitted",
     "mixture",
     "max_of",
 ];
@@ -32,7 +35,7 @@ pub(super) fn numbers(name: String, item: &Item<'_>, found: &mut Vec<RandomEntry
     let table =
         table(item, &format!("`{name}`"), "a law in braces, as { normal = { mean = 0.6, sd = 0.1 } }")?;
     let entries = in_order(table);
-    let is_law = |key: &str| LAWS.contains(&key) || ["lower", "upper", "every"].contains(&key);
+    let is_law = |key: &str| LAWS.contains(&key) || ["lower", "upper", "every", "given"].contains(&key);
     if entries.iter().any(|(key, _)| is_law(key)) || entries.is_empty() {
         found.push(named(name, item)?);
         return Ok(());
@@ -43,7 +46,10 @@ pub(super) fn numbers(name: String, item: &Item<'_>, found: &mut Vec<RandomEntry
     ];
     let is_misspelt = |value: &Item<'_>| match value.get_ref().as_table() {
         None => true,
-        Some(table) => in_order(table).iter().any(|(key, _)| parameters.contains(key)),
+        Some(table) => {
+            let has = |is: &dyn Fn(&str) -> bool| in_order(table).iter().any(|(key, _)| is(key));
+            has(&|key| parameters.contains(&key)) && !has(&is_law)
+        }
     };
     for (key, value) in entries {
         if is_misspelt(value) {
@@ -61,7 +67,14 @@ fn named(name: String, item: &Item<'_>) -> ReadResult<RandomEntry> {
     let mut named = RandomEntry::without_law(name, item.span());
     let what = format!("`{}`", named.name);
     let table = table(item, &what, "a law in braces")?;
-    read_entry(&mut named, item, in_order(table), &what, &["lower", "upper", "every", "each"], &LAWS)?;
+    read_entry(
+        &mut named,
+        item,
+        in_order(table),
+        &what,
+        &["lower", "upper", "every", "each", "given"],
+        &LAWS,
+    )?;
     Ok(named)
 }
 
@@ -105,6 +118,12 @@ fn read_beside(named: &mut RandomEntry, key: &str, value: &Item<'_>) -> ReadResu
         "upper" => named.upper = Some(parameter(key, value)?),
         "probability" => named.share = Some(parameter(key, value)?),
         "count" => named.parameters.push(parameter(key, value)?),
+        "given" => {
+            let name = value.get_ref().as_str();
+            let name = name.ok_or_else(|| wrong(value, "`given`", "the name of another random number"))?;
+            let name = Written::Text(name.to_owned());
+            named.given = Some(Parameter { name: key.to_owned(), value: name, span: value.span() });
+        }
         "each" => match value.get_ref().as_str() {
             Some("body") => named.own = true,
             Some("row") => named.own = false,
@@ -144,13 +163,15 @@ fn read_law(named: &mut RandomEntry, item: &Item<'_>) -> ReadResult<()> {
             named.parameters.push(values);
             return Ok(());
         }
+        "fitted" => return read_fitted(named, item, &what),
         "mixture" => return read_mixture(named, item, &what),
         "max_of" => return read_largest(named, item, &what),
         _ => {}
     }
     let table = table(item, &what, "its parameters in braces")?;
     let allowed: &[&str] = match law {
-        "normal" | "lognormal" => &["mean", "sd", "cov"],
+        "normal" => &["mean", "sd", "cov"],
+        "lognormal" => &["mean", "sd", "cov", "log_mean", "log_sd"],
         "gumbel" => &["mean", "sd", "cov", "mode", "scale"],
         "weibull" => &["scale", "shape", "location"],
         "gev" | "gpd" => &["location", "scale", "shape"],
@@ -172,12 +193,60 @@ fn read_law(named: &mut RandomEntry, item: &Item<'_>) -> ReadResult<()> {
             return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
         }
         let read = match law {
+            _ if value.get_ref().as_table().is_some() => function(key, value, &what),
             "discrete" | "quantiles" => list(key, value, &format!("`{key}` of {what}"), "a list of numbers"),
             _ => parameter(key, value),
         };
         named.parameters.push(read?);
     }
     Ok(())
+}
+
+/// A law that is fitted to values: its family, the values, and where it begins.
+fn read_fitted(named: &mut RandomEntry, item: &Item<'_>, what: &str) -> ReadResult<()> {
+    for (key, value) in in_order(table(item, what, "`law` and `values` in braces")?) {
+        let read = match key {
+            "law" => {
+                let families = Family::ALL.map(Family::name);
+                let name = value.get_ref().as_str().unwrap_or_default();
+                if !families.contains(&name) {
+                    let (what, name) = (format!("`law` of {what}"), name.to_owned());
+                    let allowed = families.map(str::to_owned).to_vec();
+                    return Err((RandomProblem::Name { what, name, allowed }, value.span()));
+                }
+                parameter(key, value)?
+            }
+            "values" => {
+                list(key, value, &format!("`values` of {what}"), "a list of values that were measured")?
+            }
+            "location" => parameter(key, value)?,
+            _ => {
+                let allowed = ["law", "values", "location"].map(str::to_owned).to_vec();
+                let (what, name) = (what.to_owned(), key.to_owned());
+                return Err((RandomProblem::Name { what, name, allowed }, value.span()));
+            }
+        };
+        named.parameters.push(read);
+    }
+    Ok(())
+}
+
+/// A parameter as a function of the number on which a law depends.
+fn function(name: &str, item: &Item<'_>, what: &str) -> ReadResult<Parameter> {
+    let what = format!("`{name}` of {what}");
+    let mut of = Vec::new();
+    for (key, value) in in_order(table(item, &what, "a function in braces")?) {
+        of.push(match key {
+            "at" | "is" => list(key, value, &format!("`{key}` of {what}"), "a list of numbers")?,
+            "constant" | "factor" | "power" | "rate" => parameter(key, value)?,
+            _ => {
+                let allowed = ["at", "is", "constant", "factor", "power", "rate"];
+                let (name, allowed) = (key.to_owned(), allowed.map(str::to_owned).to_vec());
+                return Err((RandomProblem::Name { what, name, allowed }, value.span()));
+            }
+        });
+    }
+    Ok(Parameter { name: name.to_owned(), value: Written::Function(of), span: item.span() })
 }
 
 /// The law of which the largest of several is meant: everything in the table but the count.

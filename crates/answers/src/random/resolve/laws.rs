@@ -13,30 +13,34 @@ impl Resolve<'_> {
     /// The law of a random number, and what was cut of it because no body has such values.
     pub(super) fn law(&self, named: &RandomEntry, quantity: &Quantity) -> ReadResult<(Distribution, f64)> {
         let law = self.plain_law(named, quantity)?;
+        self.cut(named, quantity, law)
+    }
+
+    /// A law between its bounds, and what was cut of it because no body has such values.
+    pub(super) fn cut(
+        &self,
+        named: &RandomEntry,
+        quantity: &Quantity,
+        law: Law,
+    ) -> ReadResult<(Distribution, f64)> {
         let (lower, upper) = self.bounds(named, quantity)?;
         let refused = |error: LawError| empty_range(named, lower, upper, &error);
-        let (range, [least, most]) = (range(quantity), range(quantity).ends());
+        let [least, most] = range(quantity).ends();
         let asked = Distribution::truncated(law.clone(), lower, upper).map_err(refused)?;
         if lower >= least && upper <= most {
             return Ok((asked, 0.0));
         }
         let cut = [asked.tails(least).below, asked.tails(most).above];
         let share: f64 = cut.iter().sum();
-        if share > 1e-3 {
-            let limit = match range {
-                Range::NotNegative => "it is negative".to_owned(),
-                _ if cut[1] == 0.0 => "it is zero or less".to_owned(),
-                _ => format!("it is not {}", range.words()),
-            };
-            let (name, share) = (named.name.clone(), digits(share));
-            return Err((RandomProblem::Unphysical { name, share, limit }, named.span.clone()));
+        if share > MOST_CUT {
+            return Err((unphysical(named, quantity, share, cut[1] == 0.0), named.span.clone()));
         }
         let whole = Distribution::truncated(law, lower.max(least), upper.min(most)).map_err(refused)?;
         Ok((whole, share))
     }
 
     /// Bounds at which a law is cut, without bound where nothing is said.
-    fn bounds(&self, named: &RandomEntry, quantity: &Quantity) -> ReadResult<(f64, f64)> {
+    pub(super) fn bounds(&self, named: &RandomEntry, quantity: &Quantity) -> ReadResult<(f64, f64)> {
         let bound = |parameter: &Option<Parameter>, none: f64| match parameter {
             Some(parameter) => self.value(named, quantity, parameter),
             None => Ok(none),
@@ -86,6 +90,12 @@ impl Resolve<'_> {
         };
         let law = match named.law {
             "normal" => moments().map(|(mean, sd)| Law::normal(mean, sd))?,
+            "lognormal" if find("log_mean").or(find("log_sd")).is_some() => {
+                if find("mean").or(find("sd")).or(find("cov")).is_some() {
+                    return Err(both("`log_mean` or `log_sd`, and a mean or a deviation of the values"));
+                }
+                Law::lognormal_of_logs(need_plain("log_mean")?, need_plain("log_sd")?)
+            }
             "lognormal" => moments().map(|(mean, sd)| Law::lognormal(mean, sd))?,
             "gumbel" => {
                 let returns: Vec<&Parameter> =
@@ -263,7 +273,7 @@ impl Resolve<'_> {
         }
     }
 
-    fn plain(&self, named: &RandomEntry, parameter: &Parameter) -> ReadResult<f64> {
+    pub(super) fn plain(&self, named: &RandomEntry, parameter: &Parameter) -> ReadResult<f64> {
         match &parameter.value {
             Written::Number(number) if number.is_finite() => Ok(*number),
             written => {
@@ -274,6 +284,9 @@ impl Resolve<'_> {
                 let what = format!("`{}` of `{}`", parameter.name, named.name);
                 let expected = match &parameter.value {
                     Written::Number(_) => "a finite number".to_owned(),
+                    Written::Function(_) => {
+                        "a number; a function of another needs `given`, its name, beside the law".to_owned()
+                    }
                     _ => "a number without unit or quotes".to_owned(),
                 };
                 Err((RandomProblem::Value { what, written, expected }, parameter.span.clone()))
@@ -283,20 +296,42 @@ impl Resolve<'_> {
 }
 
 /// Each number of a list.
-fn numbers(list: &Parameter, number: &dyn Fn(&Parameter) -> ReadResult<f64>) -> ReadResult<Vec<f64>> {
+pub(super) fn numbers(
+    list: &Parameter,
+    number: &dyn Fn(&Parameter) -> ReadResult<f64>,
+) -> ReadResult<Vec<f64>> {
     let Written::List(values) = &list.value else { return Ok(vec![number(list)?]) };
     values.iter().map(|value| number(&Parameter { value: value.clone(), ..list.clone() })).collect()
 }
 
 /// Range of the values of a random number.
-fn range(quantity: &Quantity) -> Range {
+pub(super) fn range(quantity: &Quantity) -> Range {
     match quantity {
         Quantity::Key(variable) => variable.range(),
         Quantity::Bias(_) => Range::NotNegative,
         Quantity::Point(coordinate) => coordinate.range(),
         Quantity::Storm(field) => field.range(),
-        Quantity::Rise(_) | Quantity::Own(_) => Range::Finite,
+        Quantity::Rise(_) | Quantity::Own(_) | Quantity::Fitted { .. } => Range::Finite,
     }
+}
+
+/// The largest share of a law that is cut because no body has such values.
+pub(super) const MOST_CUT: f64 = 1e-3;
+
+/// Too much of a law lies where no body has values: below all that there are, or on both sides.
+pub(super) fn unphysical(
+    named: &RandomEntry,
+    quantity: &Quantity,
+    share: f64,
+    is_below: bool,
+) -> RandomProblem {
+    let range = range(quantity);
+    let limit = match range {
+        Range::NotNegative => "it is negative".to_owned(),
+        _ if is_below => "it is zero or less".to_owned(),
+        _ => format!("it is not {}", range.words()),
+    };
+    RandomProblem::Unphysical { name: named.name.clone(), share: digits(share), limit }
 }
 
 /// A range in which a law has no values.

@@ -16,6 +16,8 @@ use crate::random::answer::ChanceRequest;
 pub struct Sliding {
     /// The storm.
     pub storm: Storm,
+    /// True if the base may crush, or the ground fail: waves under which it does are counted with those that begin a rotation.
+    pub gives_way: bool,
     /// The years.
     pub years: f64,
     /// The mean over lives, integrated.
@@ -89,17 +91,46 @@ pub enum SlidingError {
     /// No waves.
     #[error("the case has a [storm] and no [wave] by Goda's formulas")]
     NoWaves,
-    /// A base that gives way.
+    /// Rotations followed on a base that gives way.
     #[error(
-        "the case has a [storm], and a [ground] that crushes or fails: the slide of a wave's pulse is that on a rigid base"
+        "waves that begin a rotation cannot be followed in time on a [ground] that crushes or fails under them"
     )]
     Ground,
     /// More than one set of loads.
-    #[error("the case has a [storm] and leaves a choice of loads: {what}")]
+    #[error("the case has a [storm] and leaves a choice of loads{}", of_names(combinations))]
     Choice {
-        /// Part of the case that leaves it.
-        what: &'static str,
+        /// Its combinations.
+        combinations: Vec<String>,
     },
+    /// A combination that is not there.
+    #[error(
+        "`combination` of [storm] is \"{asked}\"{}",
+        if combinations.is_empty() { ", and the case has none".to_owned() } else { of_names(combinations) }
+    )]
+    NoCombination {
+        /// The name asked for.
+        asked: String,
+        /// Combinations that there are.
+        combinations: Vec<String>,
+    },
+    /// A combination whose factors are not on the waves' forces alone.
+    #[error(
+        "storms cannot come under {}: its factors act on effects, or waves that begin a rotation would be followed without them",
+        name.as_ref().map_or_else(|| "this combination".to_owned(), |name| format!("the combination \"{name}\""))
+    )]
+    Combination {
+        /// Its name, where it is asked for.
+        name: Option<String>,
+    },
+    /// Levels over a storm, beside one that a combination sets.
+    #[error("[storm] has `level_rises`, and its combination sets `{name}`")]
+    SetLevel {
+        /// The key that it sets.
+        name: String,
+    },
+    /// Levels over a storm, of a case without a level.
+    #[error("[storm] has `level_rises`, and the case has no water level")]
+    NoLevel,
     /// Two frictions.
     #[error(
         "friction to slip is {kinetic} and to stick {friction}: pulse = \"shimosako\" takes one friction"
@@ -147,18 +178,50 @@ impl Explained for SlidingError {
             SlidingError::NoWaves => {
                 "leave [body] out for a storm whose thrust is in proportion to the wave's height".into()
             }
-            SlidingError::Ground => {
-                "leave [storm] out for the modes on this base, or `strength` and the ground's law for the \
-                 slides"
-                    .into()
+            SlidingError::Choice { combinations } if !combinations.is_empty() => {
+                format!("say under which its waves come: combination = \"{}\" in [storm]", combinations[0])
             }
             SlidingError::Choice { .. } => {
-                "storms are answered for a case whose loads all act together".into()
+                "storms are answered for loads that all act together, or for one combination".into()
             }
-            SlidingError::BiasOfMoment { .. } => "leave it out, or have rotations counted".into(),
+            SlidingError::BiasOfMoment { .. } | SlidingError::Ground => {
+                "leave it out, or have rotations counted".into()
+            }
             _ => return None,
         };
         Some(help)
+    }
+}
+
+/// Words for the combinations that there are.
+fn of_names(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        names => format!("; its combinations are {}", names.join(", ")),
+    }
+}
+
+impl Sliding {
+    /// Words for the storm: its waves, its parts, and the combination under which they come.
+    pub fn storm_words(&self) -> String {
+        let Storm { waves, parts, combination, .. } = &self.storm;
+        let mut words = format!("a storm of {waves} waves each");
+        if parts.len() > 1 {
+            words += &format!(", in {} equal parts", parts.len());
+        }
+        if let Some(name) = combination {
+            words += &format!(", under {name}");
+        }
+        words
+    }
+
+    /// Words for waves that are left out of the slides.
+    pub fn left_out_words(&self) -> &'static str {
+        if self.gives_way {
+            "Waves that begin a rotation, or under which the base gives way,"
+        } else {
+            "Waves that begin a rotation"
+        }
     }
 }
 
@@ -246,6 +309,7 @@ pub(in crate::random) fn sliding<S: Storms>(
     let slid = |more: f64| slid_in(&drawn, more);
     Ok(Sliding {
         storm: storm.clone(),
+        gives_way: false,
         years,
         // Where nothing was met the bound is one of a chance, and no slide follows from it.
         mean: if mean.value == 0.0 { Estimate { high: 0.0, ..mean } } else { times(mean, life.times()) },

@@ -27,7 +27,7 @@ use standfast_watch::Portion;
 
 use super::answer::{SlidingError, sliding};
 use super::read::storm;
-use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level};
+use super::{Part, Pulse, Slide, Storm, StormPart, Storms, Tau0, Year, height, level};
 use crate::error::{CaseError, Fault, Place};
 use crate::key::{Key, Range, Table};
 use crate::random::answer::{
@@ -132,6 +132,11 @@ pub(in crate::random) fn of_file(
         let message =
             "`cut` of [storm] is true; expected false, because without a [body] no sea has an H_max";
         return Err(fault(message.to_owned(), Key::StormCut.into()));
+    }
+    let of_body = [Key::StormRises, Key::StormCombination].into_iter().find(|key| inputs.get(*key).is_some());
+    if let Some(key) = of_body {
+        let message = format!("`{}` is of the sea at a body, and the file has no [body]", key.name());
+        return Err(fault(message, key.into()));
     }
     let storm = storm(inputs).map_err(|fault| file.error(fault))?;
     let Some(storm) = storm.map(|storm| Storm { is_cut: false, ..storm }) else { return Ok(None) };
@@ -302,17 +307,19 @@ impl Storms for PureStorm {
         let [significant, force, uplift, weight, mass, μ] = values;
         let resistance = μ * weight;
         let slope = (of_force * force + μ * of_uplift * uplift) / resistance;
-        let least = level(1.0 / slope, significant);
-        // e⁻⁷⁰⁰ is no chance, and a slope of zero no slide.
-        if least.is_nan() || least > 700.0 {
-            return None;
-        }
         let scale = resistance * self.tau0 * self.tau0 / mass;
-        Some(Year {
-            slides: vec![(least, f64::INFINITY)],
-            turns: Vec::new(),
-            cut: f64::INFINITY,
-            wave: Proportional { slope, significant, scale, pulse: self.storm.pulse },
-        })
+        let part = |part: &StormPart| {
+            let significant = significant * part.height;
+            let least = level(1.0 / slope, significant);
+            // e⁻⁷⁰⁰ is no chance, and a slope of zero no slide.
+            (least <= 700.0).then(|| Part {
+                slides: vec![(least, f64::INFINITY)],
+                turns: Vec::new(),
+                cut: f64::INFINITY,
+                wave: Proportional { slope, significant, scale, pulse: self.storm.pulse },
+            })
+        };
+        let parts = &self.storm.parts;
+        Year::of(parts.iter().filter_map(part).collect(), parts.len())
     }
 }

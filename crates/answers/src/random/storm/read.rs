@@ -2,7 +2,7 @@
 
 use standfast::number::exact;
 
-use super::{Pulse, Storm, Tau0};
+use super::{Pulse, Storm, StormPart, Tau0};
 use crate::case::check_ranges;
 use crate::error::{Fault, Problem};
 use crate::inputs::{Inputs, Value};
@@ -39,5 +39,42 @@ pub(in crate::random) fn storm(inputs: &Inputs) -> Result<Option<Storm>, Fault> 
     let asked = inputs.choice(Key::StormPulse);
     let pulse = Pulse::ALL.into_iter().find(|pulse| Some(pulse.name()) == asked).unwrap_or_default();
     let is_cut = inputs.truth(Key::StormCut).unwrap_or(true);
-    Ok(Some(Storm { waves: count as u64, tau0, pulse, is_cut }))
+    let combination = inputs.text(Key::StormCombination).map(str::to_owned);
+    Ok(Some(Storm { waves: count as u64, tau0, pulse, is_cut, parts: parts(inputs)?, combination }))
+}
+
+/// The equal parts of the storm.
+fn parts(inputs: &Inputs) -> Result<Vec<StormPart>, Fault> {
+    let refused =
+        |message: &str, key: Key| Err(Fault::new(RandomProblem::Other(message.to_owned()).into(), key));
+    let [heights, rises] = [Key::StormFactors, Key::StormRises].map(|key| inputs.list(key));
+    if let Some(heights) = heights {
+        let largest = heights.iter().copied().fold(0.0, f64::max);
+        if heights.iter().any(|height| *height <= 0.0) || largest != 1.0 {
+            let message = format!(
+                "`height_factors` of [storm] has {} for its largest; expected factors above 0, the largest of them 1, which is the peak",
+                exact(largest)
+            );
+            return refused(&message, Key::StormFactors);
+        }
+    }
+    if let (Some(heights), Some(rises)) = (heights, rises)
+        && heights.len() != rises.len()
+    {
+        let message = format!(
+            "[storm] has {} height_factors and {} level_rises; expected as many, one for each equal part of the storm",
+            heights.len(),
+            rises.len()
+        );
+        return refused(&message, Key::StormRises);
+    }
+    let count = heights.or(rises).map_or(1, <[f64]>::len);
+    if count == 0 {
+        return refused("[storm] has no parts; expected a number for each", Key::StormFactors);
+    }
+    let part = |place: usize| StormPart {
+        height: heights.map_or(1.0, |heights| heights[place]),
+        rise: rises.map_or(0.0, |rises| rises[place]),
+    };
+    Ok((0..count).map(part).collect())
 }

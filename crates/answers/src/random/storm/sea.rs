@@ -1,6 +1,8 @@
 //! The storm of a case: each wave by Goda's formulas, its mode by the contact problem.
 
 use standfast::contact::{Block, rests_surely, solve};
+use standfast::ground::Base;
+use standfast::loads::LoadSource;
 use standfast::wave::Goda;
 use standfast::{Mode, Wrench};
 use standfast_probability::life::Life;
@@ -9,10 +11,10 @@ use standfast_watch::Portion;
 
 use super::answer::{Sliding, SlidingError, sliding};
 use super::pulse::slide_from;
-use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level, rotation};
-use crate::case::{Acting, Case, GodaWaves};
+use super::{Part, Pulse, Slide, Storm, StormPart, Storms, Tau0, Year, height, level, rotation};
+use crate::case::{Acting, Case, GodaWaves, Trial};
 use crate::random::answer::ChanceRequest;
-use crate::random::mechanics::Components;
+use crate::random::mechanics::{Components, Mechanics};
 use crate::random::problem::ChanceProblem;
 use crate::random::quantity::{Bias, RandomInput};
 
@@ -20,6 +22,8 @@ use crate::random::quantity::{Bias, RandomInput};
 pub(in crate::random) struct SeaStorm<'a> {
     pub(in crate::random) problem: &'a ChanceProblem,
     pub(in crate::random) storm: &'a Storm,
+    /// Factors of a combination on thrust and uplift.
+    pub(in crate::random) factors: [f64; 2],
     /// True if waves that begin a rotation are followed in time.
     pub(in crate::random) follow: bool,
 }
@@ -30,6 +34,9 @@ pub(in crate::random) struct GodaWave {
     /// Everything that acts but the waves.
     still: Wrench,
     block: Block,
+    base: Base,
+    /// Factors of the combination on thrust and uplift.
+    factors: [f64; 2],
     biases: [Option<f64>; Bias::ALL.len()],
     /// m g, N, and half the width, m.
     scale: (f64, f64),
@@ -49,16 +56,23 @@ enum Effect {
 }
 
 impl GodaWave {
-    fn of(problem: &ChanceProblem, storm: &Storm, case: &Case, values: &[f64]) -> Option<GodaWave> {
-        let components = problem.components(values)?;
+    fn of(
+        storms: &SeaStorm<'_>,
+        case: &Case,
+        (components, mechanics): (Components, &Mechanics),
+        values: &[f64],
+    ) -> Option<GodaWave> {
+        let SeaStorm { problem, storm, factors, .. } = *storms;
         let components = Components { thrust: Wrench::ZERO, uplift: Wrench::ZERO, ..components };
         let [permanent, variable] = components.wrenches(|bias| problem.bias(bias, values));
-        let block = problem.mechanics(values)?.block;
+        let Mechanics { block, base, .. } = *mechanics;
         let weight = case.body.mass() * case.gravity;
         Some(GodaWave {
             waves: case.goda()?.clone(),
             still: permanent + variable,
             block,
+            base,
+            factors,
             biases: Bias::ALL.map(|bias| problem.bias(bias, values)),
             scale: (weight, case.body.width() / 2.0),
             gravity: case.gravity,
@@ -75,7 +89,8 @@ impl GodaWave {
 
     /// All that acts under a wave.
     fn wrench(&self, goda: &Goda) -> Wrench {
-        let of_wave = Components::of_wave(goda, &self.block, self.scale);
+        let [thrust, uplift] = Components::of_wave(goda, &self.block, self.scale);
+        let of_wave = [thrust * self.factors[0], uplift * self.factors[1]];
         self.still + Components::waves(&self.block, of_wave, |bias| self.biases[bias as usize])
     }
 
@@ -93,10 +108,15 @@ impl GodaWave {
 
     fn effect(&self, level: f64) -> Effect {
         let wrench = self.wrench(&self.goda(height(level, self.waves.goda.h_13)));
-        if rests_surely(&self.block, &wrench) {
-            return Effect::Nothing;
-        }
-        match solve(&self.block, &wrench).ok().and_then(|solution| solution.mode()) {
+        let mode = if self.base == Base::Rigid {
+            if rests_surely(&self.block, &wrench) {
+                return Effect::Nothing;
+            }
+            solve(&self.block, &wrench).ok().and_then(|solution| solution.mode())
+        } else {
+            self.base.decide(&self.block, &wrench).ok().and_then(|found| found.verdict?.mode())
+        };
+        match mode {
             Some(Mode::Rest) => Effect::Nothing,
             Some(Mode::SlideLeft) => Effect::Slides,
             _ => Effect::Turns,
@@ -148,19 +168,17 @@ pub(in crate::random) fn of_case(
     over: &[f64],
     portion: Portion<'_>,
 ) -> Result<Sliding, SlidingError> {
-    let [problem] = problems else {
-        return Err(SlidingError::Choice {
-            what: "its combinations, loads that act alone, or an earthquake",
-        });
-    };
-    let Some((case, acting)) = problem.case().filter(|(case, _)| case.goda().is_some()) else {
+    let problem = problem_of(storm, problems)?;
+    let Some((case, acting)) = problem.case() else { return Err(SlidingError::NoWaves) };
+    let case = case.under(acting);
+    if case.goda().is_none() {
         return Err(SlidingError::NoWaves);
-    };
-    if case.gives_way() {
+    }
+    if request.follow && case.gives_way() {
         return Err(SlidingError::Ground);
     }
-    if matches!(acting, Acting::Combination(_)) {
-        return Err(SlidingError::Choice { what: "a combination, which multiplies its waves" });
+    if storm.parts.iter().any(|part| part.rise != 0.0) {
+        problem.can_rise()?;
     }
     let of_moment = [Bias::ThrustMoment, Bias::UpliftMoment];
     let biased = problem.random().iter().find(|input| of_moment.iter().any(|bias| bias.name() == input.name));
@@ -177,8 +195,51 @@ pub(in crate::random) fn of_case(
         return Err(SlidingError::Survived);
     }
     let life = problem.life().unwrap_or(plain);
-    let storms = SeaStorm { problem, storm, follow: request.follow };
-    sliding(storm, &storms, problem.laws(), &life, (request, over), portion)
+    let factors = factors(case, acting).filter(|_| !request.follow || matches!(acting, Acting::All));
+    let factors = factors.ok_or(SlidingError::Combination { name: storm.combination.clone() })?;
+    let storms = SeaStorm { problem, storm, factors, follow: request.follow };
+    let found = sliding(storm, &storms, problem.laws(), &life, (request, over), portion)?;
+    Ok(Sliding { gives_way: case.gives_way(), ..found })
+}
+
+/// The set of loads under which the waves of a storm come.
+fn problem_of<'a>(storm: &Storm, problems: &'a [ChanceProblem]) -> Result<&'a ChanceProblem, SlidingError> {
+    let name = |problem: &ChanceProblem| {
+        let (case, acting) = problem.case()?;
+        let Acting::Combination(index) = acting else { return None };
+        case.combinations[index].name.clone()
+    };
+    match (&storm.combination, problems) {
+        (None, [problem]) => Ok(problem),
+        (None, _) => Err(SlidingError::Choice { combinations: problems.iter().filter_map(name).collect() }),
+        (Some(asked), _) => {
+            let mut found = problems.iter().filter(|problem| name(problem).as_ref() == Some(asked));
+            match (found.next(), found.next()) {
+                (Some(problem), None) => Ok(problem),
+                (None, _) => Err(SlidingError::NoCombination {
+                    asked: asked.clone(),
+                    combinations: problems.iter().filter_map(name).collect(),
+                }),
+                // The same under several accelerations of the base.
+                (Some(_), Some(_)) => Err(SlidingError::Choice { combinations: Vec::new() }),
+            }
+        }
+    }
+}
+
+/// The factors of a set of loads on the thrust and the uplift of a wave; `None` where they act on effects.
+fn factors(case: &Case, acting: Acting) -> Option<[f64; 2]> {
+    if let Acting::Combination(index) = acting
+        && case.combinations[index].effects
+    {
+        return None;
+    }
+    let situation = case.situation(acting, Trial::AS_GIVEN).ok()?;
+    let of = |source: LoadSource| {
+        let load = situation.loads().iter().find(|load| load.source == source);
+        load.map_or(0.0, |load| case.factor_on(acting, Trial::AS_GIVEN, load))
+    };
+    Some([of(LoadSource::WavePressure), of(LoadSource::WaveUplift)])
 }
 
 /// Into how many steps the heights up to the cut are parted in search of changes of mode.
@@ -188,13 +249,29 @@ impl Storms for SeaStorm<'_> {
     type Wave = GodaWave;
 
     fn storm(&self, values: &[f64]) -> Option<Year<GodaWave>> {
+        let parts = &self.storm.parts;
+        Year::of(parts.iter().filter_map(|part| self.part(values, part)).collect(), parts.len())
+    }
+}
+
+impl SeaStorm<'_> {
+    /// A part of the storm with these values; none if no wave of it moves the body.
+    fn part(&self, values: &[f64], part: &StormPart) -> Option<Part<GodaWave>> {
+        let problem = self.problem;
+        let case = if *part == StormPart::PEAK { None } else { Some(problem.case_in(values, part)?) };
+        let components = match &case {
+            None => problem.components(values)?,
+            Some(case) => problem.components_of(case)?,
+        };
+        let mechanics = problem.mechanics_of(&components, values);
         // The case has its largest wave, at which heights are cut: most years end here.
-        let largest = self.problem.mechanics(values)?;
-        if self.storm.is_cut && rests_surely(&largest.block, &largest.wrench()) {
+        let is_calm = self.storm.is_cut && mechanics.base == Base::Rigid;
+        if is_calm && rests_surely(&mechanics.block, &mechanics.wrench()) {
             return None;
         }
-        let case = self.problem.case_with(values)?;
-        let mut wave = GodaWave::of(self.problem, self.storm, &case, values)?;
+        let case = case.or_else(|| problem.case_with(values))?;
+        let (_, acting) = problem.case()?;
+        let mut wave = GodaWave::of(self, case.under(acting), (components, &mechanics), values)?;
         wave.followed = self.follow.then(|| Box::new(case));
         let goda = &wave.waves.goda;
         // No wave is drawn beyond e⁻⁴⁰.
@@ -203,32 +280,32 @@ impl Storms for SeaStorm<'_> {
         if wave.effect(last) == Effect::Nothing {
             return None;
         }
-        let mut year = Year { slides: Vec::new(), turns: Vec::new(), cut, wave };
+        let mut part = Part { slides: Vec::new(), turns: Vec::new(), cut, wave };
         let end = last.sqrt();
-        let (mut from, mut here) = (0.0, year.wave.effect(0.0));
+        let (mut from, mut here) = (0.0, part.wave.effect(0.0));
         for step in 1..=SCAN {
             let root = |part: f64| end * (f64::from(step - 1) + part) / f64::from(SCAN);
-            let (mut low, then) = (0.0, year.wave.effect(root(1.0).powi(2)));
+            let (mut low, then) = (0.0, part.wave.effect(root(1.0).powi(2)));
             while here != then {
                 // The first change, by height: what follows it may change again before the step ends.
                 let (mut high, mut beyond) = (1.0, then);
                 while high - low > 1e-10 {
                     let middle = 0.5 * (low + high);
-                    let there = year.wave.effect(root(middle).powi(2));
+                    let there = part.wave.effect(root(middle).powi(2));
                     if there == here { low = middle } else { (high, beyond) = (middle, there) }
                 }
                 let to = root(high).powi(2);
-                year.add(here, from, to);
+                part.add(here, from, to);
                 (from, low, here) = (to, high, beyond);
             }
         }
         let to = if self.storm.is_cut { cut } else { f64::INFINITY };
-        year.add(here, from, to);
-        Some(year)
+        part.add(here, from, to);
+        Some(part)
     }
 }
 
-impl Year<GodaWave> {
+impl Part<GodaWave> {
     fn add(&mut self, effect: Effect, from: f64, to: f64) {
         match effect {
             Effect::Slides => self.slides.push((from, to)),
