@@ -7,7 +7,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use standfast_cases::CaseText;
-use standfast_cases::random::{Effort, Method, own_laws};
+use standfast_cases::random::{Effort, Method, OwnNumbers, own_laws};
 use standfast_probability::form::{FormPoint, generalized};
 use standfast_probability::limit_state::{Asked, LimitFunction, reliability as of_limit_state};
 
@@ -18,6 +18,7 @@ use crate::watch::watched;
 /// A function of arrays by their names.
 struct Limit {
     function: Py<PyAny>,
+    /// Of its arguments, the first columns.
     names: Vec<String>,
     /// What it raised first.
     raised: Mutex<Option<PyErr>>,
@@ -96,7 +97,7 @@ pub(crate) fn reliability(
     });
     let method = named.transpose()?;
     let text = CaseText::parse(&laws.0, &laws.1).map_err(|error| of_case(&error))?;
-    let (names, inputs) = own_laws(&text).map_err(|error| of_case(&error))?;
+    let OwnNumbers { names, arguments, laws: inputs } = own_laws(&text).map_err(|error| of_case(&error))?;
     let place = |line: &String| {
         names.iter().position(|name| name == line).ok_or_else(|| {
             StandfastError::new_err(format!("line is {line:?}; expected one of {}", names.join(", ")))
@@ -116,7 +117,8 @@ pub(crate) fn reliability(
     }
     // One thread: only one at a time can call a function of Python.
     let effort = Effort { threads: 1, ..asked.effort() };
-    let function = Limit { function: limit_state, names: names.clone(), raised: Mutex::new(None) };
+    let named = names[..arguments].to_vec();
+    let function = Limit { function: limit_state, names: named, raised: Mutex::new(None) };
     let found = watched(py, asked.progress.as_ref(), move |portion| {
         let found = of_limit_state(&inputs, &function, &Asked { method, effort, line, portion });
         match function.raised.into_inner().ok().flatten() {

@@ -139,3 +139,34 @@ def test_distributions_in_a_mixture_and_of_the_newer_kind() -> None:
     if hasattr(stats, "Normal"):
         plane["random"] = {"k": stats.Normal(mu=0.4, sigma=0.04)}
         assert standfast.probability(plane).not_rest.probability == pytest.approx(stats.norm.sf(2.5), rel=1e-9)
+
+
+def test_a_law_that_is_fitted_and_one_that_is_given() -> None:
+    # The function is of the numbers of the table alone; the parameters that a fit leaves uncertain are none of its arguments.
+    heights = [4.1, 5.2, 3.8, 4.6, 6.0, 4.4, 3.9, 5.5, 4.9, 4.2]
+    laws = {"h": {"fitted": {"law": "gumbel", "values": heights}}, "r": {"normal": {"mean": 9, "sd": 0.5}}}
+    found = reliability(lambda h, r: r - h, laws, precision=0.01)
+    assert set(found.importance) == {"h", "r", "h.mode", "h.scale"}
+    # scipy's likeliest law, and its parameters' covariance by second derivatives, are those of the tests of fits.
+    random, count = np.random.default_rng(3), 2_000_000
+    z, w = random.standard_normal((2, count))
+    mode = 4.336518944839044 + 0.17979813 * z
+    scale = 0.5402006084562867 * np.exp(0.25879764 * (0.3119415690501845 * z + math.sqrt(1 - 0.3119415690501845**2) * w))
+    r = 9 + 0.5 * random.standard_normal(count)
+    exceeded = -np.expm1(-np.exp(-(r - mode) / scale))
+    share, error = exceeded.mean(), exceeded.std() / math.sqrt(count)
+    assert abs(found.probability - share) < 4 * error + 0.02 * share
+
+    steep = {"lognormal": {"mean": {"factor": 4.0, "power": 0.5}, "cov": 0.1}, "given": "h"}
+    laws = {"h": {"normal": {"mean": 4, "sd": 1}, "lower": 0.5}, "t": steep}
+    found = reliability(lambda h, t: t - 7, laws)
+    spread = math.sqrt(math.log1p(0.01))
+
+    def below(h: float) -> float:
+        return stats.norm.cdf((math.log(7 / (4 * math.sqrt(h))) + spread**2 / 2) / spread)
+
+    mass = stats.norm.sf(-3.5)
+    exact, _ = integrate.quad(lambda h: stats.norm.pdf(h - 4) * below(h), 0.5, 14, epsabs=0)
+    assert found.probability == pytest.approx(exact / mass, rel=1e-6)
+    with pytest.raises(StandfastError, match="line is \"h\", on which the law of another number depends; expected one of t"):
+        reliability(lambda h, t: t - 7, laws, line="h")

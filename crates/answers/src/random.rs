@@ -62,7 +62,7 @@ pub use storm::{
 pub use spread::{Spread, spreads};
 pub use template::{ProposedLaw, template};
 
-pub use own::own_laws;
+pub use own::{OwnNumbers, own_laws};
 pub use problem::ChanceProblem;
 pub use quantity::{Bias, Coordinate, Quantity};
 pub use standfast_inputs::random::{Lifetime, RANDOM, Random, RandomEntry, RandomProblem, Rate};

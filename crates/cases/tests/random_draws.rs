@@ -463,18 +463,21 @@ fn integrated_on_a_base_that_gives_way_is_what_is_drawn() {
 
 /// Storms on a base that gives way, and on one that is elastic.
 #[test]
-fn storms_ask_for_a_base_that_bears() {
+fn storms_are_answered_on_a_base_that_gives_way() {
     use standfast_cases::random::{ChanceRequest, Probability};
     let goda = include_str!("../../../examples/goda-2000.toml");
     let laws = "[random]\nfriction = { normal = { cov = 0.1 } }\n[storm]\nwaves = 10\ntau0 = 1\n";
-    let of = |ground: &str| {
+    let of = |ground: &str, follow: bool| {
         let text = format!("{goda}\n[ground]\n{ground}\n{laws}");
-        Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), ChanceRequest::default())
+        let request = ChanceRequest { follow, ..ChanceRequest::default() };
+        Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), request)
             .map(|_| ())
             .map_err(|error| error.to_string())
     };
-    assert!(of("strength = 1e6").unwrap_err().contains("[ground] that crushes or fails"));
-    assert_eq!(of("stiffness = 5e7"), Ok(()));
+    assert_eq!(of("strength = 1e6", false), Ok(()));
+    assert_eq!(of("stiffness = 5e7", true), Ok(()));
+    // A rotation on a base that crushes under it is none that is followed.
+    assert!(of("strength = 1e6", true).unwrap_err().contains("[ground] that crushes or fails"));
 }
 
 /// A drawn verdict is one of the contact problem's modes, or that the ground fails.

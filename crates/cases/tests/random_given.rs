@@ -144,6 +144,29 @@ fn sectors_have_their_own_laws() {
     assert!((life / -(-40.0 * event).exp_m1() - 1.0).abs() < 1e-9, "{life} {event}");
 }
 
+/// A fitted number goes with another by their normals, whatever its parameters are: the two are both high in P(k > 0.8, k' low) by hand.
+#[test]
+fn a_fitted_number_may_be_correlated() {
+    let random = format!(
+        "{FITTED}mu = {{ normal = {{ mean = 0.8, sd = 0.1 }}, every = \"year\" }}\n[[random.correlation]]\nbetween = [\"k\", \"mu\"]\nnormal = 0.6\n"
+    );
+    let e = answer(&random).situations[0].not_rest;
+    let coarse = |f: &dyn Fn(f64) -> f64| {
+        let step = |i: i32| f64::from(i) / 8.0;
+        let density = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
+        (-64..=64).map(|i| density(step(i)) * f(step(i)) / 8.0).sum::<f64>()
+    };
+    let across = (1.0 - CORRELATION * CORRELATION).sqrt();
+    let slides = |z: f64, w: f64, u: f64| {
+        let scale = SCALE[0] * (SCALE[1] * (CORRELATION * z + across * w)).exp();
+        let k = MODE[0] + MODE[1] * z - scale * (-below(u).ln()).ln();
+        // Friction has the mean 0.8 + 0.1 · 0.6 u and 0.8 of its deviation given the force.
+        below((k - 0.8 - 0.06 * u) / 0.08)
+    };
+    let by_hand = coarse(&|z| coarse(&|w| coarse(&|u| slides(z, w, u))));
+    assert!((e.value - by_hand).abs() < (e.high - e.low).max(1e-4 * by_hand), "{e:?} {by_hand}");
+}
+
 #[test]
 fn what_cannot_be_fitted_or_given_is_refused() {
     let force = "k = { normal = { mean = 0.5, sd = 0.1 }, every = \"year\" }\n";
@@ -163,6 +186,7 @@ fn what_cannot_be_fitted_or_given_is_refused() {
         (format!("k = {{ fitted = {{ law = \"triangular\", values = {values} }} }}\n"), "has no `triangular`; expected normal, lognormal, gumbel"),
         (format!("k = {{ fitted = {{ law = \"gumbel\", values = {values}, location = 1 }} }}\n"), "the law gumbel has none to be given"),
         ("k = { fitted = { law = \"gumbel\", values = [0.4, 0.5] } }\n".to_owned(), "2 values, of which 2 differ; expected 5"),
+        (format!("k = {{ max_of = {{ count = 9, fitted = {{ law = \"gumbel\", values = {values} }} }} }}\n"), "`max_of` of `k` has no `fitted`"),
         (format!("k = {{ fitted = {{ law = \"gpd\", values = {values} }} }}\n"), "lacks `location`, the threshold"),
         (format!("k = {{ fitted = {{ law = \"gpd\", values = {values}, location = 0.45 }} }}\n"), "the value 0.41; expected values above 0.45"),
         (format!("k = {{ fitted = {{ law = \"gumbel\", values = {values} }}, given = \"mu\" }}\nmu = {{ normal = {{ sd = 0.1 }} }}\n"), "`k` is fitted, and given another number"),

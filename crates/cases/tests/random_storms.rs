@@ -104,6 +104,15 @@ fn the_waves_of_a_storm_come_under_one_combination() {
                 + "[[combination]]\nname = \"A\"\nfactors = { wave = 1 }\nset = { water_level = \"7 m\" }\n",
             "its combination sets `water_level`",
         ),
+        (
+            storm("level_rises = [0, \"0.5 m\"]\n", plain) + "wave.base_depth = { normal = { sd = 0.1 } }\n",
+            "`wave.base_depth` is random: make `water_level` random in its place",
+        ),
+        (storm("level_rises = [0, \"-9 m\"]\n", plain), "part 2 of [storm]"),
+        (
+            storm("", plain).replace("friction = 0.6\n", "friction = 0.6\nadhesion = \"20 kPa\"\n"),
+            "`adhesion` is not for storms",
+        ),
     ] {
         let error = answer(&text).expect_err(expected);
         assert!(error.to_string().contains(expected), "{error}");

@@ -131,9 +131,13 @@ impl Fit {
             return Err(FitError::Few { count: values.len(), different: sorted.len(), least: LEAST });
         }
         let origin = if family.has_origin() { origin } else { 0.0 };
-        let is_bounded = family.has_origin() || family == Family::LogNormal;
-        if let Some(value) = values.iter().find(|value| !value.is_finite() || is_bounded && **value <= origin)
-        {
+        let is_inside = |value: f64| match family {
+            Family::Weibull | Family::LogNormal => value > origin,
+            // A value at a threshold is over it.
+            Family::Exponential | Family::Pareto => value >= origin,
+            Family::Normal | Family::Gumbel | Family::Gev => true,
+        };
+        if let Some(value) = values.iter().find(|value| !(value.is_finite() && is_inside(**value))) {
             return Err(FitError::Outside { value: *value, origin });
         }
         // In units in which they are about one, or have the deviation one about zero; of logarithms for the lognormal law.

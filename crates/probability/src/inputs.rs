@@ -1,7 +1,7 @@
 //! Random inputs: a law for each, how they are correlated, and laws that depend on what other inputs are.
 //!
 //! Correlation moves the standard normals behind the values ([`copula`](crate::copula)). A law that is *given* says more: of the period of waves
-//! in a storm of this height, of a height whose law was fitted and has uncertain parameters. Its input has an independent normal of its own, and
+//! in a storm of this height, of a height whose law was fitted and has uncertain parameters. Its input has a normal of its own as any other, and
 //! the value is that of the law at the values of those it depends on.
 
 use std::borrow::Cow;
@@ -82,11 +82,9 @@ impl RandomVector {
     /// ```
     ///
     /// # Panics
-    /// If one depends on itself, directly or not, or is correlated with another input.
+    /// If one depends on itself, directly or not.
     pub fn with_given(mut self, given: Vec<(usize, GivenLaw)>) -> RandomVector {
         for (input, law) in given {
-            let alone = |other: usize| other == input || self.copula.between(input, other) == 0.0;
-            assert!((0..self.laws.len()).all(alone), "a law that is given has a normal of its own");
             self.given[input] = Some(law);
         }
         self.sequence.clear();
@@ -142,9 +140,9 @@ impl RandomVector {
         self.given.iter().any(Option::is_some)
     }
 
-    /// All inputs, each after those its law depends on.
-    pub fn sequence(&self) -> &[usize] {
-        &self.sequence
+    /// Place of an input among all, each after those its law depends on.
+    pub(crate) fn rank(&self, input: usize) -> usize {
+        self.sequence.iter().position(|other| *other == input).expect("all inputs are there")
     }
 
     /// The law of an input at these values of those it depends on.

@@ -56,6 +56,9 @@ impl Life {
     /// Panics unless years are whole, where they follow each other, and the list is of as many inputs.
     pub(crate) fn check(&self, inputs: &RandomVector) {
         assert_eq!(self.yearly.len(), inputs.laws().len(), "an entry for each input");
+        let lasts = |parent: &usize, input: usize| !self.yearly[*parent] || self.yearly[input];
+        let is_given = |input: usize| inputs.parents(input).iter().all(|parent| lasts(parent, input));
+        assert!((0..self.yearly.len()).all(is_given), "what a law depends on lasts as long as its value");
         let is_whole = self.years >= 1.0 && self.years.fract() == 0.0;
         assert!(is_whole || self.events.is_some(), "whole years");
         assert!(self.clock.is_none_or(|clock| self.yearly[clock]), "time passes from year to year");

@@ -17,12 +17,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use std::borrow::Cow;
 use std::sync::Mutex;
 
 use standfast_watch::Portion;
 use thiserror::Error;
 
 use crate::form::{FormPoint, apart, boundary_points};
+use crate::law::Distribution;
 use crate::method::{Found, Method, by, by_known};
 use crate::problem::{Outcomes, Pieces, RandomVector, scanned};
 use crate::roots::Crossing;
@@ -153,7 +155,7 @@ pub fn reliability<G: LimitFunction>(
         let first =
             |a: &usize, b: &usize| weight(a).partial_cmp(&weight(b)).unwrap_or(std::cmp::Ordering::Equal);
         let line = (0..point.alpha.len()).max_by(first).unwrap_or(0);
-        state = LimitState { line, grid: grid(inputs, line), ..state };
+        state = LimitState::new(inputs, function, line);
     }
     let numbers = inputs.laws().len();
     let suited = || Method::suited(numbers, INTEGRATED, points.first().map(|point| point.beta));
@@ -196,26 +198,18 @@ pub fn reliability<G: LimitFunction>(
 
 /// A function whose sign tells, scanned along one input.
 struct LimitState<'a, G> {
+    inputs: &'a RandomVector,
     function: &'a G,
     line: usize,
-    /// Values of the line at which the sign is looked at, rising.
+    /// Values of the line at which the sign is looked at, rising; where its law depends on other inputs, those at their medians.
     grid: Vec<f64>,
     /// Values of the inputs at which the function is not a number, if there were any.
     not_a_number: Mutex<Option<Vec<f64>>>,
 }
 
-/// How far off, in deviations, values that a law depends on are looked at.
-const FAR: f64 = 4.0;
-
-/// The values at which the sign is looked at along an input.
-fn grid(inputs: &RandomVector, line: usize) -> Vec<f64> {
-    let mut grid = scanned(&inputs.laws()[line], &[]);
-    // Where those that its law depends on lie far off, it has values elsewhere.
-    for far in [-FAR, FAR].into_iter().filter(|_| !inputs.parents(line).is_empty()) {
-        let far = inputs.values_of(&vec![far; inputs.laws().len()]);
-        grid.extend(scanned(&inputs.law_at(line, &far), &[]));
-    }
-    grid.sort_by(f64::total_cmp);
+/// The values of a law at which the sign is looked at.
+fn grid(law: &Distribution) -> Vec<f64> {
+    let mut grid = scanned(law, &[]);
     grid.retain(|x| x.is_finite());
     grid.dedup();
     grid
@@ -296,8 +290,22 @@ fn dip(mut x: [f64; 3], mut y: [f64; 3], g: impl Fn(f64) -> f64) -> Option<(f64,
 }
 
 impl<'a, G: LimitFunction> LimitState<'a, G> {
-    fn new(inputs: &RandomVector, function: &'a G, line: usize) -> LimitState<'a, G> {
-        LimitState { function, line, grid: grid(inputs, line), not_a_number: Mutex::new(None) }
+    fn new(inputs: &'a RandomVector, function: &'a G, line: usize) -> LimitState<'a, G> {
+        LimitState {
+            inputs,
+            function,
+            line,
+            grid: grid(&inputs.laws()[line]),
+            not_a_number: Mutex::new(None),
+        }
+    }
+
+    /// The values at which the sign is looked at on a line, at these values of the others.
+    fn grid_at(&self, values: &[f64]) -> Cow<'_, [f64]> {
+        match self.inputs.law_at(self.line, values) {
+            Cow::Borrowed(_) => Cow::Borrowed(&self.grid),
+            Cow::Owned(law) => Cow::Owned(grid(&law)),
+        }
     }
 
     /// The function on lines, each at values of its own: `at` of them in all, with the number of the line of each.
@@ -340,22 +348,28 @@ impl<G: LimitFunction> Outcomes for LimitState<'_, G> {
     }
 
     fn along_each(&self, lines: &[Vec<f64>], pieces: &mut [Pieces]) {
-        let on_grid = |line: usize| self.grid.iter().map(move |x| (line, *x));
-        let at: Vec<(usize, f64)> = (0..lines.len()).flat_map(on_grid).collect();
-        let found = self.found(lines, &at);
+        let grids: Vec<Cow<'_, [f64]>> = lines.iter().map(|values| self.grid_at(values)).collect();
+        let on_grid = |(line, grid): (usize, &Cow<'_, [f64]>)| -> Vec<(usize, f64)> {
+            grid.iter().map(|x| (line, *x)).collect()
+        };
+        let at: Vec<(usize, f64)> = grids.iter().enumerate().flat_map(on_grid).collect();
+        let all = self.found(lines, &at);
         let mut crossings: Vec<Change> = Vec::new();
-        for (line, found) in found.chunks(self.grid.len()).enumerate() {
-            let mut last = (self.grid[0], found[0]);
+        let mut rest = &all[..];
+        for (line, grid) in grids.iter().enumerate() {
+            let found;
+            (found, rest) = rest.split_at(grid.len());
+            let mut last = (grid[0], found[0]);
             let mut pass = |next: (f64, f64)| {
                 if outcome(next.1) != outcome(last.1) {
                     crossings.push(Change::new(line, last, next));
                 }
                 last = next;
             };
-            for i in 1..self.grid.len() {
-                let here = (self.grid[i], found[i]);
+            for i in 1..grid.len() {
+                let here = (grid[i], found[i]);
                 if let (Some(&[x0, x1, x2]), Some(&[y0, y1, y2])) =
-                    (self.grid.get(i - 1..i + 2), found.get(i - 1..i + 2))
+                    (grid.get(i - 1..i + 2), found.get(i - 1..i + 2))
                 {
                     let dip = dip([x0, x1, x2], [y0, y1, y2], |x| self.found(lines, &[(line, x)])[0]);
                     if let Some(dip) = dip {
@@ -381,8 +395,10 @@ impl<G: LimitFunction> Outcomes for LimitState<'_, G> {
             }
         }
         let mut crossings = crossings.into_iter().peekable();
-        for ((line, pieces), found) in pieces.iter_mut().enumerate().zip(found.chunks(self.grid.len())) {
-            let (mut from, mut holds) = (f64::NEG_INFINITY, outcome(found[0]));
+        let mut first = 0;
+        for ((line, pieces), grid) in pieces.iter_mut().enumerate().zip(&grids) {
+            let (mut from, mut holds) = (f64::NEG_INFINITY, outcome(all[first]));
+            first += grid.len();
             while let Some(change) = crossings.next_if(|change| change.line == line) {
                 pieces.push(from, change.crossing.root(), holds);
                 (from, holds) = (change.crossing.root(), change.to);

@@ -307,7 +307,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         assert!(!inputs.is_parent(line), "no law depends on the line");
         let mut sequence: Vec<usize> = (0..order.len()).filter(|place| order[*place] != line).collect();
         if inputs.has_given() {
-            sequence.sort_by_key(|place| inputs.sequence().iter().position(|input| *input == order[*place]));
+            sequence.sort_by_key(|place| inputs.rank(order[*place]));
         }
         Frame { inputs, outcomes, order, factor, sequence, held, breaks, atoms }
     }

@@ -349,11 +349,8 @@ impl<'a> Values<'a> {
     fn new(inputs: &'a RandomVector, yearly: &[bool]) -> Values<'a> {
         let n = inputs.laws().len();
         let mut order: Vec<usize> = (0..n).collect();
-        order.sort_by_key(|input| yearly[*input]);
-        if inputs.has_given() {
-            let place = |input: &usize| inputs.sequence().iter().position(|other| other == input);
-            order.sort_by_key(|input| (yearly[*input], place(input)));
-        }
+        // Without laws that are given that is the order of the inputs.
+        order.sort_by_key(|input| (yearly[*input], inputs.rank(*input)));
         let factor = inputs.copula().factor(&order).expect("a copula is positive definite in any order");
         let once = yearly.iter().filter(|yearly| !**yearly).count();
         Values { inputs, order, factor, once, clock: None, u: vec![0.0; n], values: vec![0.0; n] }

@@ -6,6 +6,7 @@ use standfast_probability::form::design_point;
 use standfast_probability::integrate::{Within, integrate, integrate_life};
 use standfast_probability::law::{Distribution, Law};
 use standfast_probability::life::{Life, lives};
+use standfast_probability::limit_state::{Asked, reliability};
 use standfast_probability::normal;
 use standfast_probability::problem::{GivenLaw, Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::{Effort, draws, monte_carlo, sobol};
@@ -72,6 +73,9 @@ fn as_scipy_has_them() {
 fn values_that_fit_no_law_are_refused() {
     let few = Fit::of(Family::Gumbel, &[4.0, 4.0, 4.0, 4.0, 5.0, 6.0], 0.0).unwrap_err();
     assert_eq!(few, FitError::Few { count: 6, different: 3, least: 5 });
+    // A value at a threshold is over it; a Weibull law has none at its origin.
+    assert!(Fit::of(Family::Exponential, &HEIGHTS, 3.8).is_ok());
+    assert!(Fit::of(Family::Weibull, &HEIGHTS, 3.8).is_err());
     let outside = Fit::of(Family::Weibull, &HEIGHTS, 4.0).unwrap_err();
     assert_eq!(outside, FitError::Outside { value: 3.8, origin: 4.0 });
     // Values that end abruptly: the likelihood grows without bound as the law's end comes to the largest.
@@ -189,6 +193,23 @@ fn what_lasts_is_drawn_once() {
     assert!((found / expected - 1.0).abs() < 1e-10, "{found} {expected}");
     let drawn = lives(&inputs, &of, &[1], &life, &Effort::default()).estimates[0];
     assert!(drawn.low <= expected && expected <= drawn.high, "{drawn:?} {expected}");
+}
+
+/// A limit state of one's own along an input whose law is narrow and moves far: P(x > 3) of x about m, which is normal itself.
+#[test]
+fn a_limit_state_along_a_law_that_is_given() {
+    let laws: Vec<Distribution> = vec![Law::normal(0.0, 1.0).unwrap().into(); 2];
+    let about = GivenLaw::new(vec![1], |values| Law::normal(values[1], 0.01).unwrap().into());
+    let inputs = RandomVector::independent(laws).with_given(vec![(0, about)]);
+    // Between two levels that lie closer than the law of the medians is looked at.
+    for (from, to) in [(3.0, f64::INFINITY), (2.0, 2.004)] {
+        let g = move |x: &[f64]| if from < x[0] && x[0] < to { -1.0 } else { 1.0 };
+        let found = reliability(&inputs, &g, &Asked::default()).unwrap();
+        let spread = 1.0001f64.sqrt();
+        let by_hand = normal::below(to / spread) - normal::below(from / spread);
+        let e = found.below_zero;
+        assert!((e.value / by_hand - 1.0).abs() < 0.01, "{e:?} {by_hand}");
+    }
 }
 
 #[test]

@@ -24,7 +24,7 @@ pub struct DesignValue {
     pub value: f64,
     /// The share of the law below the characteristic value: 0.95 of what is unfavourable where it is high, else 0.05.
     pub fractile: f64,
-    /// The characteristic value.
+    /// The characteristic value; of a law that depends on other numbers that at their medians.
     pub characteristic: f64,
     /// The partial factor; `None` where one of both is not above zero.
     pub factor: Option<f64>,
@@ -38,10 +38,11 @@ impl DesignValues {
     pub(super) fn of(laws: &RandomVector, point: &FormPoint, beta: f64) -> DesignValues {
         let u: Vec<f64> = point.alpha.iter().map(|alpha| alpha * beta).collect();
         let z = laws.copula().correlated(&u);
-        let numbers = laws.laws().iter().zip(z).map(|(law, z)| {
+        let values = laws.values_of(&z);
+        let numbers = laws.laws().iter().zip(z).zip(values).map(|((law, z), value)| {
             let is_load = z > 0.0;
             let fractile = FRACTILES[usize::from(is_load)];
-            let (value, characteristic) = (law.value(z), law.value_of_chance(fractile));
+            let characteristic = law.value_of_chance(fractile);
             let [over, under] = if is_load { [value, characteristic] } else { [characteristic, value] };
             let factor = (over > 0.0 && under > 0.0).then(|| over / under);
             DesignValue { alpha: z / beta, value, fractile, characteristic, factor }

@@ -17,7 +17,7 @@ use super::lines::{Line, Lines};
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
 use super::quantity::{Bias, FrictionOf, Quantity, RandomInput};
-use super::resolve::{Names, Resolve, WATER_LEVEL};
+use super::resolve::{LEVELS, Names, Resolve, WATER_LEVEL, other_level};
 use super::storm::{SlidingError, StormPart};
 use crate::case::{Acting, Biases, Case, ChangeBy, Shaking, Trial, Waves};
 use crate::couple::{Variable, vary};
@@ -71,13 +71,34 @@ enum Model {
 /// Of each number the value beyond which no method looks, twelve deviations from the median.
 fn reaches(laws: &RandomVector) -> Vec<f64> {
     const FAR: f64 = 12.0;
-    let reach = |place: usize| {
-        // A law that depends on others reaches farthest where they are at one of their ends.
-        let ends = [-FAR, 0.0, FAR].map(|far| laws.values_of(&vec![far; laws.laws().len()]));
-        let ends = ends.iter().map(|values| laws.law_at(place, values).value(FAR));
-        ends.fold(f64::NEG_INFINITY, f64::max)
-    };
-    (0..laws.laws().len()).map(reach).collect()
+    let count = laws.laws().len();
+    let mut reaches: Vec<f64> = laws.laws().iter().map(|law| law.value(FAR)).collect();
+    // A law that depends on others reaches farther for other values of theirs: of any one, or at the ends of all.
+    let is_parent: Vec<usize> = (0..count).filter(|place| laws.is_parent(*place)).collect();
+    let mut tried: Vec<Vec<f64>> = Vec::new();
+    for place in &is_parent {
+        tried.extend((-24..=24).map(|step| {
+            let mut z = vec![0.0; count];
+            z[*place] = 0.5 * f64::from(step);
+            z
+        }));
+    }
+    for signs in 0..1u32 << is_parent.len().min(6) {
+        let mut z = vec![0.0; count];
+        for (bit, place) in is_parent.iter().enumerate().take(6) {
+            z[*place] = if signs >> bit & 1 == 1 { FAR } else { -FAR };
+        }
+        tried.push(z);
+    }
+    for z in tried.into_iter().filter(|_| laws.has_given()) {
+        let values = laws.values_of(&z);
+        for (place, reach) in reaches.iter_mut().enumerate() {
+            if !laws.parents(place).is_empty() {
+                *reach = reach.max(laws.law_at(place, &values).value(FAR));
+            }
+        }
+    }
+    reaches
 }
 
 /// An |α| below which a number hardly matters.
@@ -569,7 +590,8 @@ impl ChanceProblem {
         }
         let mut biases = self.biases_of_case(values);
         if part.height != 1.0 {
-            let is_deep = matches!(case.goda()?.heights, Heights::DeepWater(_));
+            let Model::Case { acting, .. } = &self.model else { return None };
+            let is_deep = matches!(case.under(*acting).goda()?.heights, Heights::DeepWater(_));
             let bias = if is_deep { Bias::DeepWaterHeight } else { Bias::Height };
             biases.set(bias, part.height * biases.get(bias).unwrap_or(1.0));
         }
@@ -660,8 +682,11 @@ impl ChanceProblem {
         let (Some(level), Some((case, acting))) = (&self.level, self.case()) else {
             return Err(SlidingError::NoLevel);
         };
+        if let Some(other) = other_level(&self.random, level) {
+            return Err(SlidingError::OtherLevel { name: other.name.clone() });
+        }
         let Acting::Combination(index) = acting else { return Ok(()) };
-        match case.combinations[index].changes.iter().find(|change| change.id == level.id()) {
+        match case.combinations[index].changes.iter().find(|change| LEVELS.contains(&change.id.key)) {
             Some(change) => Err(SlidingError::SetLevel { name: change.name.clone() }),
             None => Ok(()),
         }

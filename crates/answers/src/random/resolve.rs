@@ -20,6 +20,17 @@ mod laws;
 /// Name of the sea's level, with what goes with it.
 pub(super) const WATER_LEVEL: &str = "water_level";
 
+/// Keys that say how high water stands.
+pub(super) const LEVELS: [Key; 5] =
+    [Key::Level, Key::WaterLeft, Key::WaterRight, Key::BaseDepth, Key::StillWaterLevel];
+
+/// A random number that says how high water stands, other than the level that rises.
+pub(super) fn other_level<'a>(inputs: &'a [RandomInput], level: &Variable) -> Option<&'a RandomInput> {
+    inputs.iter().find(|other| {
+        other.variable().is_some_and(|variable| LEVELS.contains(&variable.id().key) && variable != level)
+    })
+}
+
 /// From names and laws as they are written to what they are.
 pub(super) struct Resolve<'a>(pub(super) Names<'a>);
 
@@ -71,13 +82,7 @@ impl Resolve<'_> {
         cuts.into_iter().for_each(|(place, cut)| inputs[place].cut = cut);
         if let Some(rise) = &random.rise {
             let (input, law) = self.rise(rise, random)?;
-            let levels = [Key::Level, Key::WaterLeft, Key::WaterRight, Key::BaseDepth, Key::StillWaterLevel];
-            let is_other = |other: &&RandomInput| {
-                other.variable().is_some_and(|variable| {
-                    levels.contains(&variable.id().key) && Some(variable) != input.rise_of()
-                })
-            };
-            if let Some(other) = inputs.iter().find(is_other) {
+            if let Some(other) = input.rise_of().and_then(|level| other_level(&inputs, level)) {
                 let name = &other.name;
                 let message = format!(
                     "`rise_per_year` raises the water level: make `water_level` random in place of `{name}`"

@@ -223,6 +223,11 @@ const PANELS: [f64; 9] = [0.0, 0.25, 0.75, 1.5, 3.0, 6.0, 12.0, 24.0, 40.0];
 pub(super) trait Storms: Sync {
     type Wave: Slide;
     fn storm(&self, values: &[f64]) -> Option<Year<Self::Wave>>;
+
+    /// True if the base may crush, or the ground fail.
+    fn gives_way(&self) -> bool {
+        false
+    }
 }
 
 /// Storms as sums of slides.

@@ -259,7 +259,8 @@ fn read_largest(named: &mut RandomEntry, item: &Item<'_>, what: &str) -> ReadRes
     }
     let mut inner = part_of(named);
     let what = format!("`max_of` of `{}`", named.name);
-    let known: Vec<&'static str> = LAWS.into_iter().filter(|law| *law != "max_of").collect();
+    let known: Vec<&'static str> =
+        LAWS.into_iter().filter(|law| !["max_of", "fitted"].contains(law)).collect();
     read_entry(&mut inner, item, others, &what, &["lower", "upper"], &known)?;
     named.of.push(inner);
     Ok(())
@@ -270,7 +271,8 @@ fn read_mixture(named: &mut RandomEntry, item: &Item<'_>, what: &str) -> ReadRes
     const EXPECTED: &str =
         "a list of laws, as [{ probability = 0.9, normal = { … } }, { probability = 0.1, gumbel = { … } }]";
     let list = item.get_ref().as_array().ok_or_else(|| wrong(item, what, EXPECTED))?;
-    let known: Vec<&'static str> = LAWS.into_iter().filter(|law| !COMPOUND.contains(law)).collect();
+    let is_part = |law: &&'static str| !COMPOUND.contains(law) && *law != "fitted";
+    let known: Vec<&'static str> = LAWS.into_iter().filter(is_part).collect();
     for entry in list.iter() {
         let table = table(entry, &format!("a part of {what}"), "a law and its probability in braces")?;
         let mut part = part_of(named);

@@ -100,11 +100,12 @@ impl Resolve<'_> {
             let named = &random.named[place];
             let (own, other) = (&inputs[place], &inputs[parent]);
             let law = self.given_law(named, &own.quantity, (&random.named[parent], &other.quantity))?;
-            let cut = law.checked(named, &other.name, &laws[parent])?;
+            let (law, [below, above]) = law.checked(named, &other.name, &laws[parent])?;
+            let cut = below + above;
             if cut > MOST_CUT {
-                return Err((unphysical(named, &own.quantity, cut, true), named.span.clone()));
+                return Err((unphysical(named, &own.quantity, cut, above == 0.0), named.span.clone()));
             }
-            laws[place] = law.distribution(laws[parent].median());
+            laws[place] = law.at_median.clone();
             cuts.push((place, cut));
             given.push((place, GivenLaw::new(vec![parent], move |values| law.distribution(values[parent]))));
         }
@@ -172,7 +173,7 @@ impl Resolve<'_> {
         named: &RandomEntry,
         quantity: &Quantity,
         other: (&RandomEntry, &Quantity),
-    ) -> ReadResult<LawOfOne> {
+    ) -> ReadResult<Functions> {
         let find = |name: &str| named.parameters.iter().find(|parameter| parameter.name == name);
         let ways = || WAYS.iter().filter(|way| way.law == named.law);
         let fits = |way: &&Way| {
@@ -212,7 +213,7 @@ impl Resolve<'_> {
             return Err((RandomProblem::Other(message), named.span.clone()));
         }
         let (bounds, range) = (self.bounds(named, quantity)?, range(quantity).ends());
-        Ok(LawOfOne { make: *make, functions, bounds, range })
+        Ok(Functions { make: *make, functions, bounds, range })
     }
 
     /// A parameter as it is written: a value, or a function.
@@ -327,7 +328,7 @@ impl Resolve<'_> {
 }
 
 /// A law whose parameters are functions of one number.
-struct LawOfOne {
+struct Functions {
     make: fn(&[f64]) -> Result<Law, LawError>,
     functions: Vec<Function>,
     bounds: (f64, f64),
@@ -335,7 +336,7 @@ struct LawOfOne {
     range: [f64; 2],
 }
 
-impl LawOfOne {
+impl Functions {
     fn plain(&self, x: f64) -> Result<Law, LawError> {
         let parameters: Vec<f64> = self.functions.iter().map(|function| function.value(x)).collect();
         (self.make)(&parameters)
@@ -346,40 +347,69 @@ impl LawOfOne {
         within(self.plain(x), (lower.max(least), upper.min(most)))
     }
 
-    /// The share of the law between its bounds that no body has.
-    fn cut(&self, x: f64) -> Result<f64, LawError> {
+    /// The shares of the law between its bounds that no body has: below the least, and above the largest.
+    fn cut(&self, x: f64) -> Result<[f64; 2], LawError> {
         let asked = within(self.plain(x), self.bounds)?;
         let [least, most] = self.range;
-        Ok(asked.tails(least).below + asked.tails(most).above)
+        Ok([asked.tails(least).below, asked.tails(most).above])
     }
 
-    /// Looks over all that the other number may be, and gives the share that is cut of it because no body has such values.
-    fn checked(&self, named: &RandomEntry, of: &str, other: &Distribution) -> ReadResult<f64> {
+    /// Looks over all that the other number may be, and gives the shares that are cut of it because no body has such values. Beyond eight
+    /// deviations, where nobody knows a law, it may end.
+    fn checked(
+        self,
+        named: &RandomEntry,
+        of: &str,
+        other: &Distribution,
+    ) -> ReadResult<(LawOfOne, [f64; 2])> {
         const STEP: f64 = 0.25;
-        const STEPS: i32 = 32;
-        let mut cut = 0.0;
-        for step in -STEPS..=STEPS {
-            let z = STEP * f64::from(step);
-            let x = other.value(z);
-            let share = self.at(x).and_then(|_| self.cut(x)).map_err(|error| {
-                let what = match &error {
-                    LawError::Parameter { parameter, value, expected, .. } => {
-                        format!("`{parameter}` is {}; expected {expected}", digits(*value))
-                    }
-                    error => error.to_string(),
-                };
-                let (law, name) = (named.law, &named.name);
-                let message = format!("the law {law} of `{name}`, where `{of}` is {}: {what}", digits(x));
-                (RandomProblem::Other(message), named.span.clone())
-            })?;
-            cut += STEP * normal::density(z) * share;
+        const LOOKED: i32 = 32;
+        const FARTHEST: i32 = 48;
+        let value = |step: i32| other.value(STEP * f64::from(step));
+        let wrong = |x: f64, error: LawError| {
+            let what = match &error {
+                LawError::Parameter { parameter, value, expected, .. } => {
+                    format!("`{parameter}` is {}; expected {expected}", digits(*value))
+                }
+                error => error.to_string(),
+            };
+            let (law, name) = (named.law, &named.name);
+            let message = format!("the law {law} of `{name}`, where `{of}` is {}: {what}", digits(x));
+            (RandomProblem::Other(message), named.span.clone())
+        };
+        let mut cut = [0.0; 2];
+        for step in -LOOKED..=LOOKED {
+            let x = value(step);
+            let shares = self.at(x).and_then(|_| self.cut(x)).map_err(|error| wrong(x, error))?;
+            let weight = STEP * normal::density(STEP * f64::from(step));
+            cut.iter_mut().zip(shares).for_each(|(cut, share)| *cut += weight * share);
         }
-        Ok(cut)
+        let median = other.median();
+        let at_median = self.at(median).map_err(|error| wrong(median, error))?;
+        let last = |side: i32| {
+            let there_is = |step: &i32| self.at(value(side * step)).is_ok();
+            let last = (LOOKED..=FARTHEST).take_while(there_is).last().unwrap_or(LOOKED);
+            if last == FARTHEST { f64::from(side) * f64::INFINITY } else { value(side * last) }
+        };
+        let looked = [last(-1), last(1)];
+        Ok((LawOfOne { functions: self, looked, at_median }, cut))
     }
+}
 
-    /// The law at a value; where there is none, beyond what was looked at, one that has no values that a body has.
+/// The same where it has been looked at.
+struct LawOfOne {
+    functions: Functions,
+    /// Least and largest value of the other number for which there is a law: beyond them it is that at the nearer.
+    looked: [f64; 2],
+    at_median: Distribution,
+}
+
+impl LawOfOne {
+    /// The law at a value of the other number.
     fn distribution(&self, x: f64) -> Distribution {
-        self.at(x).unwrap_or_else(|_| Law::normal(-1e300, 1.0).expect("a law").into())
+        let [least, most] = self.looked;
+        // Between values that were looked at one may have been missed; its chance is less than any answer shows.
+        self.functions.at(x.clamp(least, most)).unwrap_or_else(|_| self.at_median.clone())
     }
 }
 

@@ -102,6 +102,9 @@ pub enum SlidingError {
         /// Its combinations.
         combinations: Vec<String>,
     },
+    /// Several accelerations of the base, or loads that act one by one.
+    #[error("the case has a [storm] and leaves a choice of loads: an earthquake's, or loads that act alone")]
+    Shaken,
     /// A combination that is not there.
     #[error(
         "`combination` of [storm] is \"{asked}\"{}",
@@ -127,6 +130,20 @@ pub enum SlidingError {
     SetLevel {
         /// The key that it sets.
         name: String,
+    },
+    /// Levels over a storm, beside a random one that would not go along.
+    #[error("[storm] has `level_rises`, and `{name}` is random: make `water_level` random in its place")]
+    OtherLevel {
+        /// The random number.
+        name: String,
+    },
+    /// A part of a storm in which the numbers do not go together.
+    #[error(
+        "part {part} of [storm], with its height_factors and level_rises, makes no case at the medians of the random numbers"
+    )]
+    Part {
+        /// Its number, from one.
+        part: usize,
     },
     /// Levels over a storm, of a case without a level.
     #[error("[storm] has `level_rises`, and the case has no water level")]
@@ -178,10 +195,11 @@ impl Explained for SlidingError {
             SlidingError::NoWaves => {
                 "leave [body] out for a storm whose thrust is in proportion to the wave's height".into()
             }
-            SlidingError::Choice { combinations } if !combinations.is_empty() => {
-                format!("say under which its waves come: combination = \"{}\" in [storm]", combinations[0])
+            SlidingError::Choice { combinations } => {
+                let name = combinations.first().map_or("…", String::as_str);
+                format!("say under which its waves come: combination = \"{name}\" in [storm]")
             }
-            SlidingError::Choice { .. } => {
+            SlidingError::Shaken => {
                 "storms are answered for loads that all act together, or for one combination".into()
             }
             SlidingError::BiasOfMoment { .. } | SlidingError::Ground => {
@@ -309,7 +327,7 @@ pub(in crate::random) fn sliding<S: Storms>(
     let slid = |more: f64| slid_in(&drawn, more);
     Ok(Sliding {
         storm: storm.clone(),
-        gives_way: false,
+        gives_way: storms.gives_way(),
         years,
         // Where nothing was met the bound is one of a chance, and no slide follows from it.
         mean: if mean.value == 0.0 { Estimate { high: 0.0, ..mean } } else { times(mean, life.times()) },

@@ -180,6 +180,10 @@ pub(in crate::random) fn of_case(
     if storm.parts.iter().any(|part| part.rise != 0.0) {
         problem.can_rise()?;
     }
+    let medians = problem.laws().values_of(&vec![0.0; problem.random().len()]);
+    if let Some(part) = storm.parts.iter().position(|part| problem.case_in(&medians, part).is_none()) {
+        return Err(SlidingError::Part { part: part + 1 });
+    }
     let of_moment = [Bias::ThrustMoment, Bias::UpliftMoment];
     let biased = problem.random().iter().find(|input| of_moment.iter().any(|bias| bias.name() == input.name));
     if let Some(input) = biased.filter(|_| request.follow) {
@@ -198,8 +202,7 @@ pub(in crate::random) fn of_case(
     let factors = factors(case, acting).filter(|_| !request.follow || matches!(acting, Acting::All));
     let factors = factors.ok_or(SlidingError::Combination { name: storm.combination.clone() })?;
     let storms = SeaStorm { problem, storm, factors, follow: request.follow };
-    let found = sliding(storm, &storms, problem.laws(), &life, (request, over), portion)?;
-    Ok(Sliding { gives_way: case.gives_way(), ..found })
+    sliding(storm, &storms, problem.laws(), &life, (request, over), portion)
 }
 
 /// The set of loads under which the waves of a storm come.
@@ -211,7 +214,14 @@ fn problem_of<'a>(storm: &Storm, problems: &'a [ChanceProblem]) -> Result<&'a Ch
     };
     match (&storm.combination, problems) {
         (None, [problem]) => Ok(problem),
-        (None, _) => Err(SlidingError::Choice { combinations: problems.iter().filter_map(name).collect() }),
+        (None, _) => {
+            let mut combinations: Vec<String> = problems.iter().filter_map(name).collect();
+            let count = combinations.len();
+            combinations.dedup();
+            // Of several accelerations of the base under one combination none can be named.
+            let is_shaken = combinations.len() < count || combinations.is_empty();
+            Err(if is_shaken { SlidingError::Shaken } else { SlidingError::Choice { combinations } })
+        }
         (Some(asked), _) => {
             let mut found = problems.iter().filter(|problem| name(problem).as_ref() == Some(asked));
             match (found.next(), found.next()) {
@@ -221,7 +231,7 @@ fn problem_of<'a>(storm: &Storm, problems: &'a [ChanceProblem]) -> Result<&'a Ch
                     combinations: problems.iter().filter_map(name).collect(),
                 }),
                 // The same under several accelerations of the base.
-                (Some(_), Some(_)) => Err(SlidingError::Choice { combinations: Vec::new() }),
+                (Some(_), Some(_)) => Err(SlidingError::Shaken),
             }
         }
     }
@@ -251,6 +261,10 @@ impl Storms for SeaStorm<'_> {
     fn storm(&self, values: &[f64]) -> Option<Year<GodaWave>> {
         let parts = &self.storm.parts;
         Year::of(parts.iter().filter_map(|part| self.part(values, part)).collect(), parts.len())
+    }
+
+    fn gives_way(&self) -> bool {
+        self.problem.gives_way()
     }
 }
 
