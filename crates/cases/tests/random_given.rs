@@ -105,6 +105,19 @@ fn a_law_may_depend_on_another_number() {
     }
 }
 
+/// At the index of the nearest point itself design values are that point, also of laws that depend on others.
+#[test]
+fn design_values_at_the_nearest_index_are_the_nearest_point() {
+    let laws = "k = { normal = { mean = 0.4, sd = 0.08 } }\nmu = { normal = { mean = { at = [0.3, 0.5], is = [0.9, 0.7] }, sd = 0.05 }, given = \"k\" }\n";
+    let beta = answer(laws).situations[0].design_point.as_ref().unwrap().beta;
+    let found = answer(&format!("target_beta = {beta}\n{laws}"));
+    let chances = &found.situations[0];
+    let (point, design) = (chances.design_point.as_ref().unwrap(), chances.design_values.as_ref().unwrap());
+    for (value, at_point) in design.numbers.iter().zip(&point.values) {
+        assert!((value.value / at_point - 1.0).abs() < 1e-9, "{value:?} {at_point}");
+    }
+}
+
 /// Laws in a chain: of a force by its fit, and of friction by the force; by a coarser rule, of what is smooth.
 #[test]
 fn laws_depend_on_each_other_in_a_chain() {
@@ -176,21 +189,21 @@ fn what_cannot_be_fitted_or_given_is_refused() {
         (format!("{force}mu = {{ normal = {{ mean = {{ at = [0, 1], is = [1, 1] }}, sd = 0.1 }} }}\n"), "a function of another needs `given`"),
         (format!("{force}mu = {{ normal = {{ mean = 0.5, sd = 0.1 }}, given = \"k\", every = \"year\" }}\n"), "no parameter of its law is a function of it"),
         (format!("{force}mu = {{ normal = {{ mean = {{ at = [0, 1], is = [1, 1] }} }}, given = \"k\", every = \"year\" }}\n"), "expected `mean` and `sd`, or `mean` and `cov`"),
-        (format!("{force}mu = {{ normal = {{ mean = {{ at = [0, 1], is = [1] }}, sd = 0.1 }}, given = \"k\", every = \"year\" }}\n"), "as many values in `is` as in `at`"),
+        (format!("{force}mu = {{ normal = {{ mean = {{ at = [0, 1], is = [1] }}, sd = 0.1 }}, given = \"k\", every = \"year\" }}\n"), "as many values in `is` as in `at`; they have 1 and 2"),
         (format!("{force}mu = {{ normal = {{ mean = {{ at = [0, 1], is = [0.1, -0.1] }}, cov = 0.1 }}, given = \"k\", every = \"year\" }}\n"), "of the law of `mu` lies where it is negative"),
         (format!("{force}mu = {{ normal = {{ mean = {{ factor = 1 }}, cov = 0.1 }}, given = \"k\", every = \"year\" }}\n"), "or `factor` with `power` or `rate`"),
         (format!("{force}mu = {{ triangular = {{ from = 0.1, mode = {{ factor = 1, power = 1 }}, to = 2 }}, given = \"k\", every = \"year\" }}\n"), "expected one of the laws normal, lognormal"),
         (format!("{force}mu = {{ normal = {{ mean = {{ factor = 1, power = 1 }}, cov = 0.1 }}, given = \"force\", every = \"year\" }}\n"), "`mu` is given \"force\"; expected another random number, of k"),
         (format!("{force}mu = {{ normal = {{ mean = {{ factor = 1, power = 1 }}, cov = 0.1 }}, given = \"mu\", every = \"year\" }}\n"), "`mu` is given itself"),
-        ("k = { normal = { mean = { factor = 1, power = 1 }, cov = 0.1 }, given = \"mu\" }\nmu = { normal = { mean = { factor = 1, power = 1 }, cov = 0.1 }, given = \"k\" }\n".to_owned(), "depends on itself, by way of others"),
+        ("k = { normal = { mean = { factor = 1, power = 1 }, cov = 0.1 }, given = \"mu\" }\nmu = { normal = { mean = { factor = 1, power = 1 }, cov = 0.1 }, given = \"k\" }\n".to_owned(), "the laws of `k` and `mu` depend on each other in a circle"),
         (format!("k = {{ fitted = {{ law = \"triangular\", values = {values} }} }}\n"), "has no `triangular`; expected normal, lognormal, gumbel"),
         (format!("k = {{ fitted = {{ law = \"gumbel\", values = {values}, location = 1 }} }}\n"), "the law gumbel has none to be given"),
-        ("k = { fitted = { law = \"gumbel\", values = [0.4, 0.5] } }\n".to_owned(), "2 values, of which 2 differ; expected 5"),
+        ("k = { fitted = { law = \"gumbel\", values = [0.4, 0.5] } }\n".to_owned(), "2 values, 2 of them different; expected 5"),
         (format!("k = {{ max_of = {{ count = 9, fitted = {{ law = \"gumbel\", values = {values} }} }} }}\n"), "`max_of` of `k` has no `fitted`"),
         (format!("k = {{ fitted = {{ law = \"gpd\", values = {values} }} }}\n"), "lacks `location`, the threshold"),
         (format!("k = {{ fitted = {{ law = \"gpd\", values = {values}, location = 0.45 }} }}\n"), "the value 0.41; expected values above 0.45"),
         (format!("k = {{ fitted = {{ law = \"gumbel\", values = {values} }}, given = \"mu\" }}\nmu = {{ normal = {{ sd = 0.1 }} }}\n"), "`k` is fitted, and given another number"),
-        (format!("{force}mu = {{ normal = {{ mean = {{ factor = 1, power = 1 }}, cov = 0.1 }}, given = \"k\", every = \"year\" }}\n[[random.correlation]]\nbetween = [\"k\", \"mu\"]\nrank = 0.2\n"), "a correlation would say so twice"),
+        (format!("{force}mu = {{ normal = {{ mean = {{ factor = 1, power = 1 }}, cov = 0.1 }}, given = \"k\", every = \"year\" }}\n[[random.correlation]]\nbetween = [\"k\", \"mu\"]\nrank = 0.2\n"), "expected no [[random.correlation]] with it"),
     ] {
         let error = try_chances(&point(&random), 0.1).expect_err(&random);
         assert!(error.to_string().contains(expected), "{error}\n{random}");

@@ -135,6 +135,12 @@ fn slides_on_a_base_that_gives_way() {
         sand.mean
     );
     assert!(sand.rotating.wave.value > 0.0);
+    // Few lives have such a wave; on weaker sand many, and a mean that leaves them out is warned of.
+    let warned =
+        |found: &Probability| found.warnings().iter().any(|warning| warning.name() == "waves-left-out");
+    assert_eq!(warned(&found), sand.rotating.life.value > 0.01);
+    let weaker = answer(&text.replace("friction_angle_deg = 40", "friction_angle_deg = 34")).unwrap();
+    assert!(weaker.sliding.as_ref().unwrap().rotating.life.value > 0.01 && warned(&weaker));
     // What slides on sand, and what it fails under, is no less than what slides on rock.
     let moved = sand.waves.value + 5.0 * 947.0 * sand.rotating.wave.value;
     assert!(moved > rigid.waves.value && moved < 1.6 * rigid.waves.value, "{moved} {:?}", rigid.waves);

@@ -43,6 +43,13 @@ pub enum Warning {
         /// The share of all that are drawn.
         share: f64,
     },
+    /// Waves that slides leave out are met in many lives.
+    WavesLeftOut {
+        /// The share of all lives that have one.
+        share: f64,
+        /// True if the base may crush, or the ground fail, under them.
+        gives_way: bool,
+    },
     /// The buoyant weight acts beside the base.
     WeightBesideBase {
         /// Its arm, m.
@@ -440,6 +447,7 @@ impl Warning {
             Warning::BaseBeyondBody { .. } => "base-beyond-body",
             Warning::PlanBeyondBody { .. } => "plan-beyond-body",
             Warning::SteepSeas { .. } => "steep-seas",
+            Warning::WavesLeftOut { .. } => "waves-left-out",
             Warning::WeightBesideBase { .. } => "weight-beside-base",
             Warning::MeanDensity { .. } => "mean-density",
             Warning::PartDensity { .. } => "part-density",
@@ -564,6 +572,16 @@ impl fmt::Display for Warning {
                 "{} of the seas drawn are steeper than waves in deep water can be, H0'/L0 above {STEEPEST}; their height is cut to \
                  that: look at the laws of height and period, and how they are correlated",
                 digits(*share)
+            ),
+            Warning::WavesLeftOut { share, gives_way } => write!(
+                f,
+                "{} of all lives have waves {}, which the slides leave out: their mean and chances are those of sliding alone",
+                digits(*share),
+                if *gives_way {
+                    "that begin a rotation, or under which the base gives way"
+                } else {
+                    "that begin a rotation"
+                }
             ),
             Warning::WeightBesideBase { arm, base } => write!(
                 f,

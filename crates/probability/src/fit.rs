@@ -89,7 +89,7 @@ pub struct Fit {
 #[non_exhaustive]
 pub enum FitError {
     /// Too few values, or all of them alike.
-    #[error("{count} values, of which {different} differ; expected {least} that differ or more")]
+    #[error("{count} values, {different} of them different; expected {least} different ones or more")]
     Few {
         /// Number of values.
         count: usize,
@@ -111,6 +111,9 @@ pub enum FitError {
         "no likeliest shape above −0.5 and below 1, where a law's likelihood is regular; expected values that another family fits"
     )]
     Shape,
+    /// The likelihood has no greatest value.
+    #[error("no likeliest parameters; expected values that scatter more, or that another family fits")]
+    Flat,
 }
 
 /// The least number of values that differ.
@@ -161,7 +164,9 @@ impl Fit {
         {
             return Err(FitError::Shape);
         }
-        let covariance = inverse(information(&mut f, &mut best)).ok_or(FitError::Shape)?;
+        let has_shape = family.shape(&best).is_some();
+        let none = || if has_shape { FitError::Shape } else { FitError::Flat };
+        let covariance = inverse(information(&mut f, &mut best)).ok_or_else(none)?;
         let parameters = family.parameters().iter().enumerate().map(|(i, &(name, kind))| {
             let deviation = covariance[i][i].sqrt();
             let (estimate, deviation) = match kind {

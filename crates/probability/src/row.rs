@@ -132,7 +132,12 @@ pub fn rows<'w, O: Outcomes>(
     // If nothing but the line is each body's own, all of them are as one.
     let is_one = !line_first && own == 0;
     let bodies = if is_one { 1 } else { row.bodies };
-    let cost = ((life.times().ceil() as u64).max(1)).saturating_mul(bodies);
+    // Where nothing but the line changes from year to year, each has the same chance.
+    let changes = |input: &usize| matches!(kinds.of(*input), Kind::CommonYearly | Kind::OwnYearly);
+    let is_same =
+        !line_first && row.bodies == 1 && of_line == Kind::CommonYearly && !others.iter().any(changes);
+    let times = if is_same { 1 } else { (life.times().ceil() as u64).max(1) };
+    let cost = times.saturating_mul(bodies);
     let dimensions = (once + usize::from(line_first && of_line == Kind::CommonOnce)).max(1);
     let averages = Averages { dimensions, first: FIRST, cost, count: sets.len(), precise: sets.len() };
     let mut sampled = if line_first {
@@ -172,6 +177,14 @@ pub fn rows<'w, O: Outcomes>(
             let mut missed = vec![0.0; sets.len()];
             move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
                 let mut stream = stream(effort.seed, scramble, index);
+                if is_same {
+                    let point = drawn.once(coordinates);
+                    frame.evaluate(point, &mut scratch);
+                    for (sum, set) in sums.iter_mut().zip(sets) {
+                        *sum += -libm::expm1(life.log_never(scratch.of_set(*set).min(1.0)));
+                    }
+                    return;
+                }
                 let times = drawn.begin(life, bodies, coordinates, &mut stream);
                 missed.fill(0.0);
                 met.iter_mut().for_each(Vec::clear);
@@ -254,6 +267,12 @@ impl Drawn {
             }
         }
         times
+    }
+
+    /// The normals of what is drawn once, where nothing else is.
+    fn once(&mut self, chances: &[f64]) -> &[f64] {
+        self.point.iter_mut().zip(chances).for_each(|(u, p)| *u = normal::quantile(*p));
+        &self.point
     }
 
     /// The normals of a body in a year.

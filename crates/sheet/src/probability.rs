@@ -363,7 +363,11 @@ fn left_out(answer: &Probability) -> Markup {
         h3 { "What these probabilities leave out" }
         ul {
             li { "every number that is not random above is taken as given;" }
-            li { "the error of the laws themselves and of their parameters, which a small probability feels most;" }
+            li {
+                "the error of the laws themselves and of their parameters, which a small probability feels most"
+                @if answer.random.iter().any(|number| number.fit.is_some()) { "; but for the parameters that are fitted below" }
+                ";"
+            }
             li { "errors of the models, unless a bias stands among the inputs; gross errors of design, execution and use;" }
             li { "what no mode of this calculation has, see the next section." }
         }

@@ -26,8 +26,9 @@ use super::storm::{self, Sliding};
 use super::subject::{ChanceSubject, problems_of};
 use crate::case::{BASE, called};
 use crate::digits::digits;
+use crate::error::Fault;
 use crate::units::Dimension;
-use standfast_inputs::random::Rate;
+use standfast_inputs::random::{RandomProblem, Rate};
 use standfast_model::{CaseFile, Criterion, Warning};
 
 /// A method as it is asked for by its name.
@@ -358,6 +359,12 @@ impl Probability {
         let mut warnings = case.map_or(Vec::new(), |(case, _)| case.warnings());
         let share = self.steep_seas;
         warnings.extend((share > 0.0).then_some(Warning::SteepSeas { share }));
+        // Fewer are told beside the slides alone.
+        const MANY: f64 = 0.01;
+        let sliding = self.sliding.as_ref().filter(|sliding| sliding.followed.is_none());
+        warnings.extend(sliding.filter(|sliding| sliding.rotating.life.value > MANY).map(|sliding| {
+            Warning::WavesLeftOut { share: sliding.rotating.life.value, gives_way: sliding.gives_way }
+        }));
         warnings
     }
 
@@ -430,7 +437,16 @@ impl Probability {
         let [of_storm, of_problems, of_criteria] = portion.parts(weights);
         let over = slides_asked(&asked);
         let sliding = match storm {
-            Some(storm) => Some(storm::of_case(&storm, &problems, &request, &over, of_storm)?),
+            Some(storm) => {
+                let found = storm::of_case(&storm, &problems, &request, &over, of_storm);
+                Some(found.map_err(|error| match error.key() {
+                    Some(key) => {
+                        let problem = RandomProblem::Other(error.to_string());
+                        ProbabilityError::from(file.error(Fault::new(problem.into(), key)))
+                    }
+                    None => error.into(),
+                })?)
+            }
             None => None,
         };
         let answer = Probability::of_problems(file.name(), &problems, sliding, request, of_problems)?;

@@ -214,8 +214,10 @@ impl RandomInput {
     pub fn dimension(&self) -> Option<Dimension> {
         let of = match &self.quantity {
             Quantity::Key(variable) | Quantity::Rise(variable) => variable,
+            Quantity::Storm(field) => return field.dimension(),
             Quantity::Fitted { of, has_dimension: true, .. } => match &**of {
                 Quantity::Key(variable) => variable,
+                Quantity::Storm(field) => return field.dimension(),
                 _ => return None,
             },
             _ => return None,

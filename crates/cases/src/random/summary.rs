@@ -81,6 +81,10 @@ pub fn period_of(answer: &Probability, check: &ChanceCriterion) -> String {
 
 /// Period that the probabilities of the modes are of.
 pub fn period(answer: &Probability) -> &'static str {
+    // A storm without a body has waves, and no event beside them.
+    if answer.problem.is_none() {
+        return "under any one wave of a storm";
+    }
     crate::summary::period(answer.random.iter().any(|number| number.yearly))
 }
 
@@ -288,8 +292,9 @@ fn matters(answer: &Probability, worst: &Chances) -> Option<String> {
     let most =
         (0..answer.random.len()).max_by(|a, b| point.alpha[*a].abs().total_cmp(&point.alpha[*b].abs()))?;
     let (name, known) = (&answer.random[most].name, worst.known.get(most)?);
-    // What would be the same were it known, hangs on nothing that is shown.
-    if below_or(*known) == below_or(worst.not_rest) {
+    // What would be the same were it known, or of which nothing less is known than this, hangs on nothing that is shown.
+    let is_bound = known.value == 0.0 && known.high > worst.not_rest.value;
+    if is_bound || below_or(*known) == below_or(worst.not_rest) {
         return None;
     }
     Some(format!("It hangs most on {name}: were that known, the probability would be {}.", below_or(*known)))

@@ -239,12 +239,16 @@ fn chances(answer: &Probability, chances: &Chances) -> String {
         let moved: Vec<_> = life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::REST).collect();
         text += &modes_table(answer, life.method, &moved, life.not_rest);
         text += &paragraphs(super::summary::after_rest(life).as_slice());
-        if answer.sliding.is_some() {
-            text += &paragraph(
+        if let Some(sliding) = answer.sliding.as_ref().filter(|_| answer.problem.is_some()) {
+            let storm = &sliding.storm;
+            let is_plain = storm.parts.iter().all(|part| part.rise == 0.0) && storm.combination.is_none();
+            let words = if is_plain {
                 "Here each year has a wave of the whole H_max. The slides above are those of waves drawn up to H_max, which slide the body \
-                 in no more lives.",
-                2,
-            );
+                 in no more lives."
+            } else {
+                "Here each year has a wave of the whole H_max, at the water level of the case. The slides above are those of its storm."
+            };
+            text += &paragraph(words, 2);
         }
         if !life.precise {
             text += &paragraph(&imprecise(answer), 2);

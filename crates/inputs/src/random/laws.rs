@@ -2,6 +2,8 @@
 
 use standfast_probability::fit::Family;
 
+use crate::suggest::closest;
+
 use super::{
     Item, Parameter, RandomEntry, RandomProblem, Rate, ReadResult, Written, in_order, table, written, wrong,
 };
@@ -44,15 +46,16 @@ pub(super) fn numbers(name: String, item: &Item<'_>, found: &mut Vec<RandomEntry
         "mean", "sd", "cov", "from", "to", "mode", "scale", "shape", "location", "count", "alpha", "beta",
         "values",
     ];
-    let is_misspelt = |value: &Item<'_>| match value.get_ref().as_table() {
-        None => true,
+    let is_misspelt = |key: &str, value: &Item<'_>| match value.get_ref().as_table() {
+        // A number that is said to be random by a value alone is told that it needs a law.
+        None => parameters.contains(&key) || closest(key, LAWS).is_some(),
         Some(table) => {
             let has = |is: &dyn Fn(&str) -> bool| in_order(table).iter().any(|(key, _)| is(key));
             has(&|key| parameters.contains(&key)) && !has(&is_law)
         }
     };
     for (key, value) in entries {
-        if is_misspelt(value) {
+        if is_misspelt(key, value) {
             // A law misspelt rather than a name that goes on.
             let what = format!("`{name}`");
             let allowed = LAWS.map(str::to_owned).to_vec();

@@ -10,6 +10,7 @@ use super::laws::{MOST_CUT, numbers, range, unphysical};
 use super::{Resolve, same};
 use crate::digits::digits;
 use crate::random::quantity::{Quantity, RandomInput};
+use crate::suggest::closest;
 use standfast_inputs::random::{Parameter, Random, RandomEntry, RandomProblem, Rate, ReadResult, Written};
 
 /// A law that may depend on another number, by some of its parameters.
@@ -93,7 +94,12 @@ impl Resolve<'_> {
             let is_known = |(_, parent): &(usize, usize)| parents.iter().all(|(place, _)| place != parent);
             let Some(next) = parents.iter().position(is_known) else {
                 let named = &random.named[parents[0].0];
-                let message = format!("the law of `{}` depends on itself, by way of others", named.name);
+                let others: Vec<String> =
+                    parents.iter().map(|(place, _)| format!("`{}`", random.named[*place].name)).collect();
+                let message = format!(
+                    "the laws of {} depend on each other in a circle; expected one that is given none of them",
+                    others.join(" and ")
+                );
                 return Err((RandomProblem::Other(message), named.span.clone()));
             };
             let (place, parent) = parents.remove(next);
@@ -129,7 +135,9 @@ impl Resolve<'_> {
                 [] => "another random number, and there is none".to_owned(),
                 names => format!("another random number, of {}", names.join(", ")),
             };
-            return refused(format!("`{name}` is given \"{}\"; expected {expected}", of.value));
+            let meant = closest(&of.value.to_string(), names.iter().copied());
+            let meant = meant.map_or(String::new(), |meant| format!(": did you mean `{meant}`?"));
+            return refused(format!("`{name}` is given \"{}\"; expected {expected}{meant}", of.value));
         };
         if parent == place {
             return refused(format!("`{name}` is given itself; expected another random number"));
@@ -149,7 +157,7 @@ impl Resolve<'_> {
         }
         if random.correlations.iter().any(|(a, b, _)| *a == place || *b == place) {
             return refused(format!(
-                "`{name}` depends on `{}` by its law, and a correlation would say so twice",
+                "`{name}` is given `{}`, and goes with others as its law says; expected no [[random.correlation]] with it",
                 other.name
             ));
         }
@@ -193,8 +201,10 @@ impl Resolve<'_> {
             } else {
                 ways.join(", or ")
             };
+            let has: Vec<String> = named.parameters.iter().map(|of| format!("`{}`", of.name)).collect();
+            let has = if has.is_empty() { "nothing".to_owned() } else { has.join(" and ") };
             let message = format!(
-                "the law {} of `{}`, which is given another number; expected {expected}",
+                "the law {} of `{}`, which is given another number, has {has}; expected {expected}",
                 named.law, named.name
             );
             return Err((RandomProblem::Other(message), named.span.clone()));
@@ -239,10 +249,18 @@ impl Resolve<'_> {
                 let at = numbers(at, &|one| self.value(other, of_other, one))?;
                 let is = numbers(is, &own)?;
                 let rises = at.len() >= 2 && at.windows(2).all(|pair| pair[0] < pair[1]);
-                match rises && at.len() == is.len() {
-                    true => Ok(Function::Between { at, is }),
-                    false => Err(refused("as many values in `is` as in `at`, two or more, which rise")),
+                if !rises {
+                    let at: Vec<String> = at.iter().map(|value| digits(*value)).collect();
+                    let expected =
+                        format!("two values or more in `at`, each above the last; it has {}", at.join(", "));
+                    return Err(refused(&expected));
                 }
+                if at.len() != is.len() {
+                    let expected =
+                        format!("as many values in `is` as in `at`; they have {} and {}", is.len(), at.len());
+                    return Err(refused(&expected));
+                }
+                Ok(Function::Between { at, is })
             }
             [None, None] => {
                 let constant = find("constant").map(own).transpose()?.unwrap_or(0.0);

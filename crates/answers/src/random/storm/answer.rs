@@ -9,6 +9,7 @@ use thiserror::Error;
 
 use super::{Slides, Storm, Storms};
 use crate::explained::Explained;
+use crate::key::Key;
 use crate::random::answer::ChanceRequest;
 
 /// Slides over a life of storms, one a year; m.
@@ -189,6 +190,21 @@ pub enum SlidingError {
     },
 }
 
+impl SlidingError {
+    /// Key of `[storm]` that is to blame.
+    pub(in crate::random) fn key(&self) -> Option<Key> {
+        match self {
+            SlidingError::NoCombination { .. } | SlidingError::Combination { name: Some(_) } => {
+                Some(Key::StormCombination)
+            }
+            SlidingError::NoLevel | SlidingError::SetLevel { .. } | SlidingError::OtherLevel { .. } => {
+                Some(Key::StormRises)
+            }
+            _ => None,
+        }
+    }
+}
+
 impl Explained for SlidingError {
     fn help(&self) -> Option<String> {
         let help = match self {
@@ -202,9 +218,8 @@ impl Explained for SlidingError {
             SlidingError::Shaken => {
                 "storms are answered for loads that all act together, or for one combination".into()
             }
-            SlidingError::BiasOfMoment { .. } | SlidingError::Ground => {
-                "leave it out, or have rotations counted".into()
-            }
+            SlidingError::BiasOfMoment { .. } => "leave it out, or have rotations counted".into(),
+            SlidingError::Ground => "leave `--rotations simulate` out: they are counted then".into(),
             _ => return None,
         };
         Some(help)

@@ -50,7 +50,14 @@ fn parts(inputs: &Inputs) -> Result<Vec<StormPart>, Fault> {
     let [heights, rises] = [Key::StormFactors, Key::StormRises].map(|key| inputs.list(key));
     if let Some(heights) = heights {
         let largest = heights.iter().copied().fold(0.0, f64::max);
-        if heights.iter().any(|height| *height <= 0.0) || largest != 1.0 {
+        if let Some(height) = heights.iter().find(|height| **height <= 0.0) {
+            let message = format!(
+                "`height_factors` of [storm] has {}; expected factors above 0, the largest of them 1, which is the peak",
+                exact(*height)
+            );
+            return refused(&message, Key::StormFactors);
+        }
+        if largest != 1.0 {
             let message = format!(
                 "`height_factors` of [storm] has {} for its largest; expected factors above 0, the largest of them 1, which is the peak",
                 exact(largest)
