@@ -28,6 +28,10 @@ pub(crate) const CORNERS: [Corner; 2] = [Corner::O, Corner::OPrime];
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Law {
     pub law: Impact,
+    /// Ratio of the rates of a law that has one.
+    pub ratio: Option<f64>,
+    /// Restitution.
+    pub e: f64,
     /// μ_i.
     pub μ: f64,
 }
@@ -53,15 +57,16 @@ impl Law {
         touching: [bool; 2],
         landing: bool,
     ) -> Option<ImpactState> {
-        match self.law {
-            Impact::Ratio(ratio) if !landing => self.measured(block, pose, ratio),
-            Impact::Housner if !landing => Some(housner(block, pose)),
-            _ => self.inelastic(block, pose, touching),
+        match (self.law, self.ratio) {
+            (Impact::Housner, _) if !landing => Some(housner(block, pose)),
+            (_, Some(ratio)) if !landing => self.measured(block, pose, ratio),
+            (Impact::Energetic, _) => self.energetic(block, pose, touching),
+            _ => self.poisson(block, pose, touching),
         }
     }
 
     /// e = 0 at every corner that stays closed, Coulomb's law on the impulses with the slip after the impact.
-    fn inelastic(&self, block: &Block, pose: &Pose, touching: [bool; 2]) -> Option<ImpactState> {
+    pub(crate) fn inelastic(&self, block: &Block, pose: &Pose, touching: [bool; 2]) -> Option<ImpactState> {
         let approaching = |corner: Corner| velocity(block, corner, pose)[1] < 0.0;
         let both = touching == [true, true];
         let mut found: Option<ImpactState> = None;
@@ -86,6 +91,15 @@ impl Law {
             }
             if both {
                 keep(self.both(block, pose, slip));
+            }
+        }
+        if found.is_none() && both {
+            // With much friction an impulse at the corner that leaves the base may lift the one that comes down.
+            for slip in [None, Some(Slip::Left), Some(Slip::Right)] {
+                for corner in CORNERS.into_iter().filter(|corner| !approaching(*corner)) {
+                    let after = self.one(block, pose, corner, slip, both);
+                    found = found.or(after);
+                }
             }
         }
         found

@@ -39,6 +39,7 @@ mod impact;
 mod machine;
 mod outcome;
 mod problem;
+mod rebound;
 pub mod record;
 mod roots;
 mod series;

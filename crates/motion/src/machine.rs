@@ -110,6 +110,9 @@ struct Machine<'a> {
     unique: bool,
     impulse_left_base: bool,
     reduced_impacts: usize,
+    /// Impacts that end in flight, and the largest gap of the lower corner, with its time.
+    bounces: usize,
+    max_gap: [f64; 2],
     stuck_events: usize,
 }
 
@@ -126,7 +129,12 @@ impl<'a> Machine<'a> {
         };
         Machine {
             block,
-            law: Law { law: problem.impact, μ: problem.impact_friction() },
+            law: Law {
+                law: problem.impact,
+                ratio: problem.ratio(),
+                e: problem.restitution,
+                μ: problem.impact_friction(),
+            },
             gravity: problem.gravity,
             forcing,
             scales,
@@ -156,6 +164,8 @@ impl<'a> Machine<'a> {
             unique: true,
             impulse_left_base: false,
             reduced_impacts: 0,
+            bounces: 0,
+            max_gap: [0.0; 2],
             stuck_events: 0,
         }
     }
@@ -275,6 +285,9 @@ impl<'a> Machine<'a> {
             unique: self.unique,
             impulse_left_base: self.impulse_left_base,
             reduced_impacts: self.reduced_impacts,
+            bounces: self.bounces,
+            max_gap: self.max_gap[0],
+            t_max_gap: self.max_gap[1],
             events: self.events,
             steps: self.steps,
             block: *self.block,

@@ -173,6 +173,12 @@ pub struct MotionOutcome {
     pub impulse_left_base: bool,
     /// Impacts at which a measured `ratio` would have given energy to a body that slips; there it is the largest that does not.
     pub reduced_impacts: usize,
+    /// Number of impacts that end in flight.
+    pub bounces: usize,
+    /// The largest gap of the lower corner above the base, in flight.
+    pub max_gap: f64,
+    /// Time of the largest gap.
+    pub t_max_gap: f64,
     /// The steps, if they were asked for.
     pub steps: Vec<MotionStep>,
     pub(crate) block: Block,

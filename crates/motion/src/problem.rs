@@ -15,6 +15,27 @@ pub enum Impact {
     Housner,
     /// A measured ratio of the rates of rotation after and before, 0 to 1.
     Ratio(f64),
+    /// Resultants of the reaction at this share of half the base on both sides of the middle, which give the ratio; 1 is Housner's.
+    Contact(f64),
+    /// An uneven base that touches at so many even points in turn, which give the ratio; two are Housner's.
+    Points(u32),
+    /// Poisson's hypothesis: the restitution's share of each impulse of a compression is given back.
+    Poisson,
+    /// The square of the restitution is given back of the work of compression, at one corner; where both have impulses, Poisson's hypothesis.
+    Energetic,
+}
+
+impl Impact {
+    /// The word of a case file.
+    pub fn word(self) -> &'static str {
+        match self {
+            Impact::Inelastic => "inelastic",
+            Impact::Housner => "housner",
+            Impact::Ratio(_) | Impact::Contact(_) | Impact::Points(_) => "ratio",
+            Impact::Poisson => "poisson",
+            Impact::Energetic => "energetic",
+        }
+    }
 }
 
 /// A force with a history, at a point of the body.
@@ -84,6 +105,8 @@ pub struct MotionProblem {
     pub base: BaseMotion,
     /// The law of impacts.
     pub impact: Impact,
+    /// e, the restitution: of `Poisson` and `Energetic`, and of landings from flight, which are Poisson's under the others.
+    pub restitution: f64,
     /// Pose and rates at the beginning.
     pub initial: Initial,
     /// Time to stop at; `None`: 200 √(R/g) after the end of the loads.
@@ -100,6 +123,7 @@ impl MotionProblem {
             loads: Vec::new(),
             base: BaseMotion::default(),
             impact: Impact::default(),
+            restitution: 0.0,
             initial: Initial::default(),
             t_max: None,
         }
@@ -140,7 +164,43 @@ impl MotionProblem {
         if let Some(t) = self.t_max.filter(|t| !(*t > 0.0 && *t < 1e50)) {
             return value("t_max", t, "a time above zero");
         }
-        if let Impact::Ratio(ratio) = self.impact {
+        if !(0.0..=1.0).contains(&self.restitution) {
+            return value("e", self.restitution, "a number from 0 to 1");
+        }
+        if self.restitution > 0.0 && self.impact == Impact::Inelastic {
+            return value(
+                "e",
+                self.restitution,
+                "0, or a law with a rebound: poisson, energetic, or that of landings beside housner and ratio",
+            );
+        }
+        match self.impact {
+            Impact::Contact(share) if !(share > 0.0 && share <= 1.0) => {
+                return value("contact", share, "a number above 0, at most 1");
+            }
+            Impact::Points(count) if count < 2 => {
+                return value("points", f64::from(count), "a whole number, 2 or more");
+            }
+            Impact::Contact(_) | Impact::Points(_) => {
+                let same = |one: f64, other: f64| (one - other).abs() <= 1e-9 * other;
+                if !same(block.b1, block.b2) {
+                    return value(
+                        "b1",
+                        block.b1,
+                        "as much as b2: a ratio by points or by contact is that of a symmetric body",
+                    );
+                }
+                if !same(block.m_x, block.m_y) {
+                    return value(
+                        "m_x",
+                        block.m_x,
+                        "as much as m_y: a ratio by points or by contact is that of a body whose masses are one",
+                    );
+                }
+            }
+            _ => {}
+        }
+        if let Some(ratio) = self.ratio() {
             if !(0.0..=1.0).contains(&ratio) {
                 return value("ratio", ratio, "a number from 0 to 1");
             }
@@ -170,6 +230,28 @@ impl MotionProblem {
             }
         }
         Ok(())
+    }
+
+    /// Ratio of the rates of rotation after and before an impact on the other corner, of a law that has one.
+    pub fn ratio(&self) -> Option<f64> {
+        let Block { b2: b, d, rho2, m_x, .. } = self.block;
+        let inertia = rho2 / m_x + d * d;
+        match self.impact {
+            Impact::Ratio(ratio) => Some(ratio),
+            Impact::Contact(share) => {
+                let square = (share * b).powi(2);
+                Some((inertia - square) / (inertia + square))
+            }
+            Impact::Points(count) => {
+                let at = |place: u32| b * (2.0 * f64::from(place) / f64::from(count - 1) - 1.0);
+                let factors = (1..count).map(|place| {
+                    let (here, before) = (at(place), at(place - 1));
+                    (inertia + before * here) / (inertia + here * here)
+                });
+                Some(factors.product())
+            }
+            Impact::Inelastic | Impact::Housner | Impact::Poisson | Impact::Energetic => None,
+        }
     }
 
     /// √(I_old/I_new), with I about the corners at θ = 0, for the direction in which it is less.

@@ -1,6 +1,6 @@
 //! Impacts that follow each other ever faster: an infinite number of them in a finite time, whose end is known in closed form.
 
-use standfast::Mode;
+use standfast::{Corner, Mode, Slip};
 
 use super::*;
 
@@ -154,5 +154,165 @@ impl Machine<'_> {
         let Block { rho2, m_y, .. } = *self.block;
         let energy = m_y * self.pose.vy * self.pose.vy + rho2 * self.pose.ω * self.pose.ω;
         energy < NOTHING * self.scales.acceleration * self.scales.length
+    }
+}
+
+/// A sequence of bounces whose remaining time is longer than this share of √(B/g) is followed bounce by bounce.
+const BRIEF: f64 = 1e-6;
+/// An angle, or a slip in B over √(B/g), that is next to none.
+const NEARLY: f64 = 1e-6;
+/// Below this share of g B the energy of what bounces at both corners is left.
+const CHATTER: f64 = 1e-15;
+
+impl Machine<'_> {
+    /// After an impact that ends in flight: ends the sequence of bounces that has begun, if its end is near. `slip` is that of the impact.
+    pub(super) fn come_down(&mut self, touching: [bool; 2], slip: Option<Slip>) -> Option<End> {
+        if self.law.e >= 1.0 {
+            return None;
+        }
+        let is_flat = touching == [true, true] && self.pose.θ == 0.0 && self.pose.ω == 0.0;
+        if !is_flat && let Some(flat) = self.flat() {
+            return self.flatten(flat);
+        }
+        let τ = self.bouncing(touching, slip)?;
+        self.landed(τ, touching, slip)
+    }
+
+    /// The time that a sequence of bounces on these corners still takes, if it is short; `None` of one that is followed on.
+    fn bouncing(&self, touching: [bool; 2], slip: Option<Slip>) -> Option<f64> {
+        let Block { m_y, rho2, .. } = *self.block;
+        let [_, p, m] = self.channels.wrench(self.pose.θ);
+        let is_flat = touching == [true, true] && self.pose.θ == 0.0 && self.pose.ω == 0.0;
+        let falls = |corner: Corner| {
+            let [c, h] = lever(self.block, corner, self.pose.θ);
+            p / m_y - c * m / rho2 - h * self.pose.ω * self.pose.ω
+        };
+        let rises = |corner: Corner| velocity(self.block, corner, &self.pose)[1];
+        let one = self.bouncing_of(touching);
+        let (u, a) = if is_flat { (self.pose.vy, p / m_y) } else { (rises(one), falls(one)) };
+        let τ = 2.0 * u / (a * (1.0 - self.law.e));
+        let is_short = a > 0.0 && u > 0.0 && τ < BRIEF * self.scales.time;
+        if !is_short || self.t + τ >= self.forcing.stop(self.segment).min(self.t_max) {
+            return None;
+        }
+        if slip.is_some() && self.law.μ != self.block.mu_k {
+            return None;
+        }
+        if !is_flat {
+            let other = one.opposite();
+            let gap = self.pose.y - lever(self.block, other, self.pose.θ)[1];
+            let (up, down) = (rises(other), falls(other).abs());
+            let stays_open = if up > 0.0 { up > down * τ } else { gap + 2.0 * τ * (up - down * τ) > 0.0 };
+            if !stays_open {
+                return None;
+            }
+        }
+        // The next bounce slips as this one did, or sticks as it did; so do all that follow.
+        let before = self.fallen(2.0 * u / a)?;
+        let on = if is_flat { touching } else { CORNERS.map(|corner| corner == one) };
+        let next = self.law.after(self.block, &before, on, true)?;
+        (next.slip == slip && next.closed == [false, false]).then_some(τ)
+    }
+
+    /// Of corners that touch the one that bounces.
+    fn bouncing_of(&self, touching: [bool; 2]) -> Corner {
+        let rises = CORNERS.map(|corner| velocity(self.block, corner, &self.pose)[1]);
+        match touching {
+            [true, true] if rises[0] < rises[1] => Corner::O,
+            [true, true] => Corner::OPrime,
+            [first, _] => CORNERS[usize::from(!first)],
+        }
+    }
+
+    /// The pose after a free flight, which is short.
+    fn fallen(&self, τ: f64) -> Option<Pose> {
+        let mut channels = Channels::EMPTY;
+        self.forcing.channels(self.segment, self.t, ORDER, &mut channels);
+        let mut motion = Motion::EMPTY;
+        flying(self.block, &self.pose, &channels, ORDER, &mut motion);
+        let at = |powers: &Series, n: usize| value(&powers[..=n], τ);
+        let pose = Pose {
+            x: at(&motion.x, ORDER),
+            y: at(&motion.y, ORDER),
+            θ: at(&motion.θ, ORDER),
+            vx: at(&motion.vx, ORDER - 1),
+            vy: at(&motion.vy, ORDER - 1),
+            ω: at(&motion.ω, ORDER - 1),
+        };
+        pose.y.is_finite().then_some(pose)
+    }
+
+    /// Jumps to the end of a sequence of bounces: free flight over its time, and one impact without rebound.
+    fn landed(&mut self, τ: f64, touching: [bool; 2], slip: Option<Slip>) -> Option<End> {
+        let is_flat = touching == [true, true] && self.pose.θ == 0.0 && self.pose.ω == 0.0;
+        let on = if is_flat { touching } else { CORNERS.map(|corner| corner == self.bouncing_of(touching)) };
+        let mut before = self.fallen(τ)?;
+        if is_flat {
+            (before.θ, before.ω, before.y) = (0.0, 0.0, self.block.d);
+        } else {
+            before.y = lever(self.block, self.bouncing_of(touching), before.θ)[1];
+        }
+        let Some(after) = self.law.inelastic(self.block, &before, on).filter(|after| {
+            // What slipped all the way slips on, and what stuck sticks.
+            after.slip == slip && after.closed == on
+        }) else {
+            return None;
+        };
+        let (block, gravity) = (self.block, self.gravity);
+        let energy = |pose: &Pose| kinetic(block, pose) + gravity * pose.y;
+        let had = energy(&self.pose);
+        self.forcing.channels(self.segment, self.t, ORDER, &mut self.channels);
+        flying(block, &self.pose, &self.channels, ORDER, &mut self.motion);
+        let work = self.work;
+        self.book(τ);
+        self.impact_loss += had + (self.work - work) - energy(&after.pose);
+        self.pose = after.pose;
+        self.t += τ;
+        let decision = self.decide(Contact {
+            closed: after.closed,
+            slip: after.slip,
+            failed: None,
+            zero: None,
+            jump: false,
+        });
+        self.go_on(Why::Settle, decision, after.slip, after.closed)
+    }
+
+    /// The slip with which a body goes on flat of which next to nothing bounces, at both corners in no order that has a closed form; `None` of
+    /// one that is followed on.
+    fn flat(&self) -> Option<Option<Slip>> {
+        let [x, p, m] = self.channels.wrench(0.0);
+        let Block { b1, b2, d, rho2, m_y, mu_s, mu_k, .. } = *self.block;
+        let Pose { y, vx, vy, θ, ω, .. } = self.pose;
+        let Scales { time, length, acceleration } = self.scales;
+        let energy = 0.5 * m_y * vy * vy + 0.5 * rho2 * ω * ω + p * (y - d).max(0.0);
+        if !(p > 0.0 && energy < CHATTER * acceleration * length && θ.abs() < NEARLY) {
+            return None;
+        }
+        let along = vx + d * ω;
+        let inside = |moment: f64| b1 * p + moment > 0.0 && b2 * p - moment > 0.0;
+        if along.abs() < NEARLY * length / time {
+            let holds = mu_s.min(mu_k) * p > x.abs() && inside(x * d - m);
+            return holds.then_some(None);
+        }
+        let slip = if along > 0.0 { Slip::Right } else { Slip::Left };
+        (self.law.μ == mu_k && inside(slip.sign() * mu_k * d * p - m)).then_some(Some(slip))
+    }
+
+    /// Puts the body flat, to rest or to slide on.
+    fn flatten(&mut self, slip: Option<Slip>) -> Option<End> {
+        let Block { d, m_x, m_y, mu_k, .. } = *self.block;
+        let had = kinetic(self.block, &self.pose) + self.gravity * self.pose.y;
+        let vx = match slip {
+            None => 0.0,
+            // Friction's impulse up to any later time, whatever the impacts do.
+            Some(slip) => self.pose.vx + slip.sign() * mu_k * m_y / m_x * self.pose.vy,
+        };
+        self.t_rest_is_bound = true;
+        self.pose = Pose { θ: 0.0, ω: 0.0, y: d, vx, vy: 0.0, ..self.pose };
+        self.impact_loss += had - kinetic(self.block, &self.pose) - self.gravity * d;
+        let decision =
+            self.decide(Contact { closed: [true, true], slip, failed: None, zero: None, jump: true });
+        self.go_on(Why::Settle, decision, slip, [true, true])
     }
 }

@@ -225,7 +225,7 @@ impl Machine<'_> {
     }
 
     /// Books work, losses, the largest rotation and slide over a step.
-    fn book(&mut self, τ: f64) {
+    pub(super) fn book(&mut self, τ: f64) {
         if self.mode == Mode::Rest || τ == 0.0 {
             return;
         }
@@ -260,7 +260,29 @@ impl Machine<'_> {
         }
         if self.mode == Mode::Flight {
             self.see_flight(τ);
+            self.see_gap(τ);
         }
+    }
+
+    /// The largest gap of the lower corner within a step in flight: where a gap is largest, or both are as high, or at its end.
+    fn see_gap(&mut self, τ: f64) {
+        let gaps = CORNERS.map(|corner| gap_along(self.block, corner, ORDER, &self.motion));
+        let bound = |gap: &Series| gap.iter().rev().fold(0.0, |bound, a| bound * τ + a.abs());
+        if gaps.iter().map(bound).fold(f64::INFINITY, f64::min) <= self.max_gap[0] {
+            return;
+        }
+        let mut see = |at: f64| {
+            let [one, other] = gaps.each_ref().map(|gap| value(&gap[..=ORDER], at));
+            if one.min(other) > self.max_gap[0] {
+                self.max_gap = [one.min(other), self.t + at];
+            }
+        };
+        see(τ);
+        for gap in &gaps {
+            let rate: Vec<f64> = (1..=ORDER).map(|k| k as f64 * gap[k]).collect();
+            at_zeros(&rate, τ, &mut see);
+        }
+        at_zeros(&self.motion.θ[..=ORDER + 1], τ, &mut see);
     }
 
     /// The largest |slide| within a step in flight: where O turns back. In a state of slip it does not; the ends of states are seen apart.
@@ -423,8 +445,13 @@ impl Machine<'_> {
             zero: None,
             jump: false,
         });
+        self.bounces += usize::from(after.closed == [false, false]);
         let end = self.go_on(Why::Impact, decision, after.slip, after.closed);
-        if end.is_some() { end } else { self.settle() }
+        match () {
+            () if end.is_some() => end,
+            () if self.mode == Mode::Flight => self.come_down(touching, after.slip),
+            () => self.settle(),
+        }
     }
 }
 

@@ -1,0 +1,101 @@
+//! Motions with a rebound: closed forms, and what every law has to keep.
+
+mod common;
+
+use common::{Random, problem};
+use standfast::contact::Block;
+use standfast_motion::{Impact, Initial, Keep, MotionOutcome, MotionProblem, simulate};
+
+fn followed(problem: &MotionProblem) -> MotionOutcome {
+    simulate(problem, Keep::default()).unwrap()
+}
+
+fn bouncing(block: Block, e: f64) -> MotionProblem {
+    let mut problem = MotionProblem::new(block, 1.0);
+    (problem.impact, problem.restitution) = (Impact::Poisson, e);
+    problem
+}
+
+/// Without restitution each law of a rebound is that without one, to the last digit.
+#[test]
+fn no_restitution_is_no_rebound() {
+    for seed in 0..60 {
+        let mut problem = problem(&mut Random::new(seed));
+        problem.impact = Impact::Inelastic;
+        let without = followed(&problem);
+        for law in [Impact::Poisson, Impact::Energetic] {
+            problem.impact = law;
+            if law == Impact::Poisson {
+                assert_eq!(followed(&problem), without, "{seed}");
+            }
+        }
+    }
+}
+
+/// A block that falls flat from a height comes to rest at √(2H/g)(1 + e)/(1 − e), whatever its shape; slipping, it goes v²/(2μg) + μH, whatever e.
+#[test]
+fn flat_falls() {
+    for (γ, e) in [(0.5, 0.3), (2.0, 0.5), (4.0, 0.7), (1.0, 0.05), (3.0, 0.9)] {
+        let mut problem = bouncing(Block::uniform(γ, 0.5), e);
+        let height = 0.02;
+        problem.initial = Initial { gap: height, ..Initial::default() };
+        let outcome = followed(&problem);
+        let expected = (2.0f64 * height).sqrt() * (1.0 + e) / (1.0 - e);
+        assert!(outcome.at_rest(), "{γ} {e}: {:?}", outcome.end);
+        let t_rest = outcome.t_rest.unwrap();
+        assert!((t_rest - expected).abs() < 1e-9, "{γ} {e}: {t_rest} {expected}");
+        assert!((outcome.max_gap - height * e * e).abs() < 1e-12, "{}", outcome.max_gap);
+        assert!(outcome.energy_residual().abs() < 1e-12, "{}", outcome.energy_residual());
+        // Friction on its way: the bounces take no part in how far it goes.
+        let (v, μ) = (0.4, 0.3);
+        let mut problem = bouncing(Block::uniform(0.5 * γ.min(1.0), μ), e);
+        problem.initial = Initial { gap: height, vx: Some(v), ..Initial::default() };
+        let outcome = followed(&problem);
+        let expected = v * v / (2.0 * μ) + μ * height;
+        if outcome.max_theta == 0.0 {
+            assert!((outcome.slide - expected).abs() < 1e-9, "{γ} {e}: {} {expected}", outcome.slide);
+        }
+    }
+}
+
+/// The corner that lands gives back e of its impulse: θ̇⁺ = θ̇⁻[r_H − e(1 − r_H)], which leaves rocking as it would be, but for second order in the
+/// angle: rest at 6.527, 6.527 and 6.490 √(B/g) (the specification's own integrator).
+#[test]
+fn a_rebound_of_the_corner_that_lands_leaves_rocking_as_it_is() {
+    for (e, rest) in [(0.0, 6.527), (0.3, 6.527), (0.7, 6.490)] {
+        let mut problem = bouncing(Block::uniform(2.0, 0.9), e);
+        problem.initial.theta = 0.1;
+        let outcome = followed(&problem);
+        assert!(outcome.at_rest(), "{e}: {:?}", outcome.end);
+        let t = outcome.t_rest.unwrap();
+        assert!((t - rest).abs() < 1e-3, "{e}: {t} {rest}");
+        assert!(outcome.energy_residual().abs() < 1e-10, "{e}: {}", outcome.energy_residual());
+        assert_eq!(outcome.bounces > 0, e > 0.0);
+    }
+}
+
+/// Energy is kept in all that moves, whatever bounces.
+#[test]
+fn energy_is_kept() {
+    let mut bounces = 0;
+    for seed in 0..120 {
+        let mut random = Random::new(seed + 1000);
+        let mut problem = problem(&mut random);
+        (problem.impact, problem.restitution) = match seed % 3 {
+            0 => (Impact::Energetic, random.between(0.1, 0.9)),
+            1 => (Impact::Housner, random.between(0.1, 0.9)),
+            _ => (Impact::Poisson, random.between(0.05, 0.95)),
+        };
+        let outcome = followed(&problem);
+        let size = 1.0 + outcome.work.abs() + outcome.friction_loss + outcome.impact_loss;
+        assert!(
+            outcome.energy_residual().abs() < 1e-10 * size,
+            "{seed}: {:?} {}",
+            outcome.end,
+            outcome.energy_residual()
+        );
+        assert!(outcome.impact_loss >= -1e-12 * size, "{seed}: {}", outcome.impact_loss);
+        bounces += outcome.bounces;
+    }
+    assert!(bounces > 300, "{bounces}");
+}
