@@ -176,6 +176,14 @@ fn found(case: &BlockCase, outcome: &MotionOutcome) -> Vec<MotionWarning> {
         );
         warnings.push(MotionWarning { name: "ratio-reduced", words });
     }
+    if outcome.undetermined > 0 {
+        let words = format!(
+            "at {} of {} impacts, first at t = {:.4}, both corners meet the base at once, or one right after the other: how they rebound hangs on \
+             stiffnesses that no rigid law knows",
+            outcome.undetermined, outcome.impacts, outcome.t_undetermined
+        );
+        warnings.push(MotionWarning { name: "rebound-undetermined", words });
+    }
     if outcome.t_rest_is_bound {
         let words =
             "the last motion, too small to matter, was not followed: the time of rest is a lower bound"

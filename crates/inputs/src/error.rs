@@ -908,6 +908,11 @@ pub enum Problem {
     /// A ratio beside another law of impacts.
     #[error("`ratio` goes with law = \"ratio\" only")]
     RatioOfOtherLaw,
+    /// A restitution with a law without rebound.
+    #[error(
+        "`e` is given with law = \"inelastic\", which has no rebound; expected law = \"poisson\" or \"energetic\", or e of landings beside \"housner\" and \"ratio\""
+    )]
+    RestitutionOfNone,
     /// A body that is asked to overturn.
     #[error("`overturned` is true; expected false: that the body does not overturn")]
     AskedToOverturn,

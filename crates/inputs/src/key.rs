@@ -66,6 +66,8 @@ pub enum Table {
     Motion,
     /// Impact of a corner on the base.
     Impact,
+    /// What the ratio of an impact follows from.
+    ImpactRatio,
     /// State in which the motion begins.
     Initial,
     /// Motion of the base.
@@ -96,7 +98,7 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 38] = [
+    pub const ALL: [Table; 39] = [
         Table::Top,
         Table::Datum,
         Table::Output,
@@ -122,6 +124,7 @@ impl Table {
         Table::Criteria,
         Table::Motion,
         Table::Impact,
+        Table::ImpactRatio,
         Table::Initial,
         Table::Base,
         Table::BaseHorizontal,
@@ -144,6 +147,7 @@ impl Table {
             Table::BackfillLayer => Some(Table::Backfill),
             Table::Drain => Some(Table::Water),
             Table::Impact | Table::Initial | Table::Base => Some(Table::Motion),
+            Table::ImpactRatio => Some(Table::Impact),
             Table::BaseHorizontal | Table::BaseVertical | Table::BaseHorizontalZ => Some(Table::Base),
             Table::WaveHistory => Some(Table::Wave),
             Table::LoadHistory => Some(Table::Load),
@@ -177,6 +181,7 @@ impl Table {
             self,
             Table::Motion
                 | Table::Impact
+                | Table::ImpactRatio
                 | Table::Initial
                 | Table::Base
                 | Table::BaseHorizontal
@@ -223,6 +228,7 @@ impl Table {
             Table::Criteria => "criteria",
             Table::Motion => "motion",
             Table::Impact => "impact",
+            Table::ImpactRatio => "ratio",
             Table::Initial => "initial",
             Table::Base => "base",
             Table::BaseHorizontal => "horizontal",
@@ -305,6 +311,7 @@ impl Table {
             Table::Criteria => "[criteria]",
             Table::Motion => "[motion]",
             Table::Impact => "[motion.impact]",
+            Table::ImpactRatio => "`ratio` of [motion.impact]",
             Table::Initial => "[motion.initial]",
             Table::Base => "[motion.base]",
             Table::BaseHorizontal => "`horizontal` of [motion.base]",
@@ -380,6 +387,9 @@ impl Table {
                 "the motion in time: how the base moves, how corners meet it, how the motion begins"
             }
             Table::Impact => "impacts of a corner on the base",
+            Table::ImpactRatio => {
+                "what the ratio of the rates after and before an impact follows from, one of both"
+            }
             Table::Initial => "how the motion begins; at rest without it",
             Table::Base => "how the base moves: a history for each direction",
             Table::BaseHorizontal => "acceleration of the base to the right",
@@ -474,6 +484,7 @@ impl Table {
                 "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" }"
             }
             Table::Impact => "[motion.impact]\nlaw = \"ratio\"\nratio = 0.9",
+            Table::ImpactRatio => "ratio = { points = 3 }",
             Table::Initial => "[motion.initial]\ntheta = 0.05",
             Table::WaveHistory | Table::LoadHistory | Table::BlockLoadHistory | Table::History => {
                 "history = { shape = \"triangle\", rise = \"0.2 s\", duration = \"0.4 s\" }"
@@ -791,8 +802,10 @@ const COURSES: Kind = Kind::Choice {
     words: "\"constant\", \"rect\", \"triangle\", \"decay\", \"half-sine\", \"sine\", \"church-roof\", \"points\" or \"file\"",
 };
 const BASELINES: Kind = Kind::Choice { of: &["mean", "linear"], words: "\"mean\" or \"linear\"" };
-const IMPACTS: Kind =
-    Kind::Choice { of: &["inelastic", "housner", "ratio"], words: "\"inelastic\", \"housner\" or \"ratio\"" };
+const IMPACTS: Kind = Kind::Choice {
+    of: &["inelastic", "housner", "ratio", "poisson", "energetic"],
+    words: "\"inelastic\", \"housner\", \"ratio\", \"poisson\" or \"energetic\"",
+};
 
 /// The shapes of a history.
 const SHAPES_IN_TIME: [&str; 9] =
@@ -812,8 +825,8 @@ use Kind::{
 use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, Turn, ZeroToOne};
 use Table::{
     AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Datum, Drain,
-    Earthquake, Footprint, Ground, History, Impact, Initial, Joint, Load, Moment, Motion, Output, Part,
-    Point, Pressure, Resistance, Soil, Storm, Top, Uplift, Water, Wave,
+    Earthquake, Footprint, Ground, History, Impact, ImpactRatio as RatioOfImpact, Initial, Joint, Load,
+    Moment, Motion, Output, Part, Point, Pressure, Resistance, Soil, Storm, Top, Uplift, Water, Wave,
 };
 
 listed! {
@@ -1240,8 +1253,11 @@ listed! {
 
     TMax = key(Motion, "t_max", time(Positive), "t_max", "when to stop at the latest", "\"60 s\"")
         .silent("end of the motion: at rest, overturned, or long after the loads");
-    ImpactLaw = key(Impact, "law", IMPACTS, "", "law of impacts: no rebound; no slip either; a measured ratio", "\"inelastic\"");
-    ImpactRatio = key(Impact, "ratio", Plain(ZeroToOne), "r", "measured ratio of the rates of rotation after and before an impact, with law = \"ratio\"", "0.9");
+    ImpactLaw = key(Impact, "law", IMPACTS, "", "law of impacts: no rebound; no slip either; a measured ratio; a rebound by impulses or by energy", "\"inelastic\"");
+    ImpactRatio = key(Impact, "ratio", Plain(ZeroToOne), "r", "measured ratio of the rates of rotation after and before an impact, with law = \"ratio\"; or what it follows from, in braces", "0.9");
+    ImpactE = key(Impact, "e", Plain(ZeroToOne), "e", "restitution: with law = \"poisson\" of impulses, \"energetic\" of energy; with \"housner\" and \"ratio\" of landings from flight", "0.3");
+    ImpactContact = key(RatioOfImpact, "contact", Plain(ZeroToOne), "κ", "where the resultants of impacts act, as a share of half the base", "0.7");
+    ImpactPoints = key(RatioOfImpact, "points", Plain(Positive), "n", "even points at which an uneven base touches in turn, two of them the corners", "3");
     InitialTheta = key(Initial, "theta", Measured(Dimension::Angle, Finite), "θ_0", "angle at the beginning, counter-clockwise", "\"50 mrad\"")
         .silent("angle at the beginning: 0");
     InitialOmega = key(Initial, "omega", Plain(Finite), "ω_0", "rate of rotation at the beginning, rad/s", "0.1")

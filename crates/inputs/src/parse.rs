@@ -365,6 +365,12 @@ impl CaseText {
         only(found, table)?;
         for (name, value) in found.iter() {
             let Some(key) = Key::find(table, name.get_ref()) else { continue };
+            // A number, or a table of the same name.
+            if value.get_ref().as_table().is_some()
+                && table.children().any(|child| child.name() == key.name())
+            {
+                continue;
+            }
             let id = Id::of(table, index, key);
             let field = Field { id, value, text, frame: frame(self.units, &self.datum, self.sea) };
             match key.info().kind {
@@ -401,6 +407,9 @@ impl CaseText {
         }
         for child in table.children() {
             let Some(value) = found.get(child.name()) else { continue };
+            if value.get_ref().as_table().is_none() && Key::find(table, child.name()).is_some() {
+                continue;
+            }
             if child.repeats() {
                 self.read_tables(text, value, child, index)?;
                 continue;

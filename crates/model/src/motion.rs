@@ -114,7 +114,8 @@ fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting)
     let (body, gravity) = (situation.body(), situation.gravity());
     let acts_at_all = |wrench: Wrench| wrench != Wrench::ZERO;
     let problem = MotionProblem::of(&situation, motion.base.clone(), motion.impact).and_then(|problem| {
-        let problem = MotionProblem { initial: motion.initial, t_max: motion.t_max, ..problem };
+        let (initial, t_max, restitution) = (motion.initial, motion.t_max, motion.restitution);
+        let problem = MotionProblem { initial, t_max, restitution, ..problem };
         problem.check().map(|()| problem)
     });
     let problem = problem.map_err(|error| match error {
@@ -189,6 +190,7 @@ fn block_case(given: &Reader<'_>) -> Result<BlockCase, Fault> {
     }
     problem.base = motion.base;
     (problem.impact, problem.initial, problem.t_max) = (motion.impact, motion.initial, motion.t_max);
+    problem.restitution = motion.restitution;
     problem.check().map_err(|error| given.motion_refused(error))?;
     let mut warnings = motion.warnings;
     warnings.extend(slips(&problem, motion.step));

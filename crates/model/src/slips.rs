@@ -1,6 +1,6 @@
 //! Slips that may be in a case in time whose values are possible.
 
-use standfast_motion::{Impact, Initial, MotionProblem};
+use standfast_motion::{Initial, MotionProblem};
 
 use crate::digits::digits;
 use crate::motion::MotionWarning;
@@ -39,7 +39,7 @@ pub(crate) fn slips(problem: &MotionProblem, step: Option<f64>) -> Vec<MotionWar
         let words = format!("points are up to {step:.3} apart, {:.2} of √(B/g)", step / time);
         slips.push(MotionWarning { name: "coarse-record", words });
     }
-    if let Impact::Ratio(ratio) = problem.impact
+    if let Some(ratio) = problem.ratio()
         && ratio > LOSSLESS
     {
         let words = format!(

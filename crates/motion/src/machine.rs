@@ -113,6 +113,9 @@ struct Machine<'a> {
     /// Impacts that end in flight, and the largest gap of the lower corner, with its time.
     bounces: usize,
     max_gap: [f64; 2],
+    /// Impacts of which only stiffness decides, and the first time of one; and the last landing: its time, and its corner.
+    undetermined: (usize, f64),
+    landing: Option<(f64, Corner)>,
     stuck_events: usize,
 }
 
@@ -166,6 +169,8 @@ impl<'a> Machine<'a> {
             reduced_impacts: 0,
             bounces: 0,
             max_gap: [0.0; 2],
+            undetermined: (0, 0.0),
+            landing: None,
             stuck_events: 0,
         }
     }
@@ -288,6 +293,8 @@ impl<'a> Machine<'a> {
             bounces: self.bounces,
             max_gap: self.max_gap[0],
             t_max_gap: self.max_gap[1],
+            undetermined: self.undetermined.0,
+            t_undetermined: self.undetermined.1,
             events: self.events,
             steps: self.steps,
             block: *self.block,
@@ -392,6 +399,7 @@ impl<'a> Machine<'a> {
 
     /// The impact of corners on the base; books its energy.
     fn meet(&mut self, touching: [bool; 2], landing: bool) -> Option<ImpactState> {
+        let before = self.pose;
         let after = self.law.after(self.block, &self.pose, touching, landing);
         let after = after.or_else(|| if landing { self.touched(touching) } else { None })?;
         self.impact_loss += kinetic(self.block, &self.pose) - kinetic(self.block, &after.pose);
@@ -400,6 +408,7 @@ impl<'a> Machine<'a> {
         self.impulse_left_base |= !after.on_base;
         self.reduced_impacts += usize::from(after.reduced);
         self.impacts += 1;
+        self.see_rebound(&before, &after, touching, landing);
         Some(after)
     }
 

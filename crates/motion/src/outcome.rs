@@ -179,6 +179,11 @@ pub struct MotionOutcome {
     pub max_gap: f64,
     /// Time of the largest gap.
     pub t_max_gap: f64,
+    /// Number of impacts with a rebound whose outcome hangs on stiffnesses that no rigid law knows: of both corners at once, or one right after the
+    /// other.
+    pub undetermined: usize,
+    /// Time of the first of these.
+    pub t_undetermined: f64,
     /// The steps, if they were asked for.
     pub steps: Vec<MotionStep>,
     pub(crate) block: Block,

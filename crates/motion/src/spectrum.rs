@@ -50,6 +50,8 @@ pub struct RockingSpectrum {
     pub base: BaseMotion,
     /// The law of impacts.
     pub impact: Impact,
+    /// Restitution.
+    pub restitution: f64,
 }
 
 impl RockingSpectrum {
@@ -77,6 +79,7 @@ impl RockingSpectrum {
         let block = self.block(radius, slenderness);
         let mut problem = MotionProblem::new(block, self.gravity);
         (problem.base, problem.impact) = (self.base.clone(), self.impact);
+        problem.restitution = self.restitution;
         simulate(&problem, Keep::default()).map(|outcome| Rocked::of(&block, &outcome))
     }
 }

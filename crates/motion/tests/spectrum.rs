@@ -118,6 +118,7 @@ fn a_rocking_spectrum_knows_its_scale() {
         gravity: 1.0,
         base: BaseMotion { horizontal: Some(shaking(time)), vertical: None },
         impact: Impact::Inelastic,
+        restitution: 0.0,
     };
     let (small, large) = (spectrum(1.0), spectrum(2f64.sqrt()));
     for γ in [2.5, 3.0, 5.0] {

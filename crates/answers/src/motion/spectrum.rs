@@ -390,6 +390,7 @@ fn rocking(
         gravity: problem.gravity,
         base: problem.base.clone(),
         impact: problem.impact,
+        restitution: problem.restitution,
     };
     let pairs: Vec<[f64; 2]> =
         sizes.iter().flat_map(|size| slendernesses.iter().map(move |slender| [*size, *slender])).collect();

@@ -267,6 +267,7 @@ impl Body {
         let situation = case.situation(Acting::All, Trial::AS_GIVEN).ok()?;
         let mut still = MotionProblem::standing(&situation).ok()?;
         (still.impact, still.initial, still.t_max) = (motion.impact, motion.initial, motion.t_max);
+        still.restitution = motion.restitution;
         let is_friction = |input: &RandomInput| input.friction_of() == Some(FrictionOf::Base);
         if let Some(place) = problem.random().iter().position(is_friction) {
             let ratio = if still.block.mu_s > 0.0 { still.block.mu_k / still.block.mu_s } else { 1.0 };

@@ -28,7 +28,11 @@ struct Document<'a> {
     overturned: bool,
     past_balance: bool,
     at_rest: bool,
+    impact: ImpactEntry,
     impacts: usize,
+    bounces: usize,
+    max_gap: f64,
+    t_max_gap: f64,
     t_rest: Option<f64>,
     t_rest_is_bound: bool,
     t_final: f64,
@@ -49,6 +53,14 @@ struct Document<'a> {
     warnings: Vec<WarningEntry<'a>>,
     figures: &'a [String],
     others: Vec<Document<'a>>,
+}
+
+/// The law of impacts, its restitution, and the ratio used of a law that has one.
+#[derive(Serialize)]
+struct ImpactEntry {
+    law: &'static str,
+    e: f64,
+    ratio: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -189,7 +201,15 @@ fn document(followed: &FollowedMotion) -> Document<'_> {
         overturned: outcome.overturned(),
         past_balance: outcome.past_balance,
         at_rest: outcome.at_rest(),
+        impact: ImpactEntry {
+            law: case.problem.impact.word(),
+            e: case.problem.restitution,
+            ratio: case.problem.ratio(),
+        },
         impacts: outcome.impacts,
+        bounces: outcome.bounces,
+        max_gap: outcome.max_gap,
+        t_max_gap: outcome.t_max_gap,
         t_rest: outcome.t_rest,
         t_rest_is_bound: outcome.t_rest_is_bound,
         t_final: outcome.t_final,

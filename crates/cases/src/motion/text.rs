@@ -3,13 +3,14 @@
 use std::fmt::Write;
 
 use standfast::Mode;
-use standfast_motion::{End, Event, MotionOutcome, Why};
+use standfast_motion::{End, Event, Impact, MotionOutcome, Why};
 
 use super::summary::near;
 use super::{FollowedMotion, MotionView};
 use crate::assess::met_words;
 use crate::layout::{columns, digits, paragraph, row, significant};
 use crate::summary::capital;
+use crate::units::Dimension;
 
 /// So many events are shown one by one.
 const SHOWN: usize = 24;
@@ -164,6 +165,25 @@ fn when(number: f64, words: impl Fn() -> String) -> String {
     if number == 0.0 { String::new() } else { words() }
 }
 
+/// How the body bounces, and the ratio that was used, where the law has it follow from something.
+fn impacts(followed: &FollowedMotion) -> String {
+    let (outcome, problem) = (&followed.outcome, &followed.case.problem);
+    let mut parts = Vec::new();
+    if let (Some(ratio), Impact::Contact(_) | Impact::Points(_)) = (problem.ratio(), problem.impact) {
+        parts.push(format!("each leaves {} of the rate of rotation", number(ratio)));
+    }
+    if outcome.bounces > 0 {
+        let times =
+            if outcome.bounces == 1 { "once".to_owned() } else { format!("{} times", outcome.bounces) };
+        let gap = match followed.case.si {
+            true => Dimension::Length.written(outcome.max_gap),
+            false => number(outcome.max_gap),
+        };
+        parts.push(format!("it bounces {times}, at most {gap} above the base"));
+    }
+    parts.join("; ")
+}
+
 /// The numbers of the answer: what each is, the number with its unit, and when or how much of what it is.
 pub fn number_rows(followed: &FollowedMotion) -> Rows {
     let (case, outcome) = (&followed.case, &followed.outcome);
@@ -196,7 +216,7 @@ pub fn number_rows(followed: &FollowedMotion) -> Rows {
             }),
         ),
         row("θ at the end", outcome.theta, rad, String::new()),
-        vec!["impacts".to_owned(), outcome.impacts.to_string(), String::new()],
+        vec!["impacts".to_owned(), outcome.impacts.to_string(), impacts(followed)],
     ]
 }
 

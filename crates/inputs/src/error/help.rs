@@ -357,6 +357,7 @@ impl Problem {
             | Problem::BothIn { .. }
             | Problem::ByWavesRise { .. }
             | Problem::RatioOfOtherLaw
+            | Problem::RestitutionOfNone
             | Problem::AskedToOverturn
             | Problem::Motion(_)
             | Problem::NotOfBlock { .. }

@@ -19,6 +19,8 @@ pub struct CaseMotion {
     pub away: Option<History>,
     /// Impact of a corner on the base.
     pub impact: Impact,
+    /// Restitution.
+    pub restitution: f64,
     /// State in which the motion begins.
     pub initial: Initial,
     /// Time at which to stop at the latest, s.
@@ -47,6 +49,7 @@ impl Reader<'_> {
             base: BaseMotion::default(),
             away: None,
             impact: self.impact()?,
+            restitution: self.number(Key::ImpactE).unwrap_or(0.0),
             initial: self.initial(),
             t_max: self.number(Key::TMax),
             criteria: MotionCriterion::all(self.inputs)?,
@@ -73,11 +76,47 @@ impl Reader<'_> {
         }
         let law = self.inputs.choice(Key::ImpactLaw);
         let law = law.ok_or_else(|| self.missing(Key::ImpactLaw, 0))?;
-        match (law, self.number(Key::ImpactRatio)) {
-            ("ratio", ratio) => Ok(Impact::Ratio(ratio.ok_or_else(|| self.missing(Key::ImpactRatio, 0))?)),
-            (_, Some(_)) => Err(Fault::new(Problem::RatioOfOtherLaw, Key::ImpactRatio)),
-            ("housner", None) => Ok(Impact::Housner),
-            (_, None) => Ok(Impact::Inelastic),
+        let e = self.number(Key::ImpactE);
+        match (law, e) {
+            ("inelastic", Some(_)) => return Err(Fault::new(Problem::RestitutionOfNone, Key::ImpactE)),
+            ("poisson" | "energetic", None) => return Err(self.missing(Key::ImpactE, 0)),
+            _ => {}
+        }
+        if law != "ratio" {
+            let ratio = [Key::ImpactRatio, Key::ImpactContact, Key::ImpactPoints];
+            if let Some(key) = ratio.into_iter().find(|key| self.number(*key).is_some()) {
+                return Err(Fault::new(Problem::RatioOfOtherLaw, key));
+            }
+        }
+        Ok(match law {
+            "ratio" => self.ratio()?,
+            "housner" => Impact::Housner,
+            "poisson" => Impact::Poisson,
+            "energetic" => Impact::Energetic,
+            _ => Impact::Inelastic,
+        })
+    }
+
+    /// A ratio, or what it follows from.
+    fn ratio(&self) -> Result<Impact, Fault> {
+        /// More points are a curve.
+        const MOST: f64 = 1000.0;
+        if let Some(ratio) = self.number(Key::ImpactRatio) {
+            return Ok(Impact::Ratio(ratio));
+        }
+        let wrong = |key: Key, value: f64, expected: &'static str| {
+            let problem = Problem::Motion(MotionError::Value { name: key.name(), value, expected });
+            Err(Fault::new(problem, key))
+        };
+        match [Key::ImpactContact, Key::ImpactPoints].map(|key| self.number(key)) {
+            [None, None] if self.inputs.has(Table::ImpactRatio) => Err(self.missing(Key::ImpactPoints, 0)),
+            [None, None] => Err(self.missing(Key::ImpactRatio, 0)),
+            [Some(share), None] => Ok(Impact::Contact(share)),
+            [None, Some(count)] if !(2.0..=MOST).contains(&count) || count.fract() != 0.0 => {
+                wrong(Key::ImpactPoints, count, "a whole number from 2 to 1000")
+            }
+            [None, Some(count)] => Ok(Impact::Points(count as u32)),
+            [Some(share), Some(_)] => wrong(Key::ImpactContact, share, "one of `contact` and `points`"),
         }
     }
 
@@ -95,14 +134,14 @@ impl Reader<'_> {
     /// Refusal by the motion, shown at the key it is about.
     pub(crate) fn motion_refused(&self, error: MotionError) -> Fault {
         let named = |name: &str| {
-            let tables = [Table::Motion, Table::Impact, Table::Initial, Table::Block];
+            let tables = [Table::Motion, Table::Impact, Table::ImpactRatio, Table::Initial, Table::Block];
             let keys = tables.into_iter().flat_map(Table::keys).filter(|key| key.name() == name);
             keys.map(Id::from).find(|id| self.inputs.get(*id).is_some())
         };
         let at = match &error {
             MotionError::Input(error) => return self.blame(Table::Block, *error),
             MotionError::Value { name, .. } => named(name).map(Place::from),
-            MotionError::Ratio { .. } => Some(Key::ImpactRatio.into()),
+            MotionError::Ratio { .. } => named("ratio").or_else(|| named("points")).map(Place::from),
             MotionError::Acceleration { name, .. } => {
                 let tables = [Table::BaseHorizontal, Table::BaseVertical].into_iter();
                 tables.filter(|table| table.name() == *name).map(Place::from).next()

@@ -3,6 +3,7 @@
 use standfast::{Corner, Mode, Slip};
 
 use super::*;
+use crate::problem::Impact;
 
 /// A sequence whose remaining time is longer than this share of √(B/g) is followed impact by impact.
 const SHORT: f64 = 1e-5;
@@ -164,7 +165,55 @@ const NEARLY: f64 = 1e-6;
 /// Below this share of g B the energy of what bounces at both corners is left.
 const CHATTER: f64 = 1e-15;
 
+/// A corner that lands within this share of √(B/g) after the other does so as good as with it, and a velocity in B over √(B/g) below which that is of
+/// no account.
+const AT_ONCE: f64 = 1e-3;
+
 impl Machine<'_> {
+    /// Counts impacts with a rebound of which only stiffness decides what becomes of them.
+    pub(super) fn see_rebound(
+        &mut self,
+        before: &Pose,
+        after: &ImpactState,
+        touching: [bool; 2],
+        landing: bool,
+    ) {
+        let is_given = matches!(self.law.law, Impact::Poisson | Impact::Energetic) || landing;
+        if self.law.e == 0.0 || !is_given {
+            return;
+        }
+        let up = CORNERS.map(|corner| velocity(self.block, corner, before)[1]);
+        let speed = AT_ONCE * self.scales.length / self.scales.time;
+        let is_fast = (0..2).any(|i| touching[i] && up[i] < -speed);
+        let both = touching == [true, true];
+        // Rocking onto a corner that lifts the other one is an impact at that corner alone.
+        let lifts = || {
+            let Block { d, rho2, m_x, m_y, .. } = *self.block;
+            let [one, other] =
+                if up[0] < up[1] { [Corner::O, Corner::OPrime] } else { [Corner::OPrime, Corner::O] };
+            let (c, across) = (arm(self.block, one), arm(self.block, other));
+            let by = 1.0 / m_y + c * across / rho2;
+            match after.slip {
+                None => by - c * across * d * d / (rho2 * rho2 * (1.0 / m_x + d * d / rho2)) > 0.0,
+                Some(slip) => by - slip.sign() * self.law.μ * across * d / rho2 > 0.0,
+            }
+        };
+        let follows = |corner: Corner| {
+            self.landing.is_some_and(|(t, first)| first != corner && self.t - t < AT_ONCE * self.scales.time)
+        };
+        let corner = if touching[0] { Corner::O } else { Corner::OPrime };
+        let is_one = if both { landing || !lifts() } else { follows(corner) };
+        if is_fast && is_one {
+            if self.undetermined.0 == 0 {
+                self.undetermined.1 = self.t;
+            }
+            self.undetermined.0 += 1;
+        }
+        if is_fast && !both {
+            self.landing = Some((self.t, corner));
+        }
+    }
+
     /// After an impact that ends in flight: ends the sequence of bounces that has begun, if its end is near. `slip` is that of the impact.
     pub(super) fn come_down(&mut self, touching: [bool; 2], slip: Option<Slip>) -> Option<End> {
         if self.law.e >= 1.0 {
@@ -252,12 +301,9 @@ impl Machine<'_> {
         } else {
             before.y = lever(self.block, self.bouncing_of(touching), before.θ)[1];
         }
-        let Some(after) = self.law.inelastic(self.block, &before, on).filter(|after| {
-            // What slipped all the way slips on, and what stuck sticks.
-            after.slip == slip && after.closed == on
-        }) else {
-            return None;
-        };
+        // What slipped all the way slips on, and what stuck sticks.
+        let after = self.law.inelastic(self.block, &before, on);
+        let after = after.filter(|after| after.slip == slip && after.closed == on)?;
         let (block, gravity) = (self.block, self.gravity);
         let energy = |pose: &Pose| kinetic(block, pose) + gravity * pose.y;
         let had = energy(&self.pose);

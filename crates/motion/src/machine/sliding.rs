@@ -207,6 +207,8 @@ pub(super) fn slides_only(problem: &MotionProblem) -> Option<MotionOutcome> {
         bounces: 0,
         max_gap: 0.0,
         t_max_gap: 0.0,
+        undetermined: 0,
+        t_undetermined: 0.0,
         steps: Vec::new(),
         block,
         feet: [[0.0, -block.b1], [0.0, block.b2]],
