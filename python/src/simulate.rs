@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
@@ -10,7 +11,8 @@ use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use standfast::Mode;
 use standfast_cases::motion::{
-    BlockCase, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit, StrengthAsked,
+    BlockCase, CopiesAsked, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit,
+    StrengthAsked,
 };
 use standfast_cases::{CaseFile, Document, Interface};
 
@@ -152,6 +154,7 @@ pub(crate) fn simulate(
     case: MotionCase,
     base: (Option<Samples<'_>>, Option<Samples<'_>>),
     options: (Option<bool>, bool),
+    copies: Option<(usize, f64, u64)>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<MotionAnswer> {
     let base = given_base(base)?;
@@ -165,6 +168,16 @@ pub(crate) fn simulate(
         let (cases, files) = cases(case, &base)?;
         let answers =
             FollowedMotion::of_all(cases, &Follow { divergence: true, strength, series: false }, portion);
+        let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+        let answers = answers.and_then(|answers| {
+            let copied = |followed: FollowedMotion| match copies {
+                Some((number, spread, seed)) => {
+                    followed.copied(CopiesAsked { number, spread, seed, threads }, portion)
+                }
+                None => Ok(followed),
+            };
+            answers.into_iter().map(copied).collect::<Result<Vec<FollowedMotion>, _>>()
+        });
         let answers = answers.map_err(|error| StandfastError::new_err(error.to_string()))?;
         Ok(MotionAnswer { answers, files, all })
     })?

@@ -317,3 +317,29 @@ def test_a_series_keeps_its_times() -> None:
 def test_both_directions_are_of_one_length() -> None:
     with pytest.raises(ValueError, match="base has 300 values horizontal and 50 values vertical; expected as many"):
         standfast.simulate(STATUE, base={"horizontal": np.zeros(300), "vertical": np.zeros(50)}, dt=0.01, unit="g")
+
+
+def test_copies_scatter_as_their_numbers_do() -> None:
+    thrown = {"block": {"b1": 1, "b2": 1, "d": 0.2, "mu_s": 0.3, "gravity": 1}, "motion": {"initial": {"vx": 0.4}}}
+    few, many = (standfast.simulate(thrown, copies=number, spread=0.01, seed=3).copies for number in (100, 400))
+    assert (few.number, few.overturned, few.same_verdict.value) == (100, 0, 1)
+    assert few.share.high == pytest.approx(1 - 0.025 ** (1 / 100), rel=1e-12)
+    # The slide is v²/(2μg), whose logarithm scatters as friction's.
+    below, _, middle, _, above = (quantile.value for quantile in many.slide)
+    assert middle == pytest.approx(0.16 / 0.6, rel=3e-3)
+    assert math.log(above / below) == pytest.approx(2 * 1.645 * 0.01, rel=0.15)
+    assert standfast.simulate(thrown).copies is None
+    for wrong, words in [({"copies": 0}, "copies is 0"), ({"copies": 5, "spread": 0.7}, "spread is 0.7"), ({"copies": 5, "seed": -1}, "seed is -1")]:
+        with pytest.raises(standfast.StandfastError, match=words):
+            standfast.simulate(thrown, **wrong)
+
+
+def test_a_rebound_by_impulses() -> None:
+    block = {"b1": 1, "b2": 1, "d": 2, "mu_s": 0.9, "gravity": 1}
+    fallen = standfast.simulate({"block": block, "motion": {"impact": {"law": "poisson", "e": 0.5}, "initial": {"gap": 0.02}}})
+    assert fallen.t_rest == pytest.approx(math.sqrt(0.04) * 1.5 / 0.5, abs=1e-9)
+    assert (fallen.impact.law, fallen.impact.e, fallen.impact.ratio) == ("poisson", 0.5, None)
+    assert fallen.max_gap == pytest.approx(0.02 * 0.25, rel=1e-9) and fallen.bounces > 5
+    uneven = standfast.simulate({"block": block, "motion": {"impact": {"law": "ratio", "ratio": {"points": 3}}, "initial": {"theta": 0.1}}})
+    # J/(J + b²), J = (1 + d²)/3 + d².
+    assert uneven.impact.ratio == pytest.approx((5 / 3 + 4) / (5 / 3 + 5), rel=1e-12)

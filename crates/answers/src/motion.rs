@@ -13,12 +13,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod copies;
 mod criteria;
 mod rows;
 mod series;
 mod spectrum;
 mod strength;
 
+pub use copies::{Copies, CopiesAsked, CopyQuantile, Differs};
 pub(crate) use criteria::worst_checks;
 pub use criteria::{MotionCheck, MotionValue};
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS, RowFault};
@@ -58,6 +60,8 @@ pub struct FollowedMotion {
     pub divergence: Option<Divergence>,
     /// How much stronger or weaker loads have to be for another verdict, if that was asked for and there is one.
     pub strength: Option<Strength>,
+    /// Outcomes of copies with numbers a little other, if they were asked for.
+    pub copies: Option<Copies>,
     /// Warnings of possible slips, and of values outside the range of the model.
     pub warnings: Vec<MotionWarning>,
 }
@@ -93,7 +97,7 @@ impl FollowedMotion {
         }
         let mut warnings = case.warnings.clone();
         warnings.extend(found(&case, &outcome));
-        Ok(FollowedMotion { case, outcome, divergence, strength, warnings })
+        Ok(FollowedMotion { case, outcome, divergence, strength, copies: None, warnings })
     }
 
     /// Follows the motion in every situation of a file; the worst first: by what is used of the criteria, overturned, past balance, by the
@@ -127,6 +131,15 @@ impl FollowedMotion {
             by_criteria.then(rank(one).cmp(&rank(two))).then(two.max_slide.total_cmp(&one.max_slide))
         });
         Ok(answers)
+    }
+
+    /// The same with copies of it, numbers of which are a little other.
+    ///
+    /// # Errors
+    /// If a copy is refused, or the work is stopped.
+    pub fn copied(self, asked: CopiesAsked, portion: Portion<'_>) -> Result<FollowedMotion, MotionError> {
+        let copies = Copies::of(&self.case.problem, &self.outcome, asked, portion)?;
+        Ok(FollowedMotion { copies: Some(copies), ..self })
     }
 
     /// The criteria of the case, the governing one first.

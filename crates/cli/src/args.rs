@@ -16,7 +16,7 @@ use standfast_cases::beginnings::{BEGINNINGS, Beginning};
 use standfast_cases::check_up_to;
 use standfast_cases::design::{Cost, Target};
 use standfast_cases::directions::{STEP, check_step};
-use standfast_cases::motion::{SpectrumKind, SpectrumSteps};
+use standfast_cases::motion::{CopiesAsked, SpectrumKind, SpectrumSteps};
 use standfast_cases::random::{MethodAsked, ValueRange};
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
@@ -341,6 +341,21 @@ pub struct SimulateArgs {
     /// Do not look for another verdict under stronger or weaker loads
     #[arg(long)]
     pub no_strength: bool,
+    /// Follow so many copies whose numbers differ a little, and say what becomes of them
+    #[arg(long, value_name = "N", value_parser = copies)]
+    pub copies: Option<usize>,
+    /// By how much the numbers of --copies scatter, as a share of each: 0.1% or 0.001 [default: 0.1%]
+    #[arg(long, value_name = "SHARE", requires = "copies", value_parser = spread)]
+    pub spread: Option<f64>,
+    /// The seed of --copies
+    #[arg(long, requires = "copies", default_value_t = 1)]
+    pub seed: u64,
+    /// Number of threads; the answer does not depend on it [default: one for each core]
+    #[arg(long, requires = "copies")]
+    pub threads: Option<NonZeroUsize>,
+    /// Write the factors and the outcome of every copy to a CSV file
+    #[arg(long, value_name = "OUT.csv", requires = "copies")]
+    pub csv: Option<PathBuf>,
     /// Changes nothing: how far the motion parts from that of almost the same body is always said
     #[arg(long, hide = true)]
     pub sensitivity: bool,
@@ -721,6 +736,18 @@ fn motions(value: &str) -> Result<u16, String> {
     count.ok_or_else(|| {
         "expected how many motions to try, from 1 to 10000; without a number the option goes behind the case file".to_owned()
     })
+}
+
+fn copies(value: &str) -> Result<usize, String> {
+    let count = value.parse().ok().filter(|count| (1..=CopiesAsked::MOST).contains(count));
+    count.ok_or_else(|| format!("expected a whole number of copies, from 1 to {}", CopiesAsked::MOST))
+}
+
+fn spread(value: &str) -> Result<f64, String> {
+    let (digits, unit) = value.trim().strip_suffix('%').map_or((value, 1.0), |digits| (digits, 0.01));
+    let share = digits.trim().parse::<f64>().ok().map(|number| number * unit);
+    let share = share.filter(|share| *share > 0.0 && *share <= 0.5);
+    share.ok_or_else(|| "expected a share above 0, at most 0.5, as 0.1% or 0.001".to_owned())
 }
 
 /// The name of a command.

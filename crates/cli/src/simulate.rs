@@ -4,13 +4,13 @@ use std::fmt::Write;
 use std::path::Path;
 
 use standfast_cases::motion::{
-    Factors, Follow, FollowedMotion, MotionOutcome, MotionView, Position, SERIES, StrengthAsked, series,
-    series_csv,
+    CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionOutcome, MotionView, Position, SERIES,
+    StrengthAsked, series, series_csv,
 };
 use standfast_tables::{TableFormat, WrittenColumn, written};
 
 use crate::answer::PrintedAnswer;
-use crate::args::SimulateArgs;
+use crate::args::{SimulateArgs, threads};
 use crate::batch;
 use crate::case_file;
 use crate::error::{CommandError, Result};
@@ -52,7 +52,23 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
         None => StrengthAsked::IfShort(Factors::Rungs),
     };
     let follow = Follow { divergence: true, strength, series: !no_figures || args.series.is_some() };
-    let answers = watched(|portion| FollowedMotion::of_all(cases, &follow, portion))?;
+    let asked = args.copies.map(|number| CopiesAsked {
+        number,
+        spread: args.spread.unwrap_or(CopiesAsked::SPREAD),
+        seed: args.seed,
+        threads: threads(args.threads),
+    });
+    let answers = watched(|portion| {
+        let copied = asked.map_or(0.0, |asked| asked.number as f64);
+        let [of_all, of_copies] = portion.parts([50.0, copied]);
+        let answers = FollowedMotion::of_all(cases, &follow, of_all)?;
+        let count = answers.len();
+        let answers = answers.into_iter().enumerate().map(|(place, followed)| match asked {
+            Some(asked) => followed.copied(asked, of_copies.part(place, count)),
+            None => Ok(followed),
+        });
+        answers.collect::<Result<Vec<FollowedMotion>, MotionError>>()
+    })?;
     // The worst by the criteria is the first.
     let met = answers.first().and_then(FollowedMotion::met);
     // That of the situation that is the worst.
@@ -73,6 +89,14 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
         write::write_file(series, &series_bytes(worst, dt, series)?, &read)?;
         if args.format == Format::Text {
             let _ = writeln!(printed.answer, "Series written to {}", series.display());
+        }
+    }
+    if let (Some(csv), Some(copies)) =
+        (&args.csv, answers.first().and_then(|followed| followed.copies.as_ref()))
+    {
+        write::write_file(csv, &copies.csv().into_bytes(), &read)?;
+        if args.format == Format::Text {
+            let _ = writeln!(printed.answer, "Copies written to {}", csv.display());
         }
     }
     Ok(PrintedAnswer { met, ..printed })

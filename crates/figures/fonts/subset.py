@@ -18,6 +18,8 @@ from fontTools.pens.ttGlyphPen import TTGlyphPen
 from fontTools.ttLib import TTFont
 
 LATIN = "".join(map(chr, [*range(0x20, 0x7F), *range(0xA0, 0x180)])) + "–—‘’“”…′″€−"
+# Italic are the letters of mathematics, and what may stand between them; another letter is drawn upright.
+MATHEMATICS = "".join(map(chr, range(0x20, 0x7F))) + "−"
 GREEK = "ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩαβγδεζηθικλμνξοπρςστυφχψω"
 MINUS = 0x2212
 COMPOSED = {"≤": "<", "≥": ">"}
@@ -26,7 +28,8 @@ COMPOSED = {"≤": "<", "≥": ">"}
 def recordings(files, style):
     """Character -> (advance, outline) of every wanted character."""
     glyphs = {}
-    for part, wanted in (("latin", LATIN), ("greek", GREEK)):
+    latin = MATHEMATICS if style == "italic" else LATIN
+    for part, wanted in (("latin", latin), ("greek", GREEK)):
         font = TTFont(files / f"stix-two-text-{part}-400-{style}.woff2")
         outlines, names = font.getGlyphSet(), font.getBestCmap()
         for char in wanted:

@@ -41,13 +41,14 @@ static UPRIGHT: LazyLock<Glyphs> = LazyLock::new(|| read(UPRIGHT_FONT));
 static ITALIC: LazyLock<Glyphs> = LazyLock::new(|| read(ITALIC_FONT));
 
 impl Face {
-    /// The glyph of a character; a question mark stands in for one the fonts lack.
+    /// The glyph of a character: upright of a letter that the italic face lacks, and a question mark of one that both lack.
     pub(crate) fn glyph(self, character: char) -> &'static Glyph {
         let glyphs = match self {
             Face::Upright => &*UPRIGHT,
             Face::Italic => &*ITALIC,
         };
-        glyphs.get(&character).unwrap_or_else(|| &glyphs[&'?'])
+        let found = glyphs.get(&character).or_else(|| UPRIGHT.get(&character));
+        found.unwrap_or_else(|| &UPRIGHT[&'?'])
     }
 
     /// The SVG id of a character. It names the outline, not the figure, so that several figures in one page agree.

@@ -17,7 +17,8 @@ LATIN = [*range(0x20, 0x7F), *range(0xA0, 0x100), *map(ord, "–—‘’“”�
 MATH = [
     *range(0x20, 0x7F),
     *map(ord, " §°±²³´µ·¨×÷½"),
-    *range(0x391, 0x3CA),
+    *range(0x391, 0x3AA),
+    *range(0x3B1, 0x3CA),
     *map(ord, "ϑϕϵ"),
     *range(0x1D434, 0x1D468),
     *range(0x1D6E2, 0x1D71C),
@@ -35,6 +36,9 @@ if __name__ == "__main__":
         options = subset.Options(flavor="woff2", hinting=False, desubroutinize=True, notdef_outline=True)
         options.layout_features = ["kern", "mark", "mkmk", "liga", "lnum", "tnum", "ssty", "dtls"]
         options.name_IDs = [0, 1, 2, 13, 14]
+        if folder == "math":
+            # Of formulas the browser places marks itself, and kerns nothing.
+            options.drop_tables += ["GPOS", "GDEF"]
         font = subset.load_font(folders[folder] / source, options)
         subsetter = subset.Subsetter(options)
         subsetter.populate(unicodes=characters)

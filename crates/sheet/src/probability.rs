@@ -21,7 +21,7 @@ impl<'a> Chance<'a> {
     /// Answer to a case with `[random]`; `None` of any other.
     pub fn of(file: &'a CaseFile, portion: Portion<'_>) -> Result<Option<Chance<'a>>, SheetError> {
         let Some(random) = file.random() else { return Ok(None) };
-        let answer = match Probability::under(file, ChanceRequest::default(), None, &[], portion) {
+        let answer = match Probability::watched(file, ChanceRequest::default(), portion) {
             Ok(answer) => Ok(answer),
             Err(ProbabilityError::Case(error)) => return Err(error.into()),
             Err(ProbabilityError::Stopped(stopped)) => return Err(stopped.into()),

@@ -22,6 +22,7 @@ from ._modes import SYMBOLS
 from ._progress import shown
 from ._records import Records, check_unit, positive, records_of
 from ._run import Told
+from ._standfast import StandfastError
 from ._types import Array, Progress
 from ._warnings import mind
 from .motions import MotionDocument
@@ -49,6 +50,7 @@ class _Given(NamedTuple):
     unit: str | None
     strength: bool | None
     all: bool
+    copies: tuple[int, float, int] | None
 
 
 class Simulation(Lazy, MotionDocument):
@@ -68,7 +70,7 @@ class Simulation(Lazy, MotionDocument):
     def __init__(self, *given: Any, told: Told | None = None) -> None:
         asked = _Given(*given)
         case = asked.name, asked.text, asked.folder, asked.files
-        found = _standfast.simulate(case, asked.base, (asked.strength, asked.all), told)
+        found = _standfast.simulate(case, asked.base, (asked.strength, asked.all), asked.copies, told)
         check_unit(asked.base, asked.unit, found.is_si())
         vars(self).update(_given=asked._replace(files=found.files()), _answer=found)
 
@@ -149,6 +151,9 @@ def simulate(
     unit: Literal["m/s2", "g", "cm/s2"] | None = None,
     strength: bool | None = None,
     all: bool = False,
+    copies: int | None = None,
+    spread: float = 0.001,
+    seed: int = 1,
     sensitivity: bool = False,
     progress: Progress = None,
 ) -> Simulation:
@@ -167,6 +172,10 @@ def simulate(
         strength: whether to follow it under stronger and weaker loads, some fifty motions, for ``strength``: which change its verdict;
             left to itself where no record is as long as 20,000 points. False where many motions are followed one by one.
         all: whether the text lists every event, of more than 24 too.
+        copies: so many copies are followed whose numbers differ a little, for ``copies``: which share of them overturns, quantiles, and
+            when they part from the case.
+        spread: by how much the numbers of copies scatter, as a share of each, at most 0.5.
+        seed: the seed of the copies; the first forty of four hundred are the forty.
         sensitivity: changes nothing: ``divergence``, of which ``sensitivity`` has the value, is always there.
         progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
 
@@ -184,6 +193,10 @@ def simulate(
     >>> caisson = simulate("examples/motion/caisson-breaking-wave.toml")
     >>> round(caisson.slide, 4), caisson.overturned, [event.state.symbol for event in caisson.events]
     (-0.0847, False, ['RE', 'SL', 'RE', 'RE'])
+    >>> thrown = {"block": {"b1": 1, "b2": 1, "d": 0.2, "mu_s": 0.3, "gravity": 1}, "motion": {"initial": {"vx": 0.4}}}
+    >>> copies = simulate(thrown, copies=40).copies
+    >>> copies.overturned, round(copies.share.high, 3), [round(one.value, 3) for one in copies.slide]
+    (0, 0.088, [0.266, 0.267, 0.267, 0.267, 0.267])
     >>> block = {"block": {"b1": 1, "b2": 1, "d": 3, "mu_s": 0.4, "gravity": 1}}
     >>> pulse = simulate(block, base=[0.6, 0.6], dt=1)
     >>> pulse.events[0].state.symbol, pulse.end
@@ -198,11 +211,26 @@ def simulate(
     if sensitivity:
         warnings.warn("sensitivity changes nothing; the divergence of a motion is always there", DeprecationWarning, stacklevel=2)
     records = records_of(base, dt, unit)
-    given: tuple[Any, ...] = *case_text(case), folder_of(case), {}, records, unit, None if strength is None else bool(strength), bool(all)
+    copied = copies_of(copies, spread, seed)
+    given: tuple[Any, ...] = *case_text(case), folder_of(case), {}, records, unit, None if strength is None else bool(strength), bool(all), copied
     with shown(progress, None) as told:
         found = Simulation(*given, told=told)
     mind(found._answer.warnings())
     return found
+
+
+def copies_of(copies: int | None, spread: float, seed: int) -> tuple[int, float, int] | None:
+    """The copies that are asked for: number, spread and seed."""
+    if copies is None:
+        return None
+    whole = isinstance(copies, (int, np.integer)) and not isinstance(copies, bool)
+    if not (whole and 1 <= copies <= 1_000_000):
+        raise StandfastError(f"copies is {copies!r}; expected a whole number from 1 to 1000000")
+    if not 0 < spread <= 0.5:
+        raise StandfastError(f"spread is {spread!r}; expected a share above 0, at most 0.5")
+    if not (isinstance(seed, (int, np.integer)) and not isinstance(seed, bool) and 0 <= seed < 1 << 64):
+        raise StandfastError(f"seed is {seed!r}; expected a whole number, not below 0")
+    return int(copies), float(spread), int(seed)
 
 
 def folder_of(case: str | os.PathLike[str] | Mapping[str, object]) -> str:

@@ -221,7 +221,11 @@ class MotionAnswer:
 _MotionCase = tuple[str, str, str, dict[str, str]]
 
 def simulate(
-    case: _MotionCase, base: tuple[_RecordOf, _RecordOf], options: tuple[bool | None, bool], progress: _Progress
+    case: _MotionCase,
+    base: tuple[_RecordOf, _RecordOf],
+    options: tuple[bool | None, bool],
+    copies: tuple[int, float, int] | None,
+    progress: _Progress,
 ) -> MotionAnswer: ...
 
 class _Spectrum(Protocol):

@@ -27,6 +27,7 @@ use super::subject::{ChanceSubject, problems_of};
 use crate::case::{BASE, called};
 use crate::digits::digits;
 use crate::error::Fault;
+use crate::key::Key;
 use crate::units::Dimension;
 use standfast_inputs::random::{RandomProblem, Rate};
 use standfast_model::{CaseFile, Criterion, Warning};
@@ -400,7 +401,25 @@ impl Probability {
     /// # Errors
     /// If the case or its random numbers are wrong, or the method asked for does not take as many.
     pub fn of(file: &CaseFile, request: ChanceRequest) -> Result<Probability, ProbabilityError> {
-        Probability::along(file, request, None)
+        Probability::watched(file, request, Portion::UNSEEN)
+    }
+
+    /// As [`of`](Probability::of), as a portion of work that somebody may watch. What goes along a number has no part in it, and whoever does not
+    /// ask for that does not carry it along.
+    ///
+    /// # Errors
+    /// As [`of`](Probability::of); if the work is stopped.
+    pub fn watched(
+        file: &CaseFile,
+        request: ChanceRequest,
+        portion: Portion<'_>,
+    ) -> Result<Probability, ProbabilityError> {
+        let mut asked = ChanceSubject::of(file, request.years)?;
+        if let ChanceSubject::Case { note: Some(_), moving, .. } = &mut asked {
+            *moving = None;
+        }
+        let answer = Probability::of_asked(file.name(), &asked, request, portion)?;
+        Ok(Probability { title: file.inputs().text(Key::Title).map(str::to_owned), ..answer })
     }
 
     pub(super) fn of_asked(

@@ -4,9 +4,11 @@ use super::{FollowedMotion, MotionWarning};
 use crate::json::CheckEntry;
 use serde::Serialize;
 use standfast::Mode;
-use standfast_answers::motion::Strength;
+use standfast_answers::motion::{Copies, CopyQuantile, Strength};
+use standfast_motion::End;
 use standfast_motion::divergence::Divergence;
 use standfast_motion::strength::{Change, VerdictStrength};
+use standfast_probability::sample::Estimate;
 
 use crate::summary::Summary;
 
@@ -47,6 +49,7 @@ struct Document<'a> {
     divergence: Option<DivergenceEntry>,
     sensitivity: Option<f64>,
     strength: Option<StrengthEntry>,
+    copies: Option<CopiesEntry>,
     met: Option<bool>,
     criteria: Vec<CheckEntry>,
     events: Vec<EventEntry>,
@@ -73,6 +76,90 @@ struct DivergenceEntry {
 impl From<Divergence> for DivergenceEntry {
     fn from(Divergence { value, t, of, .. }: Divergence) -> DivergenceEntry {
         DivergenceEntry { value, t, of: of.word() }
+    }
+}
+
+/// Outcomes of copies with numbers a little other.
+#[derive(Serialize)]
+struct CopiesEntry {
+    number: usize,
+    spread: f64,
+    seed: u64,
+    names: Vec<String>,
+    cut: usize,
+    overturned: usize,
+    no_continuation: usize,
+    time_up: usize,
+    share: ShareEntry,
+    same_verdict: ShareEntry,
+    max_theta: Vec<QuantileEntry>,
+    slide: Vec<QuantileEntry>,
+    max_slide: Vec<QuantileEntry>,
+    differs: Option<DiffersEntry>,
+}
+
+/// Share of copies with its interval of 95 %.
+#[derive(Serialize)]
+struct ShareEntry {
+    value: f64,
+    low: f64,
+    high: f64,
+}
+
+/// Quantile over copies; `null` where that copy has overturned, and of an interval where there are too few.
+#[derive(Serialize)]
+struct QuantileEntry {
+    share: f64,
+    value: Option<f64>,
+    low: Option<f64>,
+    high: Option<f64>,
+}
+
+/// Earliest events that differ from those of the case: the place in its list, and the time; the median over copies, and the least.
+#[derive(Serialize)]
+struct DiffersEntry {
+    copies: usize,
+    event: usize,
+    least_event: usize,
+    t: f64,
+    least_t: f64,
+}
+
+impl CopiesEntry {
+    fn of(copies: &Copies) -> CopiesEntry {
+        let share = |Estimate { value, low, high }: Estimate| ShareEntry { value, low, high };
+        let quantiles = |of: Vec<CopyQuantile>| {
+            let finite = |value: f64| Some(value).filter(|value| value.is_finite());
+            let entry = |one: CopyQuantile| QuantileEntry {
+                share: one.share,
+                value: finite(one.value),
+                low: one.interval.and_then(|[low, _]| finite(low)),
+                high: one.interval.and_then(|[_, high]| finite(high)),
+            };
+            of.into_iter().map(entry).collect()
+        };
+        CopiesEntry {
+            number: copies.rows.len(),
+            spread: copies.asked.spread,
+            seed: copies.asked.seed,
+            names: copies.names.clone(),
+            cut: copies.cut,
+            overturned: copies.overturning(),
+            no_continuation: copies.ended(End::NoContinuation.word()),
+            time_up: copies.ended(End::Time.word()),
+            share: share(copies.overturned),
+            same_verdict: share(copies.same_verdict),
+            max_theta: quantiles(copies.max_theta()),
+            slide: quantiles(copies.slide()),
+            max_slide: quantiles(copies.max_slide()),
+            differs: copies.differs.map(|differs| DiffersEntry {
+                copies: differs.copies,
+                event: differs.place[0],
+                least_event: differs.place[1],
+                t: differs.t[0],
+                least_t: differs.t[1],
+            }),
+        }
     }
 }
 
@@ -225,6 +312,7 @@ fn document(followed: &FollowedMotion) -> Document<'_> {
         // A name of before, with the number of now.
         sensitivity: followed.divergence.map(|divergence| divergence.value),
         strength: followed.strength.as_ref().map(StrengthEntry::of),
+        copies: followed.copies.as_ref().map(CopiesEntry::of),
         met: followed.met(),
         criteria: followed.checks().iter().map(CheckEntry::of_motion).collect(),
         events: events.collect(),

@@ -1,9 +1,10 @@
 //! Top of the answer in time: criteria, what becomes of the body, how near another answer is.
 
 use standfast_answers::assess::AnyCheck;
-use standfast_answers::motion::{MotionCheck, Strength};
+use standfast_answers::motion::{Copies, MotionCheck, Strength};
 use standfast_motion::divergence::Divergence;
 use standfast_motion::strength::{Change, Tried, VerdictStrength};
+use standfast_probability::sample::Estimate;
 
 use super::FollowedMotion;
 use super::text::{far, verdict};
@@ -47,12 +48,27 @@ pub(super) fn of(worst: &FollowedMotion, count: usize) -> Summary {
     }
 }
 
+/// Sentence on how many copies overturn.
+fn of_copies(copies: &Copies) -> String {
+    let (count, overturning) = (copies.rows.len(), copies.overturning());
+    let many = match overturning {
+        0 => format!("none of {count} copies"),
+        all if all == count => format!("all of {count} copies"),
+        some => format!("{some} of {count} copies"),
+    };
+    let Estimate { low, high, .. } = copies.overturned;
+    let [spread, low, high] = [copies.asked.spread, low, high].map(|share| significant(100.0 * share, 2));
+    let open = if (1..count).contains(&overturning) { ": one motion does not decide this" } else { "" };
+    format!("It overturns in {many} whose numbers differ by {spread} % ({low} to {high} %){open}.")
+}
+
 /// How near another answer is; `None` where it was not looked for.
 pub(super) fn near(followed: &FollowedMotion) -> Option<String> {
     let strength = followed.strength.as_ref().map(|strength| stronger(followed, strength));
     let divergence = followed.divergence.as_ref().map(|divergence| parts(followed, divergence));
+    let copies = followed.copies.as_ref().map(of_copies);
     let words: Vec<String> =
-        [strength, divergence].into_iter().flatten().filter(|words| !words.is_empty()).collect();
+        [copies, strength, divergence].into_iter().flatten().filter(|words| !words.is_empty()).collect();
     (!words.is_empty()).then(|| words.join(" "))
 }
 
@@ -211,9 +227,12 @@ fn parts(followed: &FollowedMotion, divergence: &Divergence) -> String {
         (true, true) => {
             format!("Divergence {value}: inputs known to 0.1 % do not tell when and how far it moves.")
         }
-        (true, false) => format!(
-            "Divergence {value}: of inputs known to 0.1 % one motion does not decide what becomes of the body."
-        ),
+        (true, false) => {
+            let more = if followed.copies.is_none() { " `--copies 40` says how often." } else { "" };
+            format!(
+                "Divergence {value}: of inputs known to 0.1 % one motion does not decide what becomes of the body.{more}"
+            )
+        }
         (false, _) => {
             let percent = significant(100.0 * divergence.value * SPREAD, 2);
             let unit = match divergence.of {

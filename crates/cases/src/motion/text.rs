@@ -11,6 +11,8 @@ use crate::assess::met_words;
 use crate::layout::{columns, digits, paragraph, row, significant};
 use crate::summary::capital;
 use crate::units::Dimension;
+use standfast_answers::motion::{Copies, CopyQuantile};
+use standfast_probability::sample::Estimate;
 
 /// So many events are shown one by one.
 const SHOWN: usize = 24;
@@ -43,10 +45,66 @@ pub(super) fn render(followed: &FollowedMotion, view: &MotionView, alone: bool) 
     for warning in &followed.warnings {
         let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
     }
+    if let Some(copies) = &followed.copies {
+        text += &of_copies(followed, copies);
+    }
     if !case.criteria.is_empty() {
         let _ = write!(text, "\nCriteria\n{}", criteria(followed));
     }
     text
+}
+
+/// Outcomes of copies: how many end how, quantiles, and when they part from the case itself.
+fn of_copies(followed: &FollowedMotion, copies: &Copies) -> String {
+    let [m, rad] = if followed.case.si { [" m", " rad"] } else { ["", ""] };
+    let quantile = |quantile: &CopyQuantile, unit: &str| {
+        let shown =
+            |value: f64| if value.is_finite() { number(value) + unit } else { "overturned".to_owned() };
+        let within = quantile
+            .interval
+            .map_or(String::new(), |[low, high]| format!("{} … {}", shown(low), shown(high)));
+        (shown(quantile.value), within)
+    };
+    let mut rows = vec![row!["copies", "", "95 %"]];
+    let share = |share: &Estimate| format!("{} … {}", number(share.low), number(share.high));
+    rows.push(row!["  overturn", copies.overturning().to_string(), share(&copies.overturned)]);
+    rows.push(row![
+        "  have the verdict above",
+        number(copies.same_verdict.value),
+        share(&copies.same_verdict)
+    ]);
+    for (what, quantiles, unit) in [
+        ("largest |θ|", copies.max_theta(), rad),
+        ("|slide|", copies.slide(), m),
+        ("largest slide", copies.max_slide(), m),
+    ] {
+        for one in &quantiles {
+            let (value, within) = quantile(one, unit);
+            rows.push(row![format!("  {what}, {} % stay below", number(100.0 * one.share)), value, within]);
+        }
+    }
+    let mut sentences = Vec::new();
+    if let Some(differs) = &copies.differs {
+        sentences.push(format!(
+            "Of {} copies an event differs from those above, at t = {}{} in the median and at t = {}{} at the earliest.",
+            differs.copies,
+            number(differs.t[0]),
+            seconds(followed),
+            number(differs.t[1]),
+            seconds(followed)
+        ));
+    }
+    if copies.cut > 0 {
+        sentences.push(format!("In {} copies a ratio or a restitution is cut at its limit.", copies.cut));
+    }
+    let names = copies.names.join(", ");
+    sentences.push(format!(
+        "Numbers that differ, by {} % (seed {}): {names}.",
+        number(100.0 * copies.asked.spread),
+        copies.asked.seed
+    ));
+    let head = format!("\nOf {} copies\n", copies.rows.len());
+    head + &columns(&rows, 2, &[1]) + &sentences.iter().map(|words| paragraph(words, 2)).collect::<String>()
 }
 
 /// The unit of times, with a space before it, if they have one.

@@ -52,6 +52,17 @@ impl Estimate {
         }
     }
 
+    /// The share of so many hits with the interval of Clopper and Pearson, 2.5 % on each side also where there are none, or nothing else.
+    pub fn two_sided(hits: u64, points: u64) -> Estimate {
+        let n = points as f64;
+        let alone = -libm::expm1(0.025f64.ln() / n);
+        match hits {
+            0 => Estimate { value: 0.0, low: 0.0, high: alone },
+            _ if hits == points => Estimate { value: 1.0, low: 1.0 - alone, high: 1.0 },
+            _ => Estimate::of_share(hits as f64, n),
+        }
+    }
+
     /// The share of hits, some but not all; neither they nor the points need be a whole number.
     pub(super) fn of_share(k: f64, n: f64) -> Estimate {
         // P(at least k hits) = I_p(k, n−k+1).
