@@ -37,6 +37,7 @@ mod forcing;
 pub mod ground;
 mod impact;
 mod machine;
+mod moment;
 mod outcome;
 mod problem;
 mod rebound;
@@ -49,6 +50,7 @@ pub mod strength;
 
 pub use error::MotionError;
 pub use machine::{Keep, simulate};
+pub use moment::Moment;
 pub use outcome::{End, Event, MotionOutcome, MotionStep, Position, Why};
 pub use problem::{ActingLoad, BaseMotion, Impact, Initial, LoadInTime, MotionProblem};
 

@@ -299,6 +299,8 @@ impl<'a> Machine<'a> {
             steps: self.steps,
             block: *self.block,
             feet: self.feet,
+            gravity: self.gravity,
+            first_y: self.first.y,
         }
     }
 

@@ -188,6 +188,9 @@ pub struct MotionOutcome {
     pub steps: Vec<MotionStep>,
     pub(crate) block: Block,
     pub(crate) feet: [[f64; 2]; 2],
+    pub(crate) gravity: f64,
+    /// y at the beginning.
+    pub(crate) first_y: f64,
 }
 
 impl MotionOutcome {
@@ -267,4 +270,8 @@ pub struct MotionStep {
     pub(crate) ω: Series,
     pub(crate) x: Series,
     pub(crate) y: Series,
+    /// X, P, M.
+    pub(crate) wrench: [Series; 3],
+    /// Work, what friction and what impacts took, up to its beginning.
+    pub(crate) spent: [f64; 3],
 }

@@ -212,6 +212,8 @@ pub(super) fn slides_only(problem: &MotionProblem) -> Option<MotionOutcome> {
         steps: Vec::new(),
         block,
         feet: [[0.0, -block.b1], [0.0, block.b2]],
+        gravity: problem.gravity,
+        first_y: block.d,
         events: found.events,
     })
 }

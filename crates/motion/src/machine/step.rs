@@ -31,7 +31,7 @@ impl Machine<'_> {
         let h = self.length(room);
         let failure = self.failure(h);
         if self.mode == Mode::Rest && last && failure.is_none() && h == room {
-            self.keep_step(h);
+            self.keep_step(h, self.spent());
             if self.events.last().is_none_or(|event| event.why != Why::Rest) {
                 self.say(Why::Rest, Modes::NONE);
                 // It rests since the last event, not since the loads ended.
@@ -43,8 +43,9 @@ impl Machine<'_> {
             return Some(End::AtRest);
         }
         let τ = failure.map_or(h, |(τ, _)| τ);
+        let spent = self.spent();
         self.book(τ);
-        self.keep_step(τ);
+        self.keep_step(τ, spent);
         self.move_by(τ);
         if τ > 0.0 {
             (self.slip_begins, self.begins) = (false, (None, None));
@@ -337,7 +338,12 @@ impl Machine<'_> {
         }
     }
 
-    fn keep_step(&mut self, τ: f64) {
+    /// Work, and what friction and impacts have taken so far.
+    fn spent(&self) -> [f64; 3] {
+        [self.work, self.friction_loss, self.impact_loss]
+    }
+
+    fn keep_step(&mut self, τ: f64, spent: [f64; 3]) {
         if self.keep.steps {
             let motion = &self.motion;
             self.steps.push(MotionStep {
@@ -348,6 +354,8 @@ impl Machine<'_> {
                 ω: motion.ω,
                 x: motion.x,
                 y: motion.y,
+                wrench: motion.wrench,
+                spent,
             });
         }
     }
