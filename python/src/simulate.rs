@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use standfast::Mode;
 use standfast_cases::motion::{
     BlockCase, CopiesAsked, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit,
-    StrengthAsked,
+    SERIES, STATE_AT, SeriesColumn, SeriesRow, StrengthAsked, series,
 };
 use standfast_cases::{CaseFile, Document, Interface};
 
@@ -32,8 +32,10 @@ pub(crate) struct MotionAnswer {
 /// A record: its times, its values and their unit.
 pub(crate) type Samples<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>, Option<String>);
 
-/// Numbers at even steps of time: t, slide, x, y, θ, θ̇ and codes of modes.
-type Series<'py> = ([Bound<'py, PyArray1<f64>>; 6], Bound<'py, PyArray1<u8>>);
+/// Columns at even steps of time: name, unit and words of each, its numbers, not a number where there is none; the place of the state among them, and codes
+/// of modes.
+type Series<'py> = (Vec<SeriesOf<'py>>, usize, Bound<'py, PyArray1<u8>>);
+type SeriesOf<'py> = (&'static str, &'static str, &'static str, Bound<'py, PyArray1<f64>>);
 
 #[pymethods]
 impl MotionAnswer {
@@ -72,20 +74,18 @@ impl MotionAnswer {
 
     /// The motion in one of the situations, every `dt` until it ends.
     fn series<'py>(&self, py: Python<'py>, place: usize, dt: f64) -> PyResult<Series<'py>> {
-        let outcome = self.whole(py, place)?.outcome;
+        let FollowedMotion { case, outcome, .. } = self.whole(py, place)?;
         let count = (outcome.t_final / dt + 1e-9).floor();
         if count >= 1e9 {
             return Err(StandfastError::new_err(format!("{count:e} steps; expected a longer dt")));
         }
-        let rows = (0..=count as u64).map_while(|i| outcome.at(i as f64 * dt));
-        let mut columns: [Vec<f64>; 6] = Default::default();
-        let mut states = Vec::new();
-        for at in rows {
-            let row = [at.t, at.slide, at.x, at.y, at.theta, at.omega];
-            columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
-            states.push(Mode::code(at.state));
-        }
-        Ok((columns.map(|column| PyArray1::from_vec(py, column)), PyArray1::from_vec(py, states)))
+        let rows: Vec<SeriesRow> = series(&case, &outcome, dt).collect();
+        let numbers = |column: &SeriesColumn| {
+            let values = rows.iter().map(|row| column.value(row).unwrap_or(f64::NAN)).collect();
+            (column.name, column.unit, column.words, PyArray1::from_vec(py, values))
+        };
+        let states = rows.iter().map(|row| Mode::code(row.moment.state)).collect();
+        Ok((SERIES.iter().map(numbers).collect(), STATE_AT, PyArray1::from_vec(py, states)))
     }
 }
 

@@ -111,8 +111,9 @@ def test_a_series_is_written_in_every_format(program: list[str], tmp_path: Path,
     }
     table = read[format]()
     series = standfast.simulate(path).series(0.05)
-    assert list(table.columns) == ["t", "slide", "x", "y", "theta", "omega", "state"] and len(table) > 100
-    for name in table.columns[:-1]:
+    assert list(table.columns) == series.column_names and len(table) > 100
+    assert series.column_names[:9] == ["t", "slide", "x", "y", "theta", "omega", "state", "vx", "vy"] and len(series.column_names) == 29
+    for name in set(table.columns) - {"state"}:
         np.testing.assert_allclose(table[name], series[name].to_numpy(), rtol=1e-15 if format == "xlsx" else 0)
     assert [standfast.Mode(code).symbol for code in series.state.to_pylist()] == list(table.state)
 
@@ -156,13 +157,20 @@ def test_series_are_those_of_the_program(program: list[str]) -> None:
     lines = [line.split(",") for line in printed(program, path, "--series", "-", "--dt", "0.25").split()]
     assert lines[0] == series.column_names
     assert [float(line[4]) for line in lines[1:]] == series.theta.to_numpy().tolist()
-    assert [line[-1] for line in lines[1:]] == series.state.to_pylist()
+    assert [line[6] for line in lines[1:]] == series.state.to_pylist()
+    # Friction that both corners share is that of neither.
+    shared = [line[13] == "" for line in lines[1:]]
+    assert shared == [value is None for value in series["T_O"].to_pylist()] and any(shared)
+    # Newton's law along the base, with the reaction of both corners.
+    columns = {name: series[name].to_numpy() for name in ("T", "X", "ax", "N_O", "N_O'", "P", "ay")}
+    np.testing.assert_allclose(columns["T"] + columns["X"], columns["ax"], atol=1e-9)
+    np.testing.assert_allclose(columns["N_O"] + columns["N_O'"] - columns["P"], columns["ay"], atol=1e-9)
     assert series.state[-1] == standfast.Mode.SLIDE_ROCK_O_PRIME_RIGHT or (series.state == "RO").any()
     # The units of a block are its own; those of a body SI.
     assert "unit" not in series.theta.metadata
     wave = standfast.simulate(MOTION / "caisson-breaking-wave.toml").series(0.1)
-    assert {name: wave[name].metadata.get("unit") for name in wave.column_names} == {
-        "t": "s", "slide": "m", "x": "m", "y": "m", "theta": "rad", "omega": "rad/s", "state": None,
+    assert {name: wave[name].metadata.get("unit") for name in wave.column_names[:10]} == {
+        "t": "s", "slide": "m", "x": "m", "y": "m", "theta": "rad", "omega": "rad/s", "state": None, "vx": "m/s", "vy": "m/s", "ax": "m/s2",
     }  # fmt: skip
     assert pl.DataFrame(wave)["slide"].to_list() == pd.DataFrame(wave.to_dict())["slide"].tolist() == pa.table(wave)["slide"].to_pylist()
 

@@ -24,7 +24,7 @@ pub use copies::{Copies, CopiesAsked, CopyQuantile, Differs};
 pub(crate) use criteria::worst_checks;
 pub use criteria::{MotionCheck, MotionValue};
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS, RowFault};
-pub use series::{SERIES, series, series_csv};
+pub use series::{SERIES, STATE_AT, SeriesColumn, SeriesRow, series, series_csv, series_names};
 pub use spectrum::{
     OVERTURNING_FROM, ROCKING_LEVELS, RockingDistance, RockingEdges, Spectrum, SpectrumError, SpectrumKind,
     SpectrumPoints, SpectrumRequest, SpectrumSteps, SpectrumValues, in_order, rocking_class,

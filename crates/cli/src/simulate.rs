@@ -4,8 +4,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 use standfast_cases::motion::{
-    CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionOutcome, MotionView, Position, SERIES,
-    StrengthAsked, series, series_csv,
+    CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionView, SERIES, STATE_AT, SeriesColumn,
+    SeriesRow, StrengthAsked, series, series_csv,
 };
 use standfast_tables::{TableFormat, WrittenColumn, written};
 
@@ -72,9 +72,12 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
     // The worst by the criteria is the first.
     let met = answers.first().and_then(FollowedMotion::met);
     // That of the situation that is the worst.
-    let worst = answers.first().map(|followed| &followed.outcome);
+    let worst = answers.first();
     if let (true, Some(dt), Some(worst)) = (to_stdout, args.dt, worst) {
-        return Ok(PrintedAnswer { met, ..PrintedAnswer::plain(series_csv(worst, dt)) });
+        return Ok(PrintedAnswer {
+            met,
+            ..PrintedAnswer::plain(series_csv(&worst.case, &worst.outcome, dt))
+        });
     }
     let figures = Figures::asked(args.output.as_deref(), no_figures);
     let view = MotionView { all: args.all, ..MotionView::default() };
@@ -111,24 +114,20 @@ fn series_format(file: &Path) -> Result<TableFormat> {
 }
 
 /// The motion every `dt` as a table in the format that the file's name asks for.
-fn series_bytes(outcome: &MotionOutcome, dt: f64, file: &Path) -> Result<Vec<u8>> {
+fn series_bytes(
+    FollowedMotion { case, outcome, .. }: &FollowedMotion,
+    dt: f64,
+    file: &Path,
+) -> Result<Vec<u8>> {
     let format = series_format(file)?;
     if format == TableFormat::Csv {
-        return Ok(series_csv(outcome, dt).into_bytes());
+        return Ok(series_csv(case, outcome, dt).into_bytes());
     }
-    let rows: Vec<_> = series(outcome, dt).collect();
-    let numbers = |of: fn(&(f64, Position)) -> f64| {
-        WrittenColumn::Numbers(rows.iter().map(|row| Some(of(row))).collect())
-    };
-    let columns = [
-        numbers(|(t, _)| *t),
-        numbers(|(_, at)| at.slide),
-        numbers(|(_, at)| at.x),
-        numbers(|(_, at)| at.y),
-        numbers(|(_, at)| at.theta),
-        numbers(|(_, at)| at.omega),
-        WrittenColumn::Texts(rows.iter().map(|(_, at)| at.state.symbol().to_owned()).collect()),
-    ];
-    let columns: Vec<_> = SERIES.iter().map(|name| (*name).to_owned()).zip(columns).collect();
+    let rows: Vec<SeriesRow> = series(case, outcome, dt).collect();
+    let numbers =
+        |column: &SeriesColumn| WrittenColumn::Numbers(rows.iter().map(|row| column.value(row)).collect());
+    let mut columns: Vec<_> = SERIES.iter().map(|column| (column.name.to_owned(), numbers(column))).collect();
+    let states = rows.iter().map(|row| row.moment.state.symbol().to_owned()).collect();
+    columns.insert(STATE_AT, ("state".to_owned(), WrittenColumn::Texts(states)));
     written(format, &columns).map_err(|cause| CommandError::Write { path: file.to_owned(), cause })
 }

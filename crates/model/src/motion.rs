@@ -27,6 +27,8 @@ pub struct BlockCase {
     pub height: f64,
     /// True if water presses up on the base.
     pub uplift: bool,
+    /// Its mass, kg or kg per metre run; 1 in pure numbers.
+    pub mass: f64,
     /// True if it is in SI units.
     pub si: bool,
     /// The loads at their peaks, of a body.
@@ -155,6 +157,7 @@ fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting)
         problem,
         height: case.body.height(),
         uplift,
+        mass: body.mass(),
         si: true,
         peaks,
         criteria: motion.criteria.clone(),
@@ -203,6 +206,7 @@ fn block_case(given: &Reader<'_>) -> Result<BlockCase, Fault> {
         problem,
         height,
         uplift: false,
+        mass: 1.0,
         si: false,
         peaks: Vec::new(),
         criteria,

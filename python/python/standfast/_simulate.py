@@ -28,14 +28,6 @@ from ._warnings import mind
 from .motions import MotionDocument
 
 #: The columns of a series, with their units of a body and what they are.
-_SERIES = (
-    ("t", "s", "time"),
-    ("slide", "m", "displacement along the base, to the right, of the corner that touches, of O if none or both do"),
-    ("x", "m", "x of the centre of mass, from where O is at the beginning if the body stands centred over it"),
-    ("y", "m", "y of the centre of mass above the base"),
-    ("theta", "rad", "angle, counter-clockwise"),
-    ("omega", "rad/s", "angular velocity"),
-)
 
 
 class _Given(NamedTuple):
@@ -107,7 +99,10 @@ class Simulation(Lazy, MotionDocument):
 
         Returns:
             A table with the columns ``t``, ``slide``, ``x`` and ``y`` (of the centre of mass), ``theta``, ``omega`` and ``state``, words of
-            :class:`Mode`. ``series.theta.to_numpy()`` and ``numpy.asarray(series.theta)`` are arrays, ``polars.DataFrame(series)``,
+            :class:`Mode`; velocities and accelerations ``vx``, ``vy``, ``ax``, ``ay``, ``alpha``; reactions ``N_O``, ``T_O``, ``N_O'``, ``T_O'``
+            at the corners (none of friction that both share) and ``T`` of both; ``gap_O``, ``gap_O'``; the loads ``X``, ``P``, ``M``
+            about the centre of mass, the base's ``a_h`` and ``a_v``; and energies per mass, ``K``, ``potential``, ``work``,
+            ``friction_loss`` and ``impact_loss`` so far. ``series.theta.to_numpy()`` and ``numpy.asarray(series.theta)`` are arrays, ``polars.DataFrame(series)``,
             ``pyarrow.table(series)`` and ``pandas.DataFrame(series.to_dict())`` tables; ``series.theta.metadata`` has unit and words.
 
         Raises:
@@ -117,13 +112,14 @@ class Simulation(Lazy, MotionDocument):
         step = positive(dt, "dt")
         if not 0 <= situation <= len(self.others):
             raise IndexError(f"situation is {situation}; expected 0 to {len(self.others)}")
-        columns, states = self._answer.series(situation, step)
+        columns, place, states = self._answer.series(situation, step)
         units = self._answer.is_si()
         made = []
-        for values, (name, unit, words) in zip(columns, _SERIES):
+        for name, unit, words, values in columns:
             metadata = {"description": words} | ({"unit": unit} if units else {})
-            made.append(_standfast.make_array(name, values, None, None, metadata))
-        made.append(_standfast.make_array("state", states, None, SYMBOLS.tolist(), {"description": "state of motion"}))
+            missing = np.isnan(values)
+            made.append(_standfast.make_array(name, values, missing if missing.any() else None, None, metadata))
+        made.insert(place, _standfast.make_array("state", states, None, SYMBOLS.tolist(), {"description": "state of motion"}))
         return ArrowTable(_standfast.make_table(made))
 
     def __repr__(self) -> str:

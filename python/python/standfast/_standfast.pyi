@@ -215,7 +215,7 @@ class MotionAnswer:
 
     def series(
         self, place: int, dt: float
-    ) -> tuple[tuple[_Numbered, _Numbered, _Numbered, _Numbered, _Numbered, _Numbered], NDArray[np.uint8]]:
+    ) -> tuple[list[tuple[str, str, str, _Numbered]], int, NDArray[np.uint8]]:
         """The motion in one of the situations, every `dt` until it ends."""
 
 _MotionCase = tuple[str, str, str, dict[str, str]]

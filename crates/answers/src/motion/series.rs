@@ -2,23 +2,153 @@
 
 use std::fmt::Write;
 
-use standfast_motion::{MotionOutcome, Position};
+use standfast::History;
+use standfast_model::BlockCase;
+use standfast_motion::{Moment, MotionOutcome};
 
-/// The columns of a series: time, position of the touching corner along the base, x and y of the centre of mass, θ, θ̇ and the state.
-pub const SERIES: [&str; 7] = ["t", "slide", "x", "y", "theta", "omega", "state"];
+/// A column of a series: its name, the SI unit of its values, what it is, and its value at a moment.
+#[derive(Debug, Clone, Copy)]
+pub struct SeriesColumn {
+    /// Its name.
+    pub name: &'static str,
+    /// The unit of a body in SI units; empty of an angle's sine or a word.
+    pub unit: &'static str,
+    /// Its meaning in a few words.
+    pub words: &'static str,
+    value: fn(&SeriesRow) -> Option<f64>,
+}
 
-/// The motion every `dt` until it ends: the moment asked for, and where the body is.
-pub fn series(outcome: &MotionOutcome, dt: f64) -> impl Iterator<Item = (f64, Position)> {
+impl SeriesColumn {
+    /// The value in a row; `None` where there is none.
+    pub fn value(&self, row: &SeriesRow) -> Option<f64> {
+        (self.value)(row)
+    }
+}
+
+/// A row of a series: a moment, with what is not per mass and what the base does.
+#[derive(Debug, Clone, Copy)]
+pub struct SeriesRow {
+    /// Everything at the moment, per mass.
+    pub moment: Moment,
+    /// Time that was asked for.
+    t: f64,
+    /// Mass by which forces are multiplied, kg or kg per metre run; 1 of a body in pure numbers.
+    mass: f64,
+    /// Accelerations of the base, to the right and upwards.
+    ground: [f64; 2],
+}
+
+const fn column(
+    name: &'static str,
+    unit: &'static str,
+    words: &'static str,
+    value: fn(&SeriesRow) -> Option<f64>,
+) -> SeriesColumn {
+    SeriesColumn { name, unit, words, value }
+}
+
+/// The columns but the state, which stands behind the sixth.
+pub const SERIES: [SeriesColumn; 28] = [
+    column("t", "s", "time", |row| Some(row.t)),
+    column("slide", "m", "displacement along the base of the corner that touches, or of O", |row| {
+        Some(row.moment.slide)
+    }),
+    column("x", "m", "x of the centre of mass, from where it was at the beginning", |row| Some(row.moment.x)),
+    column("y", "m", "y of the centre of mass above the base", |row| Some(row.moment.y)),
+    column("theta", "rad", "angle, counter-clockwise", |row| Some(row.moment.theta)),
+    column("omega", "rad/s", "rate of rotation", |row| Some(row.moment.omega)),
+    column("vx", "m/s", "velocity of the centre of mass to the right", |row| Some(row.moment.velocity[0])),
+    column("vy", "m/s", "velocity of the centre of mass upwards", |row| Some(row.moment.velocity[1])),
+    column("ax", "m/s2", "acceleration of the centre of mass to the right, relative to the base", |row| {
+        Some(row.moment.acceleration[0])
+    }),
+    column("ay", "m/s2", "acceleration of the centre of mass upwards, relative to the base", |row| {
+        Some(row.moment.acceleration[1])
+    }),
+    column("alpha", "rad/s2", "acceleration of the rotation", |row| Some(row.moment.alpha)),
+    column("N_O", "N", "reaction upwards at O", |row| Some(row.mass * row.moment.normal[0])),
+    column("T_O", "N", "reaction to the right at O; none where both corners touch", |row| {
+        Some(row.mass * row.moment.tangential?[0])
+    }),
+    column("N_O'", "N", "reaction upwards at O'", |row| Some(row.mass * row.moment.normal[1])),
+    column("T_O'", "N", "reaction to the right at O'; none where both corners touch", |row| {
+        Some(row.mass * row.moment.tangential?[1])
+    }),
+    column("T", "N", "reaction to the right of both corners", |row| Some(row.mass * row.moment.friction)),
+    column("gap_O", "m", "height of O above the base", |row| Some(row.moment.gaps[0])),
+    column("gap_O'", "m", "height of O' above the base", |row| Some(row.moment.gaps[1])),
+    column("X", "N", "loads to the right, with the base's acceleration", |row| {
+        Some(row.mass * row.moment.loads[0])
+    }),
+    column("P", "N", "loads downwards, with the weight and the base's acceleration", |row| {
+        Some(row.mass * row.moment.loads[1])
+    }),
+    column("M", "N m", "moment of the loads about the centre of mass, counter-clockwise", |row| {
+        Some(row.mass * row.moment.loads[2])
+    }),
+    column("a_h", "m/s2", "acceleration of the base to the right", |row| Some(row.ground[0])),
+    column("a_v", "m/s2", "acceleration of the base upwards", |row| Some(row.ground[1])),
+    column("K", "J/kg", "kinetic energy per mass", |row| Some(row.moment.kinetic)),
+    column("potential", "J/kg", "potential energy per mass, from the beginning on", |row| {
+        Some(row.moment.potential)
+    }),
+    column("work", "J/kg", "work of the loads so far per mass, the weight left out", |row| {
+        Some(row.moment.work)
+    }),
+    column("friction_loss", "J/kg", "what friction has taken so far per mass", |row| {
+        Some(row.moment.friction_loss)
+    }),
+    column("impact_loss", "J/kg", "what impacts have taken so far per mass", |row| {
+        Some(row.moment.impact_loss)
+    }),
+];
+
+/// The place of the state among the columns.
+pub const STATE_AT: usize = 6;
+
+/// The motion every `dt` until it ends.
+pub fn series<'a>(
+    case: &'a BlockCase,
+    outcome: &'a MotionOutcome,
+    dt: f64,
+) -> impl Iterator<Item = SeriesRow> + 'a {
     let count = (outcome.t_final / dt + 1e-9).floor() as u64;
-    (0..=count).map(move |i| i as f64 * dt).map_while(|t| Some((t, outcome.at(t)?)))
+    (0..=count).map(move |i| i as f64 * dt).map_while(move |t| row(case, outcome, t, false))
+}
+
+/// The row of a moment, just before something changes there, or after.
+pub fn row(case: &BlockCase, outcome: &MotionOutcome, t: f64, before: bool) -> Option<SeriesRow> {
+    let moment = outcome.moment(t, before)?;
+    let base = &case.problem.base;
+    let ground = [&base.horizontal, &base.vertical].map(|history| {
+        let value = if before { History::before } else { History::at };
+        history.as_ref().map_or(0.0, |history| value(history, t))
+    });
+    Some(SeriesRow { moment, t, mass: case.mass, ground })
+}
+
+/// The names of all columns, in their order.
+pub fn series_names() -> Vec<&'static str> {
+    let mut names: Vec<&str> = SERIES.iter().map(|column| column.name).collect();
+    names.insert(STATE_AT, "state");
+    names
 }
 
 /// The motion every `dt` as CSV.
-pub fn series_csv(outcome: &MotionOutcome, dt: f64) -> String {
-    let mut text = SERIES.join(",") + "\n";
-    for (t, at) in series(outcome, dt) {
-        let (slide, x, y, theta, omega) = (at.slide, at.x, at.y, at.theta, at.omega);
-        let _ = writeln!(text, "{t},{slide},{x},{y},{theta},{omega},{}", at.state.symbol());
+pub fn series_csv(case: &BlockCase, outcome: &MotionOutcome, dt: f64) -> String {
+    let mut text = series_names().join(",") + "\n";
+    for row in series(case, outcome, dt) {
+        for (place, column) in SERIES.iter().enumerate() {
+            if place == STATE_AT {
+                let _ = write!(text, ",{}", row.moment.state.symbol());
+            }
+            let comma = if place == 0 { "" } else { "," };
+            let _ = match column.value(&row) {
+                Some(value) => write!(text, "{comma}{value}"),
+                None => write!(text, "{comma}"),
+            };
+        }
+        text.push('\n');
     }
     text
 }
