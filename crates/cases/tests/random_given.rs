@@ -58,7 +58,7 @@ fn a_law_that_is_fitted_has_parameters_for_a_life() {
     assert!(text.contains(words), "{text}");
     let json: serde_json::Value = serde_json::from_str(&found.json(&(), &[])).unwrap();
     let fit = &json["random"][0]["fit"];
-    assert_eq!((&fit["law"], &fit["values"]), (&"gumbel".into(), &10.into()));
+    assert_eq!((&fit["law"], &fit["number"]), (&"gumbel".into(), &10.into()));
     assert!((fit["parameters"][1]["standard_error"].as_f64().unwrap() - SCALE[1]).abs() < 1e-5);
     assert_eq!(json["random"][1].get("fit"), None);
     // Everything drawn says the same.

@@ -237,7 +237,7 @@ struct RandomDocument<'a> {
 #[derive(Serialize)]
 struct FittedLawDocument {
     law: &'static str,
-    values: usize,
+    number: usize,
     parameters: Vec<FittedParameterDocument>,
 }
 
@@ -259,7 +259,7 @@ impl FittedLawDocument {
             of_logarithm: of.is_positive,
         };
         let parameters = fit.parameters.iter().map(parameter).collect();
-        FittedLawDocument { law: fit.family.name(), values: fit.count, parameters }
+        FittedLawDocument { law: fit.family.name(), number: fit.count, parameters }
     }
 }
 
