@@ -454,7 +454,11 @@ impl<'a> Columns<'a> {
         if let Some(name) = names.iter().find(|name| name.contains('"')) {
             return Err(RecordProblem::Quote(short(name)));
         }
-        let is_time = |name: &str| ["time_s", "t_s", "time", "t"].contains(&name.to_lowercase().as_str());
+        let is_time = |name: &str| {
+            let name = name.to_lowercase();
+            let (word, unit) = bracketed(&name).unwrap_or((&name, "s"));
+            unit == "s" && ["time_s", "t_s", "time", "t"].contains(&word)
+        };
         let time = names.iter().position(|name| is_time(name));
         let others: Vec<usize> = (0..names.len()).filter(|i| Some(*i) != time).collect();
         let listed = || {
@@ -477,9 +481,12 @@ impl<'a> Columns<'a> {
     /// The unit that the heading of the values names: behind a line below (`a_g`), in brackets (`acc [m/s²]`), or alone (`g`).
     fn unit(&self) -> RecordUnit {
         let heading = self.names[self.value].to_lowercase();
-        let bracketed = heading.strip_suffix([']', ')']).and_then(|heading| heading.rsplit_once(['[', '(']));
+        let bracketed = bracketed(&heading);
         let name = match bracketed {
-            Some((_, unit)) => unit.trim().replace('/', "_").replace('²', "2").replace('^', ""),
+            // Some write that a record is in g's.
+            Some((_, unit)) => {
+                unit.trim_end_matches("'s").replace('/', "_").replace('²', "2").replace('^', "")
+            }
             None => heading.clone(),
         };
         let is_named = |unit: &str, of: RecordUnit| match bracketed {
@@ -490,6 +497,12 @@ impl<'a> Columns<'a> {
         let unit = known.max_by_key(|(unit, _)| unit.len()).map(|(_, unit)| *unit);
         unit.unwrap_or(if name == "share" { RecordUnit::Share } else { RecordUnit::Unnamed })
     }
+}
+
+/// The word of a heading, and the unit in brackets behind it.
+fn bracketed(heading: &str) -> Option<(&str, &str)> {
+    let (word, unit) = heading.strip_suffix([']', ')'])?.rsplit_once(['[', '('])?;
+    Some((word.trim(), unit.trim()))
 }
 
 /// So many names of columns are listed at most.
@@ -526,22 +539,31 @@ impl Cutter {
     }
 }
 
+/// The cells of a line, each by itself.
+fn cut(line: &str, separator: u8) -> Result<Vec<String>, RecordProblem> {
+    Ok(Cutter::of(separator).cells(line)?.into_iter().map(str::to_owned).collect())
+}
+
 fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> ReadRecord {
     // Lines that are empty or comments do not count; the first of the others is the header.
-    let mut rows = lines
-        .iter()
-        .enumerate()
-        .map(|(i, line)| (i + 1, line.trim_start_matches('\u{feff}').trim()))
-        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-    let Some((at, header)) = rows.next() else { return Err((None, RecordProblem::Empty)) };
+    let numbered =
+        || lines.iter().enumerate().map(|(i, line)| (i + 1, line.trim_start_matches('\u{feff}').trim()));
+    let mut rows = numbered().filter(|(_, line)| !line.is_empty() && !line.starts_with('#')).peekable();
+    let Some(&(mut at, header)) = rows.peek() else { return Err((None, RecordProblem::Empty)) };
     let separator = [b';', b'\t'].into_iter().find(|c| header.as_bytes().contains(c)).unwrap_or(b',');
-    let names = Cutter::of(separator)
-        .cells(header)
-        .map(|names| names.iter().map(|n| (*n).to_owned()).collect::<Vec<_>>());
-    let names = names.map_err(|problem| (Some(at), problem))?;
+    let mut names = cut(header, separator).map_err(|problem| (Some(at), problem))?;
     if names.iter().all(|name| name.parse::<f64>().is_ok()) {
-        let expected = "a header with units, as time_s,a_g";
-        return Err((Some(at), RecordProblem::Header { found: short(header), expected }));
+        // The last comment above the numbers is their header where it has as many names, as pySLAMMER writes it.
+        let comments =
+            numbered().take(at - 1).filter_map(|(i, line)| Some((i, line.strip_prefix('#')?.trim())));
+        let named = comments.last().and_then(|(i, line)| Some((i, cut(line, separator).ok()?)));
+        let Some((line, comment)) = named.filter(|(_, comment)| comment.len() == names.len()) else {
+            let expected = "a header with units, as time_s,a_g";
+            return Err((Some(at), RecordProblem::Header { found: short(header), expected }));
+        };
+        (at, names) = (line, comment);
+    } else {
+        rows.next();
     }
     let columns = Columns::of(names.iter().map(String::as_str).collect(), column);
     let columns = columns.map_err(|problem| (Some(at), problem))?;

@@ -60,6 +60,33 @@ fn csv_with_units() {
     }
 }
 
+/// As pySLAMMER keeps records: a name and the heading as comments, then rows of numbers.
+#[test]
+fn a_header_that_is_a_comment() {
+    let read = |text: &str| Record::parse("r.csv", text, None, None);
+    let one = read("# Time Series: Morgan Hill 1984\n# Time (s),Acceleration (g's)\n0.00,0.01\n0.02,-0.03\n")
+        .unwrap();
+    assert_eq!((one.times, one.values, one.unit), (vec![0.0, 0.02], vec![0.01, -0.03], RecordUnit::Gravity));
+    let steps = Record::parse("r.csv", "# a [m/s²]\n1\n2\n", None, Some(0.5)).unwrap();
+    assert_eq!((steps.times, steps.unit), (vec![0.0, 0.5], RecordUnit::MetrePerSecondSquared));
+    let chosen = Record::parse("r.csv", "#t [s];a [g];b [g]\n0;1;2\n1;3;4\n", Some("b [g]"), None).unwrap();
+    assert_eq!((chosen.times, chosen.values), (vec![0.0, 1.0], vec![2.0, 4.0]));
+    // A comment of other words, one below the first row, and times that are not in seconds are no such header.
+    for (text, line) in [("# from a shaking table\n0,0\n1,1\n", 2), ("0,0\n# t,a_g\n1,1\n", 1)] {
+        let said = read(text).unwrap_err().to_string();
+        assert_eq!(
+            said,
+            format!(
+                "r.csv, line {line}: \"0,0\" is not understood; expected a header with units, as time_s,a_g"
+            )
+        );
+    }
+    let twice = read("# t,t\n0,0\n1,1\n").unwrap_err().to_string();
+    assert!(twice.starts_with("r.csv, line 1: there are two columns"), "{twice}");
+    let thousandths = read("# time (ms),a (g)\n0,0\n20,1\n").unwrap_err().to_string();
+    assert!(thousandths.starts_with("r.csv, line 1: there are several columns of values"), "{thousandths}");
+}
+
 /// Every error has the file, the line and the value.
 #[test]
 fn wrong_files() {
