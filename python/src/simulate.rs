@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use standfast::Mode;
 use standfast_cases::motion::{
     BlockCase, CopiesAsked, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit,
-    SERIES, STATE_AT, SeriesColumn, SeriesRow, StrengthAsked, series,
+    STATE_AT, SeriesAsked, SeriesColumn, SeriesRow, StrengthAsked,
 };
 use standfast_cases::{CaseFile, Document, Interface};
 
@@ -72,20 +72,21 @@ impl MotionAnswer {
         py.detach(|| figures(&worst[..], &MotionView::default()))
     }
 
-    /// The motion in one of the situations, every `dt` until it ends.
-    fn series<'py>(&self, py: Python<'py>, place: usize, dt: f64) -> PyResult<Series<'py>> {
+    /// The motion in one of the situations, every `dt` until it ends, and on both sides of events if they are asked for.
+    fn series<'py>(&self, py: Python<'py>, place: usize, dt: f64, events: bool) -> PyResult<Series<'py>> {
         let FollowedMotion { case, outcome, .. } = self.whole(py, place)?;
         let count = (outcome.t_final / dt + 1e-9).floor();
         if count >= 1e9 {
             return Err(StandfastError::new_err(format!("{count:e} steps; expected a longer dt")));
         }
-        let rows: Vec<SeriesRow> = series(&case, &outcome, dt).collect();
+        let asked = SeriesAsked { dt, events };
+        let rows: Vec<SeriesRow> = asked.rows(&case, &outcome).collect();
         let numbers = |column: &SeriesColumn| {
             let values = rows.iter().map(|row| column.value(row).unwrap_or(f64::NAN)).collect();
             (column.name, column.unit, column.words, PyArray1::from_vec(py, values))
         };
         let states = rows.iter().map(|row| Mode::code(row.moment.state)).collect();
-        Ok((SERIES.iter().map(numbers).collect(), STATE_AT, PyArray1::from_vec(py, states)))
+        Ok((asked.columns().iter().map(numbers).collect(), STATE_AT, PyArray1::from_vec(py, states)))
     }
 }
 

@@ -150,6 +150,30 @@ def test_answers_are_typed() -> None:
         found.slide = 0  # type: ignore[misc]
 
 
+def test_series_have_both_sides_of_events(program: list[str]) -> None:
+    path = MOTION / "block-base-pulse.toml"
+    found = standfast.simulate(path)
+    series = found.series(0.25, events=True)
+    lines = [line.split(",") for line in printed(program, path, "--series", "-", "--dt", "0.25", "--events").split()]
+    assert lines[0] == series.column_names and [float(line[0]) for line in lines[1:]] == series.t.to_numpy().tolist()
+    t, omega, theta = (series[name].to_numpy() for name in ("t", "omega", "theta"))
+    side, states = series["side"].to_pylist(), [standfast.Mode(code) for code in series.state.to_numpy()]
+    times = sorted({event.t for event in found.events})
+    assert [t[i] for i, one in enumerate(side) if one == 1] == times and [t[i] for i, one in enumerate(side) if one == -1] == times[1:]
+    even = 0.25 * np.arange(int(found.t_final / 0.25) + 1)
+    assert set(even) <= set(t) and len(t) == len(set(even) | set(times)) + len(times) - 1 and (np.diff(t) >= 0).all()
+    after = {event.t: event.state for event in found.events}
+    impacts = 0
+    for i, one in enumerate(side):
+        if one == -1:
+            assert side[i + 1] == 1 and t[i + 1] == t[i] and theta[i + 1] == pytest.approx(theta[i], abs=1e-12)
+            assert states[i] == after[max(earlier for earlier in times if earlier < t[i])] and states[i + 1] == after[t[i]]
+            impacts += abs(omega[i + 1] - omega[i]) > 1e-9
+    assert impacts == found.impacts > 0
+    with pytest.raises(TypeError, match="events is 1; expected True or False"):
+        found.series(0.25, events=1)  # type: ignore[arg-type]
+
+
 def test_series_are_those_of_the_program(program: list[str]) -> None:
     path = MOTION / "block-base-pulse.toml"
     series = standfast.simulate(path).series(0.25)

@@ -24,7 +24,7 @@ pub use copies::{Copies, CopiesAsked, CopyQuantile, Differs};
 pub(crate) use criteria::worst_checks;
 pub use criteria::{MotionCheck, MotionValue};
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS, RowFault};
-pub use series::{SERIES, STATE_AT, SeriesColumn, SeriesRow, series, series_csv, series_names};
+pub use series::{STATE_AT, SeriesAsked, SeriesColumn, SeriesRow};
 pub use spectrum::{
     OVERTURNING_FROM, ROCKING_LEVELS, RockingDistance, RockingEdges, Spectrum, SpectrumError, SpectrumKind,
     SpectrumPoints, SpectrumRequest, SpectrumSteps, SpectrumValues, in_order, rocking_class,
@@ -45,7 +45,7 @@ pub struct Follow {
     pub divergence: bool,
     /// When it is run under stronger and weaker loads.
     pub strength: StrengthAsked,
-    /// True if the whole motion is kept, for its [series](series_csv) and its figures.
+    /// True if the whole motion is kept, for its [series](SeriesAsked) and its figures.
     pub series: bool,
 }
 

@@ -334,6 +334,9 @@ pub struct SimulateArgs {
     /// The step of time of --series
     #[arg(long, value_name = "DT", requires = "series", value_parser = time_step)]
     pub dt: Option<f64>,
+    /// Give --series two rows more at each event, just before and just after it, and a column `side` of -1 and 1
+    #[arg(long, requires = "series")]
+    pub events: bool,
     /// Find how much stronger or weaker the loads have to be for another verdict, however long that takes: 46 motions, or N between
     /// 0.8 and 1.2 times the loads [default: done unless a record has 20,000 points or more]
     #[arg(long, value_name = "N", conflicts_with = "no_strength", value_parser = motions)]

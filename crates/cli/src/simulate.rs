@@ -4,8 +4,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 use standfast_cases::motion::{
-    CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionView, SERIES, STATE_AT, SeriesColumn,
-    SeriesRow, StrengthAsked, series, series_csv,
+    CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionView, STATE_AT, SeriesAsked,
+    SeriesColumn, SeriesRow, StrengthAsked,
 };
 use standfast_tables::{TableFormat, WrittenColumn, written};
 
@@ -73,11 +73,9 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
     let met = answers.first().and_then(FollowedMotion::met);
     // That of the situation that is the worst.
     let worst = answers.first();
-    if let (true, Some(dt), Some(worst)) = (to_stdout, args.dt, worst) {
-        return Ok(PrintedAnswer {
-            met,
-            ..PrintedAnswer::plain(series_csv(&worst.case, &worst.outcome, dt))
-        });
+    let rows = args.dt.map(|dt| SeriesAsked { dt, events: args.events });
+    if let (true, Some(rows), Some(worst)) = (to_stdout, rows, worst) {
+        return Ok(PrintedAnswer { met, ..PrintedAnswer::plain(rows.csv(&worst.case, &worst.outcome)) });
     }
     let figures = Figures::asked(args.output.as_deref(), no_figures);
     let view = MotionView { all: args.all, ..MotionView::default() };
@@ -88,8 +86,8 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
         figures,
         (&args.case, &read),
     );
-    if let (Some(series), Some(dt), Some(worst)) = (&args.series, args.dt, worst) {
-        write::write_file(series, &series_bytes(worst, dt, series)?, &read)?;
+    if let (Some(series), Some(rows), Some(worst)) = (&args.series, rows, worst) {
+        write::write_file(series, &series_bytes(worst, rows, series)?, &read)?;
         if args.format == Format::Text {
             let _ = writeln!(printed.answer, "Series written to {}", series.display());
         }
@@ -113,20 +111,21 @@ fn series_format(file: &Path) -> Result<TableFormat> {
     batch::format(file, None, "--series")
 }
 
-/// The motion every `dt` as a table in the format that the file's name asks for.
+/// The rows of a motion as a table in the format that the file's name asks for.
 fn series_bytes(
     FollowedMotion { case, outcome, .. }: &FollowedMotion,
-    dt: f64,
+    asked: SeriesAsked,
     file: &Path,
 ) -> Result<Vec<u8>> {
     let format = series_format(file)?;
     if format == TableFormat::Csv {
-        return Ok(series_csv(case, outcome, dt).into_bytes());
+        return Ok(asked.csv(case, outcome).into_bytes());
     }
-    let rows: Vec<SeriesRow> = series(case, outcome, dt).collect();
+    let rows: Vec<SeriesRow> = asked.rows(case, outcome).collect();
     let numbers =
         |column: &SeriesColumn| WrittenColumn::Numbers(rows.iter().map(|row| column.value(row)).collect());
-    let mut columns: Vec<_> = SERIES.iter().map(|column| (column.name.to_owned(), numbers(column))).collect();
+    let mut columns: Vec<_> =
+        asked.columns().iter().map(|column| (column.name.to_owned(), numbers(column))).collect();
     let states = rows.iter().map(|row| row.moment.state.symbol().to_owned()).collect();
     columns.insert(STATE_AT, ("state".to_owned(), WrittenColumn::Texts(states)));
     written(format, &columns).map_err(|cause| CommandError::Write { path: file.to_owned(), cause })

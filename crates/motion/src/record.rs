@@ -554,9 +554,9 @@ fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> ReadRecord {
     let mut names = cut(header, separator).map_err(|problem| (Some(at), problem))?;
     if names.iter().all(|name| name.parse::<f64>().is_ok()) {
         // The last comment above the numbers is their header where it has as many names, as pySLAMMER writes it.
-        let comments =
+        let mut comments =
             numbered().take(at - 1).filter_map(|(i, line)| Some((i, line.strip_prefix('#')?.trim())));
-        let named = comments.last().and_then(|(i, line)| Some((i, cut(line, separator).ok()?)));
+        let named = comments.next_back().and_then(|(i, line)| Some((i, cut(line, separator).ok()?)));
         let Some((line, comment)) = named.filter(|(_, comment)| comment.len() == names.len()) else {
             let expected = "a header with units, as time_s,a_g";
             return Err((Some(at), RecordProblem::Header { found: short(header), expected }));

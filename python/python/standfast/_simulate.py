@@ -90,11 +90,13 @@ class Simulation(Lazy, MotionDocument):
         )
         return f"<div><p>{html.escape(repr(self)[1:-1])}</p>{images}</div>"
 
-    def series(self, dt: float, *, situation: int = 0) -> ArrowTable:
+    def series(self, dt: float, *, events: bool = False, situation: int = 0) -> ArrowTable:
         """The motion at even steps of time, from its beginning to its end.
 
         Args:
             dt: the step, in seconds, or in the units of a ``[block]``.
+            events: if true, there are two rows more at each event, just before and just after it, and a column ``side`` of −1 and 1 that
+                tells them.
             situation: 0 for this answer, 1 for the first of ``others``, and so on.
 
         Returns:
@@ -110,9 +112,11 @@ class Simulation(Lazy, MotionDocument):
             IndexError: if there is no such situation.
         """
         step = positive(dt, "dt")
+        if not isinstance(events, bool):
+            raise TypeError(f"events is {events!r}; expected True or False")
         if not 0 <= situation <= len(self.others):
             raise IndexError(f"situation is {situation}; expected 0 to {len(self.others)}")
-        columns, place, states = self._answer.series(situation, step)
+        columns, place, states = self._answer.series(situation, step, events)
         units = self._answer.is_si()
         made = []
         for name, unit, words, values in columns:

@@ -214,9 +214,9 @@ class MotionAnswer:
         """Words, suffix and SVG of each figure of the worst situation, and what else a picture is made of."""
 
     def series(
-        self, place: int, dt: float
+        self, place: int, dt: float, events: bool
     ) -> tuple[list[tuple[str, str, str, _Numbered]], int, NDArray[np.uint8]]:
-        """The motion in one of the situations, every `dt` until it ends."""
+        """The motion in one of the situations, every `dt` until it ends, and on both sides of events if they are asked for."""
 
 _MotionCase = tuple[str, str, str, dict[str, str]]
 

@@ -25,6 +25,89 @@ impl SeriesColumn {
     }
 }
 
+/// Rows asked for of a series.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeriesAsked {
+    /// The step of time.
+    pub dt: f64,
+    /// True for two rows more at each event, just before and just after it, and a column that tells them.
+    pub events: bool,
+}
+
+impl SeriesAsked {
+    /// Rows at even steps of time alone.
+    pub fn every(dt: f64) -> SeriesAsked {
+        SeriesAsked { dt, events: false }
+    }
+
+    /// The columns but the state, which stands before that at [`STATE_AT`].
+    pub fn columns(self) -> &'static [SeriesColumn] {
+        if self.events { &SERIES } else { &SERIES[..SERIES.len() - 1] }
+    }
+
+    /// The names of all columns, in their order.
+    pub fn names(self) -> Vec<&'static str> {
+        let mut names: Vec<&str> = self.columns().iter().map(|column| column.name).collect();
+        names.insert(STATE_AT, "state");
+        names
+    }
+
+    /// The rows of a motion, until it ends.
+    pub fn rows<'a>(
+        self,
+        case: &'a BlockCase,
+        outcome: &'a MotionOutcome,
+    ) -> impl Iterator<Item = SeriesRow> + 'a {
+        let count = (outcome.t_final / self.dt + 1e-9).floor() as u64;
+        let mut even = (0..=count).map(move |i| i as f64 * self.dt).peekable();
+        let mut events = outcome.events.iter().map(|event| event.t).filter(move |_| self.events).peekable();
+        let mut after = None;
+        let times = std::iter::from_fn(move || {
+            if let Some(t) = after.take() {
+                return Some((t, Some(Side::After)));
+            }
+            let Some(&t) = events.peek().filter(|t| even.peek().is_none_or(|even| *t <= even)) else {
+                return even.next().map(|t| (t, None));
+            };
+            // Several events of a moment are one, and take the place of the even step that it may be.
+            while events.next_if_eq(&t).is_some() {}
+            even.next_if_eq(&t);
+            if t <= 0.0 {
+                return Some((t, Some(Side::After)));
+            }
+            after = Some(t);
+            Some((t, Some(Side::Before)))
+        });
+        times.map_while(move |(t, side)| row(case, outcome, t, side))
+    }
+
+    /// The rows of a motion as CSV.
+    pub fn csv(self, case: &BlockCase, outcome: &MotionOutcome) -> String {
+        let mut text = self.names().join(",") + "\n";
+        for row in self.rows(case, outcome) {
+            for (place, column) in self.columns().iter().enumerate() {
+                if place == STATE_AT {
+                    let _ = write!(text, ",{}", row.moment.state.symbol());
+                }
+                let comma = if place == 0 { "" } else { "," };
+                let _ = match column.value(&row) {
+                    Some(value) => write!(text, "{comma}{value}"),
+                    None => write!(text, "{comma}"),
+                };
+            }
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// The side of an event on which a row is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Before,
+    After,
+}
+
 /// A row of a series: a moment, with what is not per mass and what the base does.
 #[derive(Debug, Clone, Copy)]
 pub struct SeriesRow {
@@ -36,6 +119,8 @@ pub struct SeriesRow {
     mass: f64,
     /// Accelerations of the base, to the right and upwards.
     ground: [f64; 2],
+    /// Of a row at an event.
+    side: Option<Side>,
 }
 
 const fn column(
@@ -47,8 +132,7 @@ const fn column(
     SeriesColumn { name, unit, words, value }
 }
 
-/// The columns but the state, which stands behind the sixth.
-pub const SERIES: [SeriesColumn; 28] = [
+static SERIES: [SeriesColumn; 29] = [
     column("t", "s", "time", |row| Some(row.t)),
     column("slide", "m", "displacement along the base of the corner that touches, or of O", |row| {
         Some(row.moment.slide)
@@ -101,54 +185,22 @@ pub const SERIES: [SeriesColumn; 28] = [
     column("impact_loss", "J/kg", "what impacts have taken so far per mass", |row| {
         Some(row.moment.impact_loss)
     }),
+    column("side", "", "of an event: -1 just before it, 1 just after; none between events", |row| {
+        row.side.map(|side| if side == Side::Before { -1.0 } else { 1.0 })
+    }),
 ];
 
 /// The place of the state among the columns.
 pub const STATE_AT: usize = 6;
 
-/// The motion every `dt` until it ends.
-pub fn series<'a>(
-    case: &'a BlockCase,
-    outcome: &'a MotionOutcome,
-    dt: f64,
-) -> impl Iterator<Item = SeriesRow> + 'a {
-    let count = (outcome.t_final / dt + 1e-9).floor() as u64;
-    (0..=count).map(move |i| i as f64 * dt).map_while(move |t| row(case, outcome, t, false))
-}
-
-/// The row of a moment, just before something changes there, or after.
-pub fn row(case: &BlockCase, outcome: &MotionOutcome, t: f64, before: bool) -> Option<SeriesRow> {
+/// The row of a moment: at an event just before something changes there, or after.
+fn row(case: &BlockCase, outcome: &MotionOutcome, t: f64, side: Option<Side>) -> Option<SeriesRow> {
+    let before = side == Some(Side::Before);
     let moment = outcome.moment(t, before)?;
     let base = &case.problem.base;
     let ground = [&base.horizontal, &base.vertical].map(|history| {
         let value = if before { History::before } else { History::at };
         history.as_ref().map_or(0.0, |history| value(history, t))
     });
-    Some(SeriesRow { moment, t, mass: case.mass, ground })
-}
-
-/// The names of all columns, in their order.
-pub fn series_names() -> Vec<&'static str> {
-    let mut names: Vec<&str> = SERIES.iter().map(|column| column.name).collect();
-    names.insert(STATE_AT, "state");
-    names
-}
-
-/// The motion every `dt` as CSV.
-pub fn series_csv(case: &BlockCase, outcome: &MotionOutcome, dt: f64) -> String {
-    let mut text = series_names().join(",") + "\n";
-    for row in series(case, outcome, dt) {
-        for (place, column) in SERIES.iter().enumerate() {
-            if place == STATE_AT {
-                let _ = write!(text, ",{}", row.moment.state.symbol());
-            }
-            let comma = if place == 0 { "" } else { "," };
-            let _ = match column.value(&row) {
-                Some(value) => write!(text, "{comma}{value}"),
-                None => write!(text, "{comma}"),
-            };
-        }
-        text.push('\n');
-    }
-    text
+    Some(SeriesRow { moment, t, mass: case.mass, ground, side })
 }
