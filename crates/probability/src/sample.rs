@@ -9,7 +9,7 @@ mod interval;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
-pub use interval::Estimate;
+pub use interval::{Estimate, around_quantile};
 use standfast_watch::Portion;
 
 use crate::normal;

@@ -16,7 +16,7 @@
 
 use standfast_motion::{Event, Impact, Keep, MotionError, MotionOutcome, MotionProblem, simulate};
 use standfast_probability::normal;
-use standfast_probability::sample::Estimate;
+use standfast_probability::sample::{Estimate, around_quantile};
 use standfast_watch::Portion;
 
 use super::spectrum::in_order;
@@ -246,25 +246,8 @@ fn quantiles(mut values: Vec<f64>) -> Vec<CopyQuantile> {
     let n = values.len();
     let of = |share: f64| {
         let place = ((share * n as f64).ceil() as usize).clamp(1, n);
-        let interval = || {
-            // Of a binomial count below the quantile: P(count < low) and P(count ≥ high) are 2.5 % at most.
-            let mut below = (1.0 - share).powi(n as i32);
-            let mut sum = 0.0;
-            let (mut low, mut high) = (0, n + 1);
-            for k in 0..=n {
-                let before = sum;
-                sum += below;
-                if sum <= 0.025 {
-                    low = k + 1;
-                }
-                if before < 0.975 && sum >= 0.975 {
-                    high = k + 1;
-                }
-                below *= (n - k) as f64 / (k + 1) as f64 * share / (1.0 - share);
-            }
-            (low >= 1 && high <= n).then(|| [values[low - 1], values[high - 1]])
-        };
-        let interval = if n >= ENOUGH { interval() } else { None };
+        let places = if n >= ENOUGH { around_quantile(share, n as u64) } else { None };
+        let interval = places.map(|places| places.map(|place| values[place as usize - 1]));
         CopyQuantile { share, value: values[place - 1], interval }
     };
     if n == 0 { Vec::new() } else { SHARES.map(of).to_vec() }
@@ -442,6 +425,12 @@ mod tests {
         }
         assert_eq!((found.overturning(), found.differs), (0, None));
         assert!(found.overturned.high < 0.02 && found.same_verdict.low > 0.98);
+        let enclosed = |one: &CopyQuantile| {
+            one.interval.is_some_and(|[low, high]| low <= one.value && one.value <= high && low < high)
+        };
+        assert!(found.slide().iter().all(enclosed));
+        // More of them than products of the share can be told from nothing for.
+        assert!(copies(&problem, asked(400, 2)).slide().iter().all(enclosed));
         let median = found.slide()[2];
         let [low, high] = median.interval.unwrap();
         assert!(

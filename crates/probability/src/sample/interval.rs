@@ -42,20 +42,19 @@ impl Estimate {
 
     /// The share of hits, with Clopper and Pearson's interval; one-sided where no point was a hit, or all were.
     pub fn of_hits(hits: u64, points: u64) -> Estimate {
-        let n = points as f64;
-        // 0.05 = (1 − p)ⁿ: with 1 − p of all others the bound is one-sided.
-        let alone = -libm::expm1(0.05f64.ln() / n);
-        match hits {
-            0 => Estimate { value: 0.0, low: 0.0, high: alone },
-            _ if hits == points => Estimate { value: 1.0, low: 1.0 - alone, high: 1.0 },
-            _ => Estimate::of_share(hits as f64, n),
-        }
+        Estimate::clopper_pearson(hits, points, 0.05)
     }
 
     /// The share of so many hits with the interval of Clopper and Pearson, 2.5 % on each side also where there are none, or nothing else.
     pub fn two_sided(hits: u64, points: u64) -> Estimate {
+        Estimate::clopper_pearson(hits, points, 0.025)
+    }
+
+    /// The interval, with so much beyond it where no point was a hit, or all were.
+    fn clopper_pearson(hits: u64, points: u64, beyond: f64) -> Estimate {
         let n = points as f64;
-        let alone = -libm::expm1(0.025f64.ln() / n);
+        // What is beyond is (1 − p)ⁿ; with 1 − p of all others.
+        let alone = -libm::expm1(beyond.ln() / n);
         match hits {
             0 => Estimate { value: 0.0, low: 0.0, high: alone },
             _ if hits == points => Estimate { value: 1.0, low: 1.0 - alone, high: 1.0 },
@@ -71,11 +70,29 @@ impl Estimate {
         Estimate { value: k / n, low, high }
     }
 
-    /// True if half of the interval is within `precision` of the estimate, or the estimate not above the floor.
     /// True if the probability is not above a floor, or its interval is so narrow on either side, relative to it.
     pub fn is_precise(&self, precision: f64, floor: f64) -> bool {
         self.value <= floor || 0.5 * (self.high - self.low) <= precision * self.value
     }
+}
+
+/// Places, from one, of the values among so many in their order that enclose the quantile at a share with 95 %: each has 2.5 % beyond it at most.
+/// `None` where there are too few.
+pub fn around_quantile(share: f64, count: u64) -> Option<[u64; 2]> {
+    // Of a binomial count of values below the quantile, P(count ≤ k) = 1 − I_p(k+1, n−k).
+    let at_most = |k: u64| {
+        if k >= count { 1.0 } else { 1.0 - beta_reg(k as f64 + 1.0, (count - k) as f64, share) }
+    };
+    let first = |is_beyond: &dyn Fn(f64) -> bool| {
+        let (mut low, mut high) = (0, count);
+        while low < high {
+            let middle = low + (high - low) / 2;
+            if is_beyond(at_most(middle)) { high = middle } else { low = middle + 1 }
+        }
+        low
+    };
+    let [low, high] = [first(&|chance| chance > 0.025), first(&|chance| chance >= 0.975) + 1];
+    (low >= 1 && high <= count).then_some([low, high])
 }
 
 /// Argument at which a function that rises from 0 to 1 on (0, 1) has a value.
@@ -119,6 +136,31 @@ mod tests {
             assert!((at_most(k, n, e.high) - 0.025).abs() < 1e-9);
             assert!((1.0 - at_most(k - 1, n, e.low) - 0.025).abs() < 1e-9);
         }
+    }
+
+    /// By sums of whole numbers, exactly.
+    #[test]
+    fn a_quantile_lies_between_values_in_their_order() {
+        for (share, count, places) in [
+            (0.05, 71, None),
+            (0.05, 72, Some([1, 9])),
+            (0.05, 100, Some([1, 11])),
+            (0.5, 100, Some([40, 61])),
+            (0.95, 100, Some([90, 100])),
+            (0.05, 400, Some([12, 30])),
+            (0.5, 400, Some([180, 221])),
+            (0.95, 400, Some([371, 389])),
+            (0.75, 1200, Some([870, 930])),
+            (0.95, 1200, Some([1125, 1155])),
+        ] {
+            assert_eq!(around_quantile(share, count), places, "{share} of {count}");
+        }
+        // Of a million by the normal law, to a hundredth of the width.
+        let [low, high] = around_quantile(0.95, 1_000_000).unwrap().map(|place| place as f64);
+        let half = 1.959964 * (1e6f64 * 0.95 * 0.05).sqrt();
+        assert!(
+            (low - 950_000.0 + half).abs() < 0.01 * half && (high - 950_000.0 - half).abs() < 0.01 * half
+        );
     }
 
     /// By hand: 16 scrambles with 0.4 and 16 with 0.6 spread by √(32 · 0.01/31) about 0.5, and by a √32th of it in the mean. Student's factor
