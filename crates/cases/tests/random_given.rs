@@ -118,25 +118,29 @@ fn design_values_at_the_nearest_index_are_the_nearest_point() {
     }
 }
 
-/// Laws in a chain: of a force by its fit, and of friction by the force; by a coarser rule, of what is smooth.
-#[test]
-fn laws_depend_on_each_other_in_a_chain() {
-    let random = format!(
-        "{FITTED}mu = {{ normal = {{ mean = {{ at = [-4, 4], is = [0.4, 1.2] }}, sd = 0.05 }}, given = \"k\", every = \"year\" }}\n"
-    );
-    let found = answer(&random);
+/// The mean, over what the fit leaves open, of a function of the force and its normal, by a coarse rule, of what is smooth.
+fn mean_by_hand(of: impl Fn(f64, f64) -> f64) -> f64 {
     let coarse = |f: &dyn Fn(f64) -> f64| {
         let step = |i: i32| f64::from(i) / 8.0;
         let density = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
         (-64..=64).map(|i| density(step(i)) * f(step(i)) / 8.0).sum::<f64>()
     };
     let across = (1.0 - CORRELATION * CORRELATION).sqrt();
-    let slides = |z: f64, w: f64, u: f64| {
+    let at = |z: f64, w: f64, u: f64| {
         let scale = SCALE[0] * (SCALE[1] * (CORRELATION * z + across * w)).exp();
-        let k = MODE[0] + MODE[1] * z - scale * (-below(u).ln()).ln();
-        below((k - 0.8 - 0.1 * k) / 0.05)
+        of(MODE[0] + MODE[1] * z - scale * (-below(u).ln()).ln(), u)
     };
-    let by_hand = coarse(&|z| coarse(&|w| coarse(&|u| slides(z, w, u))));
+    coarse(&|z| coarse(&|w| coarse(&|u| at(z, w, u))))
+}
+
+/// Laws in a chain: of a force by its fit, and of friction by the force.
+#[test]
+fn laws_depend_on_each_other_in_a_chain() {
+    let random = format!(
+        "{FITTED}mu = {{ normal = {{ mean = {{ at = [-4, 4], is = [0.4, 1.2] }}, sd = 0.05 }}, given = \"k\", every = \"year\" }}\n"
+    );
+    let found = answer(&random);
+    let by_hand = mean_by_hand(|k, _| below((k - 0.8 - 0.1 * k) / 0.05));
     let e = found.situations[0].not_rest;
     assert!((e.value - by_hand).abs() < (e.high - e.low).max(1e-4 * by_hand), "{e:?} {by_hand}");
 }
@@ -164,19 +168,8 @@ fn a_fitted_number_may_be_correlated() {
         "{FITTED}mu = {{ normal = {{ mean = 0.8, sd = 0.1 }}, every = \"year\" }}\n[[random.correlation]]\nbetween = [\"k\", \"mu\"]\nnormal = 0.6\n"
     );
     let e = answer(&random).situations[0].not_rest;
-    let coarse = |f: &dyn Fn(f64) -> f64| {
-        let step = |i: i32| f64::from(i) / 8.0;
-        let density = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
-        (-64..=64).map(|i| density(step(i)) * f(step(i)) / 8.0).sum::<f64>()
-    };
-    let across = (1.0 - CORRELATION * CORRELATION).sqrt();
-    let slides = |z: f64, w: f64, u: f64| {
-        let scale = SCALE[0] * (SCALE[1] * (CORRELATION * z + across * w)).exp();
-        let k = MODE[0] + MODE[1] * z - scale * (-below(u).ln()).ln();
-        // Friction has the mean 0.8 + 0.1 · 0.6 u and 0.8 of its deviation given the force.
-        below((k - 0.8 - 0.06 * u) / 0.08)
-    };
-    let by_hand = coarse(&|z| coarse(&|w| coarse(&|u| slides(z, w, u))));
+    // Friction has the mean 0.8 + 0.1 · 0.6 u and 0.8 of its deviation given the force.
+    let by_hand = mean_by_hand(|k, u| below((k - 0.8 - 0.06 * u) / 0.08));
     assert!((e.value - by_hand).abs() < (e.high - e.low).max(1e-4 * by_hand), "{e:?} {by_hand}");
 }
 

@@ -17,8 +17,8 @@ use crate::outcome::{End, Event, MotionOutcome, MotionStep, Why};
 use crate::problem::{Initial, MotionProblem};
 use crate::roots::{first_root, value};
 use crate::series::{
-    LEN, Motion, ORDER, Pose, Series, arm, flat, flying, gap_along, inertia_along, lever, rocking, slipping,
-    velocity,
+    LEN, Motion, ORDER, Pose, Series, arm, derivative, flat, flying, gap_along, inertia_along, lever,
+    rocking, slipping, velocity,
 };
 
 /// After so many events the motion is given up.
@@ -342,6 +342,12 @@ impl<'a> Machine<'a> {
             return None;
         }
         self.go_on(Why::Jump, decision, slip, closed)
+    }
+
+    /// Goes on with these corners closed and this slip. `jump`: loads may have jumped.
+    fn go_on_touching(&mut self, why: Why, closed: [bool; 2], slip: Option<Slip>, jump: bool) -> Option<End> {
+        let decision = self.decide(Contact { closed, slip, failed: None, zero: None, jump });
+        self.go_on(why, decision, slip, closed)
     }
 
     /// Takes the state that was decided; grips where there is none.

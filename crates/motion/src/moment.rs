@@ -2,10 +2,10 @@
 
 use standfast::{Corner, Mode};
 
-use crate::impact::CORNERS;
+use crate::impact::{CORNERS, kinetic};
 use crate::outcome::{MotionOutcome, MotionStep};
 use crate::roots::value;
-use crate::series::{LEN, ORDER, Series, arm, lever};
+use crate::series::{LEN, ORDER, Pose, Series, arm, derivative, lever};
 
 /// Pose, rates, reactions and energies at a moment, in the units of the problem, forces and energies per mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,15 +53,6 @@ pub struct Moment {
     pub impact_loss: f64,
 }
 
-/// The derivative of a polynomial.
-fn derivative(powers: &Series) -> Series {
-    let mut derivative = [0.0; LEN];
-    for k in 1..LEN {
-        derivative[k - 1] = k as f64 * powers[k];
-    }
-    derivative
-}
-
 /// ∫₀^τ a b dt.
 fn integral(a: &Series, b: &Series, τ: f64) -> f64 {
     let mut product = [0.0; 2 * LEN];
@@ -77,9 +68,8 @@ impl MotionOutcome {
     /// Everything at a moment, if the [steps](MotionOutcome::steps) were kept; at a moment at which something changes as it is afterwards, or
     /// before. That at the nearest end outside of the time that was followed.
     pub fn moment(&self, t: f64, before: bool) -> Option<Moment> {
-        let i = self.steps.partition_point(|step| if before { step.t < t } else { step.t <= t });
-        let step = self.steps.get(i.saturating_sub(1))?;
-        Some(self.in_step(step, t, (t - step.t).clamp(0.0, step.duration)))
+        let (step, τ) = self.step_at(t, before)?;
+        Some(self.in_step(step, t, τ))
     }
 
     fn in_step(&self, step: &MotionStep, t: f64, τ: f64) -> Moment {
@@ -110,9 +100,7 @@ impl MotionOutcome {
             }
         };
         let gaps = CORNERS.map(|corner| y - lever(block, corner, theta)[1]);
-        let energy = |[vx, vy]: [f64; 2], omega: f64| {
-            0.5 * (block.m_x * vx * vx + block.m_y * vy * vy + block.rho2 * omega * omega)
-        };
+        let energy = |[vx, vy]: [f64; 2], ω: f64| kinetic(block, &Pose { vx, vy, ω, ..Pose::default() });
         let (kinetic, potential) = (energy(velocity, omega), self.gravity * (y - self.first_y));
         let mut lift = step.wrench[1];
         lift[0] -= self.gravity;
@@ -122,13 +110,11 @@ impl MotionOutcome {
         let start = energy([vx[0], vy[0]], ω[0]) + self.gravity * (step.y[0] - self.first_y);
         let slips = step.state.slip().is_some();
         let rubbed = if slips { added - (kinetic + potential - start) } else { 0.0 };
-        let corner = step.state.corner().unwrap_or(Corner::O);
-        let [x0, c0] = self.feet[corner as usize];
         let [work, friction_loss, impact_loss] = step.spent;
         Moment {
             t,
             state: step.state,
-            slide: (x - x0) + (lever(block, corner, theta)[0] - c0),
+            slide: self.slide_in(step.state, x, theta),
             x,
             y,
             theta,

@@ -214,11 +214,23 @@ impl MotionOutcome {
         self.kinetic + self.potential + self.friction_loss + self.impact_loss - self.work
     }
 
+    /// The kept step at a moment and the time since its beginning: at a moment at which something changes that which begins there, or ends.
+    pub(crate) fn step_at(&self, t: f64, before: bool) -> Option<(&MotionStep, f64)> {
+        let i = self.steps.partition_point(|step| if before { step.t < t } else { step.t <= t });
+        let step = self.steps.get(i.saturating_sub(1))?;
+        Some((step, (t - step.t).clamp(0.0, step.duration)))
+    }
+
+    /// Displacement along the base of the corner that touches in a state, of O if none or both do.
+    pub(crate) fn slide_in(&self, state: Mode, x: f64, theta: f64) -> f64 {
+        let corner = state.corner().unwrap_or(Corner::O);
+        let [x0, c0] = self.feet[corner as usize];
+        (x - x0) + (lever(&self.block, corner, theta)[0] - c0)
+    }
+
     /// ẋ of the centre of mass at a moment, as [`MotionOutcome::at`].
     pub fn velocity(&self, t: f64) -> Option<f64> {
-        let i = self.steps.partition_point(|step| step.t <= t);
-        let step = self.steps.get(i.saturating_sub(1))?;
-        let τ = (t - step.t).clamp(0.0, step.duration);
+        let (step, τ) = self.step_at(t, false)?;
         // The derivative of the polynomial.
         Some(step.x.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, a)| sum * τ + k as f64 * a))
     }
@@ -226,14 +238,10 @@ impl MotionOutcome {
     /// The position at a moment, if the [steps](MotionOutcome::steps) were kept: x and y of the centre of mass and θ; that at the nearest end
     /// outside of the time that was followed.
     pub fn at(&self, t: f64) -> Option<Position> {
-        let i = self.steps.partition_point(|step| step.t <= t);
-        let step = self.steps.get(i.saturating_sub(1))?;
-        let τ = (t - step.t).clamp(0.0, step.duration);
+        let (step, τ) = self.step_at(t, false)?;
         let at = |powers: &Series| value(powers, τ);
         let (x, theta) = (at(&step.x), at(&step.θ));
-        let corner = step.state.corner().unwrap_or(Corner::O);
-        let [x0, c0] = self.feet[corner as usize];
-        let slide = (x - x0) + (lever(&self.block, corner, theta)[0] - c0);
+        let slide = self.slide_in(step.state, x, theta);
         Some(Position { t, slide, x, y: at(&step.y), theta, omega: at(&step.ω), state: step.state })
     }
 }

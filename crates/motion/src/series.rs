@@ -17,6 +17,15 @@ pub(crate) const LEN: usize = ORDER + 3;
 /// Coefficients, lowest power first.
 pub(crate) type Series = [f64; LEN];
 
+/// The derivative of a polynomial.
+pub(crate) fn derivative(powers: &Series) -> Series {
+    let mut derivative = [0.0; LEN];
+    for k in 1..LEN {
+        derivative[k - 1] = k as f64 * powers[k];
+    }
+    derivative
+}
+
 /// Position and velocity of the centre of mass, relative to the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Pose {

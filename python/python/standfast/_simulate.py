@@ -27,8 +27,6 @@ from ._types import Array, Progress
 from ._warnings import mind
 from .motions import MotionDocument
 
-#: The columns of a series, with their units of a body and what they are.
-
 
 class _Given(NamedTuple):
     """What a motion is asked of."""

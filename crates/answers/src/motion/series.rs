@@ -35,11 +35,6 @@ pub struct SeriesAsked {
 }
 
 impl SeriesAsked {
-    /// Rows at even steps of time alone.
-    pub fn every(dt: f64) -> SeriesAsked {
-        SeriesAsked { dt, events: false }
-    }
-
     /// The columns but the state, which stands before that at [`STATE_AT`].
     pub fn columns(self) -> &'static [SeriesColumn] {
         if self.events { &SERIES } else { &SERIES[..SERIES.len() - 1] }
@@ -113,8 +108,6 @@ enum Side {
 pub struct SeriesRow {
     /// Everything at the moment, per mass.
     pub moment: Moment,
-    /// Time that was asked for.
-    t: f64,
     /// Mass by which forces are multiplied, kg or kg per metre run; 1 of a body in pure numbers.
     mass: f64,
     /// Accelerations of the base, to the right and upwards.
@@ -133,7 +126,7 @@ const fn column(
 }
 
 static SERIES: [SeriesColumn; 29] = [
-    column("t", "s", "time", |row| Some(row.t)),
+    column("t", "s", "time", |row| Some(row.moment.t)),
     column("slide", "m", "displacement along the base of the corner that touches, or of O", |row| {
         Some(row.moment.slide)
     }),
@@ -202,5 +195,5 @@ fn row(case: &BlockCase, outcome: &MotionOutcome, t: f64, side: Option<Side>) ->
         let value = if before { History::before } else { History::at };
         history.as_ref().map_or(0.0, |history| value(history, t))
     });
-    Some(SeriesRow { moment, t, mass: case.mass, ground, side })
+    Some(SeriesRow { moment, mass: case.mass, ground, side })
 }

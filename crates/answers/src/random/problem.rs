@@ -73,6 +73,9 @@ fn reaches(laws: &RandomVector) -> Vec<f64> {
     const FAR: f64 = 12.0;
     let count = laws.laws().len();
     let mut reaches: Vec<f64> = laws.laws().iter().map(|law| law.value(FAR)).collect();
+    if !laws.has_given() {
+        return reaches;
+    }
     // A law that depends on others reaches farther for other values of theirs: of any one, or at the ends of all.
     let is_parent: Vec<usize> = (0..count).filter(|place| laws.is_parent(*place)).collect();
     let mut tried: Vec<Vec<f64>> = Vec::new();
@@ -90,7 +93,7 @@ fn reaches(laws: &RandomVector) -> Vec<f64> {
         }
         tried.push(z);
     }
-    for z in tried.into_iter().filter(|_| laws.has_given()) {
+    for z in tried {
         let values = laws.values_of(&z);
         for (place, reach) in reaches.iter_mut().enumerate() {
             if !laws.parents(place).is_empty() {

@@ -125,9 +125,7 @@ impl Machine<'_> {
         while self.t >= self.forcing.stop(self.segment) {
             self.segment += 1;
         }
-        let decision =
-            self.decide(Contact { closed: [true, true], slip: along, failed: None, zero: None, jump: true });
-        self.go_on(Why::Settle, decision, along, [true, true])
+        self.go_on_touching(Why::Settle, [true, true], along, true)
     }
 
     /// Chatter within chatter has no closed form. Where so little motion is left that the supports could stop it a hundred times over, it
@@ -219,7 +217,7 @@ impl Machine<'_> {
         if self.law.e >= 1.0 {
             return None;
         }
-        let is_flat = touching == [true, true] && self.pose.θ == 0.0 && self.pose.ω == 0.0;
+        let is_flat = self.bounces_flat(touching);
         if !is_flat && let Some(flat) = self.flat() {
             return self.flatten(flat);
         }
@@ -231,7 +229,7 @@ impl Machine<'_> {
     fn bouncing(&self, touching: [bool; 2], slip: Option<Slip>) -> Option<f64> {
         let Block { m_y, rho2, .. } = *self.block;
         let [_, p, m] = self.channels.wrench(self.pose.θ);
-        let is_flat = touching == [true, true] && self.pose.θ == 0.0 && self.pose.ω == 0.0;
+        let is_flat = self.bounces_flat(touching);
         let falls = |corner: Corner| {
             let [c, h] = lever(self.block, corner, self.pose.θ);
             p / m_y - c * m / rho2 - h * self.pose.ω * self.pose.ω
@@ -261,6 +259,11 @@ impl Machine<'_> {
         let on = if is_flat { touching } else { CORNERS.map(|corner| corner == one) };
         let next = self.law.after(self.block, &before, on, true)?;
         (next.slip == slip && next.closed == [false, false]).then_some(τ)
+    }
+
+    /// True if the body bounces on both corners at once, upright.
+    fn bounces_flat(&self, touching: [bool; 2]) -> bool {
+        touching == [true, true] && self.pose.θ == 0.0 && self.pose.ω == 0.0
     }
 
     /// Of corners that touch the one that bounces.
@@ -293,7 +296,7 @@ impl Machine<'_> {
 
     /// Jumps to the end of a sequence of bounces: free flight over its time, and one impact without rebound.
     fn landed(&mut self, τ: f64, touching: [bool; 2], slip: Option<Slip>) -> Option<End> {
-        let is_flat = touching == [true, true] && self.pose.θ == 0.0 && self.pose.ω == 0.0;
+        let is_flat = self.bounces_flat(touching);
         let on = if is_flat { touching } else { CORNERS.map(|corner| corner == self.bouncing_of(touching)) };
         let mut before = self.fallen(τ)?;
         if is_flat {
@@ -314,14 +317,7 @@ impl Machine<'_> {
         self.impact_loss += had + (self.work - work) - energy(&after.pose);
         self.pose = after.pose;
         self.t += τ;
-        let decision = self.decide(Contact {
-            closed: after.closed,
-            slip: after.slip,
-            failed: None,
-            zero: None,
-            jump: false,
-        });
-        self.go_on(Why::Settle, decision, after.slip, after.closed)
+        self.go_on_touching(Why::Settle, after.closed, after.slip, false)
     }
 
     /// The slip with which a body goes on flat of which next to nothing bounces, at both corners in no order that has a closed form; `None` of
@@ -357,8 +353,6 @@ impl Machine<'_> {
         self.t_rest_is_bound = true;
         self.pose = Pose { θ: 0.0, ω: 0.0, y: d, vx, vy: 0.0, ..self.pose };
         self.impact_loss += had - kinetic(self.block, &self.pose) - self.gravity * d;
-        let decision =
-            self.decide(Contact { closed: [true, true], slip, failed: None, zero: None, jump: true });
-        self.go_on(Why::Settle, decision, slip, [true, true])
+        self.go_on_touching(Why::Settle, [true, true], slip, true)
     }
 }

@@ -280,8 +280,7 @@ impl Machine<'_> {
         };
         see(τ);
         for gap in &gaps {
-            let rate: Vec<f64> = (1..=ORDER).map(|k| k as f64 * gap[k]).collect();
-            at_zeros(&rate, τ, &mut see);
+            at_zeros(&derivative(gap)[..ORDER], τ, &mut see);
         }
         at_zeros(&self.motion.θ[..=ORDER + 1], τ, &mut see);
     }
@@ -301,8 +300,7 @@ impl Machine<'_> {
         if bound <= self.max_slide[0] {
             return;
         }
-        let rate: Vec<f64> = (1..=ORDER).map(|k| k as f64 * slide[k]).collect();
-        at_zeros(&rate, τ, |at| {
+        at_zeros(&derivative(&slide)[..ORDER], τ, |at| {
             let size = value(&slide[..=ORDER], at).abs();
             if size > self.max_slide[0] {
                 self.max_slide = [size, self.t + at];
@@ -446,19 +444,14 @@ impl Machine<'_> {
         if touching == [true, true] {
             (self.pose.θ, self.pose.y) = (0.0, self.block.d);
         }
-        let decision = self.decide(Contact {
-            closed: after.closed,
-            slip: after.slip,
-            failed: None,
-            zero: None,
-            jump: false,
-        });
         self.bounces += usize::from(after.closed == [false, false]);
-        let end = self.go_on(Why::Impact, decision, after.slip, after.closed);
-        match () {
-            () if end.is_some() => end,
-            () if self.mode == Mode::Flight => self.come_down(touching, after.slip),
-            () => self.settle(),
+        let end = self.go_on_touching(Why::Impact, after.closed, after.slip, false);
+        if end.is_some() {
+            end
+        } else if self.mode == Mode::Flight {
+            self.come_down(touching, after.slip)
+        } else {
+            self.settle()
         }
     }
 }

@@ -274,7 +274,7 @@ impl Resolve<'_> {
         }
     }
 
-    /// Fits a law to values, and adds its parameters to the numbers: with their laws, and how they are correlated.
+    /// Fits a law to values.
     pub(super) fn fitted(&self, named: &RandomEntry, quantity: &Quantity) -> ReadResult<Fit> {
         let find = |name: &str| named.parameters.iter().find(|parameter| parameter.name == name);
         let lacks = |needed: &'static str| {
@@ -306,7 +306,7 @@ impl Resolve<'_> {
         })
     }
 
-    /// Adds the parameters of a law that was fitted to the number at a place, and gives that law.
+    /// Adds the parameters of a law that was fitted to the number at a place, with their laws and how they are correlated, and gives that law.
     pub(super) fn add_parameters(
         &self,
         named: &RandomEntry,
