@@ -63,7 +63,7 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
     let worker = without_comments(&worker)?;
     let opening = script(OPENING, String::new(), &[], &modules)?;
     let script = page_script(&unpacker.glue, &modules)?;
-    let style = format!("\n{}", read("style.css")?);
+    let style = format!("\n{}", without_comments(&read("style.css")?)?);
     for text in [&glue, &worker, &script, &opening] {
         if text.contains("</script") {
             return Err("a script ends the element that it stands in".into());
@@ -123,7 +123,7 @@ impl Library {
     }
 }
 
-/// A script that nobody reads, without what is for readers: comments that stand on lines of their own, and indents.
+/// A script or a style that nobody reads, without what is for readers: comments that stand on lines of their own, and indents.
 fn without_comments(script: &str) -> Result<String, String> {
     let (mut in_comment, mut in_text) = (false, false);
     let mut kept = Vec::new();
