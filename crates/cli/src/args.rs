@@ -356,7 +356,7 @@ pub struct SimulateArgs {
     /// Number of threads; the answer does not depend on it [default: one for each core]
     #[arg(long, requires = "copies")]
     pub threads: Option<NonZeroUsize>,
-    /// Write the factors and the outcome of every copy to a CSV file
+    /// Write the factors and the outcome of every copy to a CSV file; - writes to standard output in place of the answer
     #[arg(long, value_name = "OUT.csv", requires = "copies")]
     pub csv: Option<PathBuf>,
     /// Changes nothing: how far the motion parts from that of almost the same body is always said

@@ -100,6 +100,12 @@ pub enum CommandError {
         /// The file.
         path: PathBuf,
     },
+    /// Two tables are to go into one file.
+    #[error("--series and --csv both write to {}", path.display())]
+    OneTable {
+        /// The file.
+        path: PathBuf,
+    },
     /// Several figures are to go into one file.
     #[error("{} is one file, for one figure: give the number of one, or a folder for several", path.display())]
     OneFile {
@@ -177,6 +183,7 @@ impl Explained for CommandError {
             CommandError::Extension { .. } => {
                 "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx".into()
             }
+            CommandError::OneTable { .. } => "give the rows of the copies a file of their own".into(),
             CommandError::Several { .. } => {
                 "--and takes a second quantity; --minimise volume several, for the least of it".into()
             }

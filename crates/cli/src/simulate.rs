@@ -1,10 +1,10 @@
 //! `standfast simulate`: the motion of a body or a block in time.
 
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{self, Path};
 
 use standfast_cases::motion::{
-    CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionView, STATE_AT, SeriesAsked,
+    Copies, CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionView, STATE_AT, SeriesAsked,
     SeriesColumn, SeriesRow, StrengthAsked,
 };
 use standfast_tables::{TableFormat, WrittenColumn, written};
@@ -35,12 +35,19 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
             example: "slide = \"0.10 m\"\nmax_theta = \"50 mrad\"\noverturned = false",
         });
     }
-    if let Some(series) = args.series.as_ref().filter(|series| series.as_os_str() != "-") {
-        // Before a motion is followed for nothing.
-        read.refuse(series)?;
+    // Before a motion is followed for nothing.
+    let [series, csv] = [&args.series, &args.csv].map(|table| table.as_deref());
+    if let (Some(series), Some(csv)) = (series, csv)
+        && is_one_file(series, csv)
+    {
+        return Err(CommandError::OneTable { path: csv.to_owned() });
+    }
+    for table in [series, csv].into_iter().flatten().filter(|table| !is_stdout(table)) {
+        read.refuse(table)?;
+    }
+    if let Some(series) = series.filter(|series| !is_stdout(series)) {
         series_format(series)?;
     }
-    let to_stdout = args.series.as_ref().is_some_and(|series| series.as_os_str() == "-");
     let no_figures = args.no_figures || (args.brief && args.output.is_none());
     if args.sensitivity {
         eprintln!("note: --sensitivity changes nothing; the divergence of the motion is always said");
@@ -73,34 +80,49 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
     let met = answers.first().and_then(FollowedMotion::met);
     // That of the situation that is the worst.
     let worst = answers.first();
-    let rows = args.dt.map(|dt| SeriesAsked { dt, events: args.events });
-    if let (true, Some(rows), Some(worst)) = (to_stdout, rows, worst) {
-        return Ok(PrintedAnswer { met, ..PrintedAnswer::plain(rows.csv(&worst.case, &worst.outcome)) });
-    }
-    let figures = Figures::asked(args.output.as_deref(), no_figures);
-    let view = MotionView { all: args.all, ..MotionView::default() };
-    let mut printed = PrintedAnswer::of(
-        &answers[..],
-        &view,
-        Shown::of(args.brief, args.format),
-        figures,
-        (&args.case, &read),
-    );
-    if let (Some(series), Some(rows), Some(worst)) = (&args.series, rows, worst) {
-        write::write_file(series, &series_bytes(worst, rows, series)?, &read)?;
-        if args.format == Format::Text {
-            let _ = writeln!(printed.answer, "Series written to {}", series.display());
+    let rows = args.dt.map(|dt| SeriesAsked { dt, events: args.events }).zip(worst);
+    let copies = worst.and_then(|worst| worst.copies.as_ref());
+    // A table on standard output stands in place of the answer.
+    let table = if series.is_some_and(is_stdout) {
+        rows.map(|(rows, worst)| rows.csv(&worst.case, &worst.outcome))
+    } else {
+        copies.filter(|_| csv.is_some_and(is_stdout)).map(Copies::csv)
+    };
+    let is_answer = table.is_none() && args.format == Format::Text;
+    let mut printed = match table {
+        Some(table) => PrintedAnswer::plain(table),
+        None => {
+            let view = MotionView { all: args.all, ..MotionView::default() };
+            let shown = Shown::of(args.brief, args.format);
+            let figures = Figures::asked(args.output.as_deref(), no_figures);
+            PrintedAnswer::of(&answers[..], &view, shown, figures, (&args.case, &read))
         }
-    }
-    if let (Some(csv), Some(copies)) =
-        (&args.csv, answers.first().and_then(|followed| followed.copies.as_ref()))
-    {
-        write::write_file(csv, &copies.csv().into_bytes(), &read)?;
-        if args.format == Format::Text {
-            let _ = writeln!(printed.answer, "Copies written to {}", csv.display());
+    };
+    let mut write = |what: &str, file: &Path, bytes: &[u8]| -> Result<()> {
+        write::write_file(file, bytes, &read)?;
+        if is_answer {
+            let _ = writeln!(printed.answer, "{what} written to {}", file.display());
         }
+        Ok(())
+    };
+    if let (Some(series), Some((rows, worst))) = (series.filter(|series| !is_stdout(series)), rows) {
+        write("Series", series, &series_bytes(worst, rows, series)?)?;
+    }
+    if let (Some(csv), Some(copies)) = (csv.filter(|csv| !is_stdout(csv)), copies) {
+        write("Copies", csv, copies.csv().as_bytes())?;
     }
     Ok(PrintedAnswer { met, ..printed })
+}
+
+/// True if a name is that of standard output.
+fn is_stdout(table: &Path) -> bool {
+    table == Path::new("-")
+}
+
+/// True if two names are of one file, which may not be there yet.
+fn is_one_file(one: &Path, other: &Path) -> bool {
+    let whole = |path: &Path| path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    whole(one) == whole(other)
 }
 
 /// The format that the name of a file asks for.

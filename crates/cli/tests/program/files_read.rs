@@ -64,6 +64,7 @@ fn no_command_writes_over_the_record_it_read() {
     of("c.svg", "assess c.toml");
     of("c-motion.svg", "simulate c.toml");
     of("r.csv", "simulate c.toml --no-figures --series r.csv --dt 0.1");
+    of("r.csv", "simulate c.toml --no-figures --copies 2 --csv r.csv");
     of("r.csv", "spectrum c.toml --kind newmark --csv r.csv");
     of("c-newmark.svg", "spectrum c.toml --kind newmark");
     of("r.html", "sheet c.toml -o r.html");
