@@ -175,7 +175,7 @@ pub struct MotionOutcome {
     pub reduced_impacts: usize,
     /// Number of impacts that end in flight.
     pub bounces: usize,
-    /// The largest gap of the lower corner above the base, in flight.
+    /// The largest gap of the lower corner above the base, in flight; a fall that the motion begins with left out.
     pub max_gap: f64,
     /// Time of the largest gap.
     pub t_max_gap: f64,

@@ -3,6 +3,7 @@
 mod common;
 
 use common::{Random, problem};
+use standfast::History;
 use standfast::contact::Block;
 use standfast_motion::{Impact, Initial, Keep, MotionOutcome, MotionProblem, simulate};
 
@@ -30,6 +31,18 @@ fn no_restitution_is_no_rebound() {
             }
         }
     }
+}
+
+/// The fall that a motion begins with is no bounce, into however many steps loads part it.
+#[test]
+fn the_first_fall_is_no_bounce() {
+    let (height, e) = (0.02, 0.3);
+    let mut problem = bouncing(Block::uniform(2.0, 0.5), e);
+    problem.initial = Initial { gap: height, ..Initial::default() };
+    problem.base.vertical = Some(History::points(&[0.0, 0.05, 0.1], &[0.0, 1e-12, 0.0]).unwrap());
+    let outcome = followed(&problem);
+    assert!((outcome.max_gap - height * e * e).abs() < 1e-9, "{}", outcome.max_gap);
+    assert!(outcome.t_max_gap > (2.0f64 * height).sqrt());
 }
 
 /// A block that falls flat from a height comes to rest at √(2H/g)(1 + e)/(1 − e), whatever its shape; slipping, it goes v²/(2μg) + μH, whatever e.

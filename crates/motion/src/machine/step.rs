@@ -265,8 +265,12 @@ impl Machine<'_> {
         }
     }
 
-    /// The largest gap of the lower corner within a step in flight: where a gap is largest, or both are as high, or at its end.
+    /// The largest gap of the lower corner within a step in flight: where a gap is largest, or both are as high, or at its end. A motion that
+    /// begins in the air falls first, which is no bounce.
     fn see_gap(&mut self, τ: f64) {
+        if self.impacts == 0 && self.events.first().is_some_and(|event| event.state == Mode::Flight) {
+            return;
+        }
         let gaps = CORNERS.map(|corner| gap_along(self.block, corner, ORDER, &self.motion));
         let bound = |gap: &Series| gap.iter().rev().fold(0.0, |bound, a| bound * τ + a.abs());
         if gaps.iter().map(bound).fold(f64::INFINITY, f64::min) <= self.max_gap[0] {
