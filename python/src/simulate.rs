@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use standfast::Mode;
 use standfast_cases::motion::{
     BlockCase, CopiesAsked, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit,
-    STATE_AT, SeriesAsked, SeriesColumn, SeriesRow, StrengthAsked,
+    STATE_AT, SeriesAsked, SeriesColumn, SeriesRow, Spread, StrengthAsked,
 };
 use standfast_cases::{CaseFile, Document, Interface};
 
@@ -35,7 +35,7 @@ pub(crate) type Samples<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py
 /// Columns at even steps of time: name, unit and words of each, its numbers, not a number where there is none; the place of the state among them, and codes
 /// of modes.
 type Series<'py> = (Vec<SeriesOf<'py>>, usize, Bound<'py, PyArray1<u8>>);
-type SeriesOf<'py> = (&'static str, &'static str, &'static str, Bound<'py, PyArray1<f64>>);
+type SeriesOf<'py> = (String, &'static str, &'static str, Bound<'py, PyArray1<f64>>);
 
 #[pymethods]
 impl MotionAnswer {
@@ -83,10 +83,10 @@ impl MotionAnswer {
         let rows: Vec<SeriesRow> = asked.rows(&case, &outcome).collect();
         let numbers = |column: &SeriesColumn| {
             let values = rows.iter().map(|row| column.value(row).unwrap_or(f64::NAN)).collect();
-            (column.name, column.unit, column.words, PyArray1::from_vec(py, values))
+            (column.name.to_string(), column.unit, column.words, PyArray1::from_vec(py, values))
         };
         let states = rows.iter().map(|row| Mode::code(row.moment.state)).collect();
-        Ok((asked.columns().iter().map(numbers).collect(), STATE_AT, PyArray1::from_vec(py, states)))
+        Ok((asked.columns(&case).iter().map(numbers).collect(), STATE_AT, PyArray1::from_vec(py, states)))
     }
 }
 
@@ -97,7 +97,8 @@ impl MotionAnswer {
         let Some(followed) = self.answers.get(place) else {
             return Err(PyIndexError::new_err(format!("{place} of {} situations", self.answers.len())));
         };
-        let case = followed.case.clone();
+        // Copies have been followed, and what is asked of them is answered.
+        let case = BlockCase { copies: None, criteria: Vec::new(), ..followed.case.clone() };
         patiently(py, move || {
             let followed = FollowedMotion::of(case, &Follow { series: true, ..Follow::default() });
             followed.map_err(|error| StandfastError::new_err(error.to_string()))
@@ -148,6 +149,37 @@ pub(crate) fn cases(
     Ok((cases, known.into_inner().unwrap_or_else(PoisonError::into_inner)))
 }
 
+/// By how much numbers of copies scatter: all by one share, or each under its name.
+#[derive(FromPyObject)]
+pub(crate) enum SpreadGiven {
+    Even(f64),
+    Named(Vec<(String, f64)>),
+}
+
+/// Puts what is asked of copies in place of what the case says of them.
+fn copies_asked(
+    case: &mut BlockCase,
+    (number, spread, seed): &(Option<usize>, Option<SpreadGiven>, Option<u64>),
+) -> PyResult<()> {
+    let own = case.copies.take();
+    let number = number.or(own.as_ref().map(|own| own.number));
+    if number.is_none() && (spread.is_some() || seed.is_some()) {
+        let name = if spread.is_some() { "spread" } else { "seed" };
+        return Err(StandfastError::new_err(format!(
+            "{name} is of copies, and none are followed; expected copies"
+        )));
+    }
+    let (own_spread, own_seed) =
+        own.map_or((CopiesAsked::SPREAD, CopiesAsked::SEED), |own| (own.spread, own.seed));
+    let spread = match spread {
+        None => own_spread,
+        Some(SpreadGiven::Even(spread)) => Spread::Even(*spread),
+        Some(SpreadGiven::Named(named)) => Spread::Named(named.clone()),
+    };
+    case.copies = number.map(|number| CopiesAsked { number, spread, seed: seed.unwrap_or(own_seed) });
+    Ok(())
+}
+
 /// Follows the motion of a case; `options` are whether its strength is looked for (`None`: where its records are short), and all events.
 #[pyfunction]
 pub(crate) fn simulate(
@@ -155,7 +187,7 @@ pub(crate) fn simulate(
     case: MotionCase,
     base: (Option<Samples<'_>>, Option<Samples<'_>>),
     options: (Option<bool>, bool),
-    copies: Option<(usize, f64, u64)>,
+    copies: (Option<usize>, Option<SpreadGiven>, Option<u64>),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<MotionAnswer> {
     let base = given_base(base)?;
@@ -166,19 +198,16 @@ pub(crate) fn simulate(
         Some(false) => StrengthAsked::No,
     };
     watched(py, progress.as_ref(), move |portion| {
-        let (cases, files) = cases(case, &base)?;
-        let answers =
-            FollowedMotion::of_all(cases, &Follow { divergence: true, strength, series: false }, portion);
+        let (mut cases, files) = cases(case, &base)?;
+        for case in &mut cases {
+            copies_asked(case, &copies)?;
+        }
         let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-        let answers = answers.and_then(|answers| {
-            let copied = |followed: FollowedMotion| match copies {
-                Some((number, spread, seed)) => {
-                    followed.copied(CopiesAsked { number, spread, seed, threads }, portion)
-                }
-                None => Ok(followed),
-            };
-            answers.into_iter().map(copied).collect::<Result<Vec<FollowedMotion>, _>>()
-        });
+        let answers = FollowedMotion::of_all(
+            cases,
+            &Follow { divergence: true, strength, series: false, threads },
+            portion,
+        );
         let answers = answers.map_err(|error| StandfastError::new_err(error.to_string()))?;
         Ok(MotionAnswer { answers, files, all })
     })?

@@ -2,7 +2,7 @@
 
 use standfast::Verdict;
 use standfast::loads::Reduced;
-use standfast_cases::motion::{Follow, FollowedMotion, MotionView, StrengthAsked};
+use standfast_cases::motion::{Follow, FollowedMotion, MotionView};
 use standfast_cases::{Assessed, Assessment, AssessmentView, CaseError, CaseFile, Document, Summary};
 use standfast_inputs::key::Table;
 
@@ -34,7 +34,7 @@ impl Answered {
 
     fn followed(file: &CaseFile, divergence: bool) -> Result<Answered, CaseError> {
         let inputs = file.inputs();
-        let follow = Follow { divergence, strength: StrengthAsked::No, series: true };
+        let follow = Follow { divergence, series: true, ..Follow::default() };
         let motions = if inputs.is_in_time() { FollowedMotion::of_file(file, &follow)? } else { Vec::new() };
         let rest = if inputs.has(Table::Block) { None } else { Some(Assessment::of_file(file)?) };
         Ok(Answered { rest, motions })

@@ -209,8 +209,12 @@ mod tests {
         assert_eq!(page.strengths(500.0), "");
         let steps = std::iter::from_fn(|| page.try_strength().then_some(())).count();
         assert_eq!(steps, Factors::Rungs.values().len() + 1);
-        let follow =
-            Follow { divergence: true, strength: StrengthAsked::Always(Factors::Rungs), series: true };
+        let follow = Follow {
+            divergence: true,
+            strength: StrengthAsked::Always(Factors::Rungs),
+            series: true,
+            threads: 1,
+        };
         let at_once = FollowedMotion::of_file(page.file(), &follow).unwrap();
         assert!(at_once[0].strength.is_some());
         assert_eq!(page.answered().motions[0].strength, at_once[0].strength);
@@ -232,8 +236,12 @@ mod tests {
         assert!(page.open("two.toml", &text));
         assert_eq!(page.answered().motions.len(), 2);
         while page.try_strength() {}
-        let follow =
-            Follow { divergence: true, strength: StrengthAsked::Always(Factors::Rungs), series: true };
+        let follow = Follow {
+            divergence: true,
+            strength: StrengthAsked::Always(Factors::Rungs),
+            series: true,
+            threads: 1,
+        };
         let at_once = FollowedMotion::of_file(page.file(), &follow).unwrap();
         assert_eq!(page.answered().json(), at_once[..].json(&MotionView::default(), &[]));
     }

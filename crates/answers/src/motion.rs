@@ -15,14 +15,18 @@
 
 mod copies;
 mod criteria;
+mod points;
+mod resume;
 mod rows;
 mod series;
 mod spectrum;
 mod strength;
 
-pub use copies::{Copies, CopiesAsked, CopyQuantile, Differs};
+pub use copies::{Copies, CopyQuantile, Differs};
 pub(crate) use criteria::worst_checks;
 pub use criteria::{MotionCheck, MotionValue};
+pub use points::{Extremes, PointAnswer};
+pub use resume::{ResumeError, resume};
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS, RowFault};
 pub use series::{STATE_AT, SeriesAsked, SeriesColumn, SeriesRow};
 pub use spectrum::{
@@ -31,7 +35,8 @@ pub use spectrum::{
 };
 pub use strength::{Strength, StrengthAsked};
 
-use standfast_model::{BlockCase, CaseFile, MotionWarning};
+use standfast_model::{BlockCase, CaseFile, MotionCriterion, MotionWarning};
+pub use standfast_model::{CopiesAsked, Spread};
 use standfast_motion::divergence::Divergence;
 use standfast_motion::{Keep, MotionError, MotionOutcome, simulate};
 use standfast_watch::Portion;
@@ -47,6 +52,8 @@ pub struct Follow {
     pub strength: StrengthAsked,
     /// True if the whole motion is kept, for its [series](SeriesAsked) and its figures.
     pub series: bool,
+    /// Number of threads for the copies that the case asks for; 0 is one.
+    pub threads: usize,
 }
 
 /// The motion of a case.
@@ -60,6 +67,8 @@ pub struct FollowedMotion {
     pub divergence: Option<Divergence>,
     /// How much stronger or weaker loads have to be for another verdict, if that was asked for and there is one.
     pub strength: Option<Strength>,
+    /// Points of the body whose accelerations are asked for.
+    pub points: Vec<PointAnswer>,
     /// Outcomes of copies with numbers a little other, if they were asked for.
     pub copies: Option<Copies>,
     /// Warnings of possible slips, and of values outside the range of the model.
@@ -80,8 +89,15 @@ impl FollowedMotion {
 
     fn within(case: BlockCase, follow: &Follow, portion: Portion<'_>) -> Result<FollowedMotion, MotionError> {
         portion.check()?;
-        let [of_itself, of_strength] = portion.parts([2.0, follow.strength.weight(&case)]);
-        let mut outcome = simulate(&case.problem, Keep { steps: follow.series || follow.divergence })?;
+        let copied =
+            case.copies.as_ref().map_or(0.0, |copies| copies.number as f64 / follow.threads.max(1) as f64);
+        let [of_itself, of_strength, of_copies] = portion.parts([2.0, follow.strength.weight(&case), copied]);
+        let asks_for_share = |criterion: &_| matches!(criterion, MotionCriterion::OverturnedShare(_));
+        if case.copies.is_none() && case.criteria.iter().any(asks_for_share) {
+            return Err(MotionError::NoCopies);
+        }
+        let steps = follow.series || follow.divergence || !case.points.is_empty();
+        let mut outcome = simulate(&case.problem, Keep { steps })?;
         let block = &case.problem.block;
         for slide in [&mut outcome.slide, &mut outcome.max_slide] {
             if slide.abs() < ROUNDING * (block.b1 + block.b2) {
@@ -91,13 +107,19 @@ impl FollowedMotion {
         let divergence = follow.divergence.then(|| Divergence::of(&case.problem, &outcome)).transpose()?;
         of_itself.reached(1.0);
         let strength = Strength::of(&case, &outcome, follow.strength, of_strength)?;
+        let points = case.points.iter().map(|point| PointAnswer::of(&case, &outcome, point)).collect();
+        let copies = case
+            .copies
+            .as_ref()
+            .map(|asked| Copies::of(&case.problem, &outcome, asked, follow.threads.max(1), of_copies));
+        let copies = copies.transpose()?;
         portion.reached(1.0);
         if !follow.series {
             outcome.steps = Vec::new();
         }
         let mut warnings = case.warnings.clone();
         warnings.extend(found(&case, &outcome));
-        Ok(FollowedMotion { case, outcome, divergence, strength, copies: None, warnings })
+        Ok(FollowedMotion { case, outcome, divergence, strength, points, copies, warnings })
     }
 
     /// Follows the motion in every situation of a file; the worst first: by what is used of the criteria, overturned, past balance, by the
@@ -133,18 +155,9 @@ impl FollowedMotion {
         Ok(answers)
     }
 
-    /// The same with copies of it, numbers of which are a little other.
-    ///
-    /// # Errors
-    /// If a copy is refused, or the work is stopped.
-    pub fn copied(self, asked: CopiesAsked, portion: Portion<'_>) -> Result<FollowedMotion, MotionError> {
-        let copies = Copies::of(&self.case.problem, &self.outcome, asked, portion)?;
-        Ok(FollowedMotion { copies: Some(copies), ..self })
-    }
-
     /// The criteria of the case, the governing one first.
     pub fn checks(&self) -> Vec<MotionCheck> {
-        let of = |criterion: &_| MotionCheck::of(*criterion, self.case.si, &self.outcome);
+        let of = |criterion: &_| MotionCheck::of(*criterion, self);
         let mut checks: Vec<_> = self.case.criteria.iter().map(of).collect();
         standfast::order::by_number(&mut checks, |one| -one.urgency());
         checks

@@ -100,7 +100,7 @@ pub enum SweepResult {
 const LARGEST_BIAS: f64 = 1e50;
 
 /// The names of criteria, which are those of the keys that ask for them.
-const CRITERIA: [&str; 22] = [
+const CRITERIA: [&str; 23] = [
     "SF_sliding",
     "SF_overturning_net",
     "SF_overturning_gross",
@@ -122,6 +122,7 @@ const CRITERIA: [&str; 22] = [
     "slide",
     "max_theta",
     "overturned",
+    "overturned_share",
     "modes_not",
 ];
 

@@ -1,8 +1,9 @@
 //! Motions of a case: their order, their criteria and their warnings, against closed forms and cases that part one condition from another.
 
+use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use standfast_answers::motion::{Follow, FollowedMotion};
+use standfast_answers::motion::{Follow, FollowedMotion, ResumeError, STATE_AT, SeriesAsked, resume};
 use standfast_model::CaseFile;
 
 fn followed(text: &str) -> Vec<FollowedMotion> {
@@ -171,4 +172,79 @@ fn a_ratio_that_would_give_energy() {
         assert_eq!(warns(&found, "ratio-reduced"), reduced, "{vx}");
     }
     assert!(kinds[0] > 0 && kinds[1] > 0, "{kinds:?}");
+}
+
+/// `overturned_share` is judged by the upper end of the interval over the copies of the case; without copies it is refused, and so is a name that scatters nothing.
+#[test]
+fn a_share_of_copies_may_be_asked_for() {
+    let text = |copies: &str, bound: f64| {
+        format!(
+            "[block]\nb1 = 1\nb2 = 1\nd = 4\nmu_s = 2\ngravity = 1\n[motion.base]\nhorizontal = {{ shape = \"half-sine\", peak = 0.3, duration = 3 }}\n\
+             {copies}[criteria]\noverturned_share = {bound}\n"
+        )
+    };
+    // None of 60: 1 − 0.025^(1/60).
+    let upper = 1.0 - 0.025_f64.powf(1.0 / 60.0);
+    let copies = "[motion.copies]\nnumber = 60\nspread = 1e-6\n";
+    for (bound, met) in [(upper * 1.001, true), (upper * 0.999, false)] {
+        let found = one(&text(copies, bound));
+        let check = found.checks()[0];
+        assert_eq!((found.met(), check.met), (Some(met), met));
+        assert!((check.utilisation.unwrap() - upper / bound).abs() < 1e-9, "{check:?}");
+        assert!(check.failure().contains("overturned_share is 0.0596"), "{}", check.failure());
+    }
+    let refused = |copies: &str| {
+        let file = CaseFile::parse("case.toml", &text(copies, 0.1)).unwrap();
+        FollowedMotion::of_file(&file, &Follow::default()).unwrap_err().to_string()
+    };
+    assert!(refused("").contains("[motion.copies]"), "{}", refused(""));
+    let named = refused("[motion.copies]\nnumber = 5\nspread = { widht = 0.1 }\n");
+    assert!(named.contains("widht") && named.contains("width, height, inertia, friction, base"), "{named}");
+    // A copy that still moves when the time is up may overturn yet.
+    let cut = one(&text(copies, 0.9).replace("[motion.base]", "[motion]\nt_max = 1\n[motion.base]"));
+    assert_eq!((cut.checks()[0].utilisation, cut.met()), (Some(f64::INFINITY), Some(false)));
+}
+
+/// A row of a series stands for keys of `[motion.initial]`, with which the rest is the same motion; one just before an event is refused.
+#[test]
+fn a_motion_goes_on_from_a_row() {
+    let (mut states, mut gone_on, mut before) = (BTreeSet::new(), 0, 0);
+    for frictions in [[0.7, 0.6], [0.4, 0.3], [0.5, 0.5]] {
+        let [mu_s, mu_k] = frictions;
+        let text = format!(
+            "[block]\nb1 = 1\nb2 = 1.1\nd = 2\nrho2 = 1.7\nmu_s = {mu_s}\nmu_k = {mu_k}\ngravity = 1\n[motion]\n\
+             impact = {{ law = \"poisson\", e = 0.3 }}\n[motion.base]\n\
+             horizontal = {{ shape = \"sine\", peak = 0.7, angular_frequency = 1.3, duration = 11 }}\n\
+             vertical = {{ shape = \"sine\", peak = 0.6, angular_frequency = 2.1, duration = 9 }}\n"
+        );
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        let follow = Follow { series: true, divergence: true, ..Follow::default() };
+        let whole = FollowedMotion::of_file(&file, &follow).unwrap().remove(0);
+        let asked = SeriesAsked { dt: 0.25, events: true };
+        let columns = asked.columns(&whole.case);
+        let mut names: Vec<String> = columns.iter().map(|column| column.name.to_string()).collect();
+        names.insert(STATE_AT, "state".to_owned());
+        for line in asked.csv(&whole.case, &whole.outcome).lines().skip(1) {
+            let cells = line.split(',').map(str::to_owned);
+            let row: Vec<(String, String)> = names.iter().cloned().zip(cells).collect();
+            let mut inputs = file.inputs().clone();
+            match resume(&mut inputs, &row) {
+                Err(ResumeError::BeforeAnEvent) => {
+                    before += 1;
+                    continue;
+                }
+                other => other.unwrap(),
+            }
+            let rest = FollowedMotion::of_file(&file.varied(inputs), &follow).unwrap().remove(0);
+            let (one, other) = (&rest.outcome, &whole.outcome);
+            let off = (one.slide - other.slide).abs() + (one.theta - other.theta).abs();
+            assert!(off < 1e-12 * (100.0 + whole.divergence.unwrap().value), "{line}: {off}");
+            assert_eq!(one.end, other.end, "{line}");
+            states.insert(row[STATE_AT].1.clone());
+            gone_on += 1;
+        }
+        let lacks = resume(&mut file.inputs().clone(), &[("t".to_owned(), "0".to_owned())]).unwrap_err();
+        assert_eq!(lacks, ResumeError::NoColumn { column: "state" });
+    }
+    assert!(gone_on > 400 && before > 300 && states.len() > 5, "{gone_on} {before} {states:?}");
 }

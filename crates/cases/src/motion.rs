@@ -15,7 +15,9 @@ pub use crate::record::ReadFile;
 use crate::summary::Summary;
 pub use spectrum::spectrum_csv;
 pub use standfast_answers::motion::*;
-pub use standfast_model::{BlockCase, FirstInstant, GivenBase, LoadPeak, MotionCriterion, MotionWarning};
+pub use standfast_model::{
+    BlockCase, BodyPoint, FirstInstant, GivenBase, LoadPeak, MotionCriterion, MotionWarning,
+};
 pub use standfast_motion::record::{Record, RecordUnit};
 pub use standfast_motion::strength::{Factors, Tried};
 pub use standfast_motion::{MotionError, MotionOutcome, Position};

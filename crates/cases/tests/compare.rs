@@ -9,7 +9,7 @@ use standfast_cases::assess::screen::{
 };
 use standfast_cases::compare::{Compared, Comparison};
 use standfast_cases::motion::screen::{histories_on_paper, histories_on_screen_beside, pinned_motion};
-use standfast_cases::motion::{Follow, FollowedMotion, StrengthAsked};
+use standfast_cases::motion::{Follow, FollowedMotion};
 use standfast_cases::{Assessment, CaseFile, Document};
 use standfast_figures::{PinnedBody, PinnedLoad};
 
@@ -28,7 +28,7 @@ fn assessed(text: &str) -> Assessment {
 }
 
 fn followed(text: &str) -> Vec<FollowedMotion> {
-    let follow = Follow { divergence: false, strength: StrengthAsked::No, series: true };
+    let follow = Follow { series: true, ..Follow::default() };
     FollowedMotion::of_file(&file(text), &follow).unwrap()
 }
 

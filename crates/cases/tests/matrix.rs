@@ -23,7 +23,7 @@ fn file(text: &str) -> CaseFile {
 }
 
 /// Cases that have every number between them.
-const CASES: [&str; 31] = [
+const CASES: [&str; 33] = [
     "gravity = 9.8\n[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.4\nkinetic_friction = 0.35\nbase_left = 1.9\n\
      base_right = 1.8\ncentroid_offset = 0.1\ncentroid_height = 2.9\nmoment_of_inertia = 2e5\n[uplift]\nleft = 1e3\n\
      right = 2e3\n[[load]]\nforce = 60e3\nelevation = 4\n[[load]]\nname = \"crane\"\nforce = 9e3\ndirection = \"down\"\n\
@@ -103,6 +103,12 @@ const CASES: [&str; 31] = [
     "[body]\nwidth = 0.6\nheight = 2.4\nmass = 2000\nfriction = 0.3\n[motion.base]\n\
      horizontal = { shape = \"half-sine\", peak = \"5 m/s2\", duration = 0.3 }\n\
      [motion]\nimpact = { law = \"poisson\", e = 0.3 }\n",
+    "[body]\nwidth = 0.6\nheight = 2.4\nmass = 2000\nfriction = 0.3\n[motion.base]\n\
+     horizontal = { shape = \"half-sine\", peak = \"-5 m/s2\", duration = 0.3 }\n[motion]\nt_max = 0.6\n\
+     initial = { time = 0.12, x = 0.05, theta = -0.02, omega = 0.5, vx = -0.3, touching = \"O'\", slip = \"right\", slide = [0.02, 0.3] }\n",
+    "[body]\nwidth = 0.6\nheight = 2.4\nmass = 2000\nfriction = 0.3\n[motion.base]\n\
+     horizontal = { shape = \"half-sine\", peak = \"5 m/s2\", duration = 0.3 }\n\
+     [motion.copies]\nnumber = 20\nspread = 0.02\nseed = 3\n",
     "[block]\nb1 = 1\nb2 = 1.1\nd = 3\nrho2 = 3.4\nm_x = 1.1\nm_y = 1.05\nmu_s = 0.12\nmu_k = 0.11\nmu_impact = 0.03\ngravity = 1\n\
      [[block.load]]\nat = [0.2, 1]\ndirection = [-0.15, 0.1]\nhistory = { shape = \"triangle\", rise = 1, duration = 3, peak = 1.2 }\n\
      [motion.initial]\ntheta = 0.1\n",
@@ -212,10 +218,10 @@ fn every_number_changes_what_assess_says() {
         for id in variables(&file) {
             met.insert((id.table, id.key));
             let changed = assessed(&file, id, Some(more(&file, id)));
-            // A number of points that is no whole one is refused.
+            // A number that has to be whole, and is not, is refused.
             let same = match &changed {
                 Ok(changed) => *changed == plain,
-                Err(_) => id.key == Key::ImpactPoints,
+                Err(_) => [Key::ImpactPoints, Key::CopiesNumber, Key::CopiesSeed].contains(&id.key),
             };
             if same != leaves_rest(&file, id) {
                 wrong.push(format!("{id} in\n{text}"));
@@ -276,11 +282,13 @@ fn every_number_is_a_column_of_a_table() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Numbers that leave a motion as it is: the mass of a body that nothing moves but its base, and friction to stick of one that slips
-/// from the beginning.
+/// Numbers that leave a motion as it is: the mass of a body that nothing moves but its base, friction to stick of one that slips
+/// from the beginning, and where on the base it begins, beside what it has slid so far.
 fn leaves_the_motion(file: &CaseFile, id: Id) -> bool {
     let slips = file.inputs().number(Key::InitialTheta).is_some() && id.key == Key::MuS;
-    slips || id.key == Key::Mass && file.inputs().count(standfast_cases::key::Table::Load) == 0
+    slips
+        || id.key == Key::InitialX
+        || id.key == Key::Mass && file.inputs().count(standfast_cases::key::Table::Load) == 0
 }
 
 #[test]

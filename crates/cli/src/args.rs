@@ -16,7 +16,7 @@ use standfast_cases::beginnings::{BEGINNINGS, Beginning};
 use standfast_cases::check_up_to;
 use standfast_cases::design::{Cost, Target};
 use standfast_cases::directions::{STEP, check_step};
-use standfast_cases::motion::{CopiesAsked, SpectrumKind, SpectrumSteps};
+use standfast_cases::motion::{CopiesAsked, SpectrumKind, SpectrumSteps, Spread};
 use standfast_cases::random::{MethodAsked, ValueRange};
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
@@ -161,7 +161,8 @@ pub enum Command {
     ///
     /// A case with a table `motion` or `block` is followed in time for every row. Name a column by its place in the file, as
     /// block.mu_s or motion.base.horizontal.file. The results are end, slide, max_slide, max_theta,
-    /// max_theta_of_balance, overturned, past_balance, impacts, t_rest, t_final, unique, situation and warnings. Such tables are CSV.
+    /// max_theta_of_balance, overturned, past_balance, impacts, t_rest, t_final, unique, situation and warnings; with
+    /// [motion.copies] overturned_share, and its interval as overturned_share_low and overturned_share_high.
     ///
     /// Without --case the rows are points, with the columns gamma, k_prime, k and mu in any order. The results are mode, unique,
     /// also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi: accelerations in g, theta_ddot in g/B, forces in m g and xi in B;
@@ -347,18 +348,29 @@ pub struct SimulateArgs {
     /// Follow so many copies whose numbers differ a little, and say what becomes of them
     #[arg(long, value_name = "N", value_parser = copies)]
     pub copies: Option<usize>,
-    /// By how much the numbers of --copies scatter, as a share of each: 0.1% or 0.001 [default: 0.1%]
-    #[arg(long, value_name = "SHARE", requires = "copies", value_parser = spread)]
-    pub spread: Option<f64>,
-    /// The seed of --copies
-    #[arg(long, requires = "copies", default_value_t = 1)]
-    pub seed: u64,
+    /// By how much the numbers of copies scatter, as a share of each: 0.1% or 0.001; or of some, friction=5%,base=2%: the others stay
+    /// [default: 0.1%]
+    #[arg(long, value_name = "SHARE", value_parser = spread)]
+    pub spread: Option<Spread>,
+    /// The seed of the copies [default: 1]
+    #[arg(long)]
+    pub seed: Option<u64>,
     /// Number of threads; the answer does not depend on it [default: one for each core]
-    #[arg(long, requires = "copies")]
+    #[arg(long)]
     pub threads: Option<NonZeroUsize>,
     /// Write the factors and the outcome of every copy to a CSV file; - writes to standard output in place of the answer
-    #[arg(long, value_name = "OUT.csv", requires = "copies")]
+    #[arg(long, value_name = "OUT.csv")]
     pub csv: Option<PathBuf>,
+    /// Tell the accelerations of a point of the body, where equipment stands: x and y from the centre of mass, with a name before
+    /// them if it is to have one, rack=0,0.9; may be given several times
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    pub at: Vec<String>,
+    /// Go on from a row of a series that was written by --series, in place of [motion.initial]
+    #[arg(long, value_name = "SERIES", requires = "row")]
+    pub from: Option<PathBuf>,
+    /// The row of --from, counted from 1 below the header
+    #[arg(long, value_name = "N", requires = "from")]
+    pub row: Option<NonZeroUsize>,
     /// Changes nothing: how far the motion parts from that of almost the same body is always said
     #[arg(long, hide = true)]
     pub sensitivity: bool,
@@ -746,11 +758,30 @@ fn copies(value: &str) -> Result<usize, String> {
     count.ok_or_else(|| format!("expected a whole number of copies, from 1 to {}", CopiesAsked::MOST))
 }
 
-fn spread(value: &str) -> Result<f64, String> {
-    let (digits, unit) = value.trim().strip_suffix('%').map_or((value, 1.0), |digits| (digits, 0.01));
-    let share = digits.trim().parse::<f64>().ok().map(|number| number * unit);
-    let share = share.filter(|share| *share > 0.0 && *share <= 0.5);
-    share.ok_or_else(|| "expected a share above 0, at most 0.5, as 0.1% or 0.001".to_owned())
+fn spread(value: &str) -> Result<Spread, String> {
+    let share = |text: &str| {
+        let text = text.trim();
+        let (digits, unit) = text.strip_suffix('%').map_or((text, 1.0), |digits| (digits, 0.01));
+        let share = digits.trim().parse::<f64>().ok().map(|number| number * unit);
+        let share = share.filter(|share| (0.0..=1.0).contains(share));
+        share.ok_or_else(|| {
+            "expected a share from 0 to 1, as 0.1% or 0.001, or names with shares, friction=5%,base=2%"
+                .to_owned()
+        })
+    };
+    if !value.contains('=') {
+        return share(value).map(Spread::Even);
+    }
+    let mut named: Vec<(String, f64)> = Vec::new();
+    for one in value.split(',') {
+        let (name, text) = one.split_once('=').ok_or("expected names with shares, friction=5%,base=2%")?;
+        let name = name.trim().to_owned();
+        if named.iter().any(|(before, _)| *before == name) {
+            return Err(format!("{name} stands twice"));
+        }
+        named.push((name, share(text)?));
+    }
+    Ok(Spread::Named(named))
 }
 
 /// The name of a command.

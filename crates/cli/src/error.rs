@@ -121,13 +121,35 @@ pub enum CommandError {
     /// There is no boundary to be drawn.
     #[error("there is no boundary to draw: the target is met up to both ends of the range in every column")]
     NoBoundary,
-    /// A format that tables of motions do not have.
-    #[error("a table that varies a motion is read as CSV, and {name} is {format}")]
-    Format {
-        /// The file.
-        name: String,
-        /// Its format.
-        format: &'static str,
+    /// An option of copies where none are followed.
+    #[error("{option} is of copies, and none are followed")]
+    NoCopies {
+        /// The option.
+        option: &'static str,
+    },
+    /// A spread of a number that is none.
+    #[error("--spread: {problem}")]
+    Spread {
+        /// What is wrong.
+        problem: String,
+    },
+    /// A point that is none.
+    #[error("--at {written}: {problem}")]
+    Point {
+        /// What was written.
+        written: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A row from which no motion goes on.
+    #[error("row {row} of {} begins no motion: {problem}", path.display())]
+    From {
+        /// The series.
+        path: PathBuf,
+        /// The row.
+        row: usize,
+        /// What is wrong.
+        problem: String,
     },
     /// An option that tables of motions do not have.
     #[error("{option} does not go with a table of motions")]
@@ -182,6 +204,10 @@ impl Explained for CommandError {
             CommandError::NothingToCheck { example, .. } => format!("add for example\n[criteria]\n{example}"),
             CommandError::Extension { .. } => {
                 "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx".into()
+            }
+            CommandError::NoCopies { .. } => "--copies N follows some, or `number` of [motion.copies]".into(),
+            CommandError::Point { .. } => {
+                "a point is two lengths from the centre of mass, to the right and upwards: --at 0,0.9 or --at \"rack=0 m,90 cm\"".into()
             }
             CommandError::OneTable { .. } => "give the rows of the copies a file of their own".into(),
             CommandError::Several { .. } => {

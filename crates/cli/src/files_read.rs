@@ -19,6 +19,8 @@ pub enum FilePurpose {
     Code,
     /// The table whose rows are answered.
     Table,
+    /// The series from a row of which a motion goes on.
+    Series,
 }
 
 impl FilePurpose {
@@ -28,6 +30,7 @@ impl FilePurpose {
             FilePurpose::Record => "the record",
             FilePurpose::Code => "the file of a code",
             FilePurpose::Table => "the table",
+            FilePurpose::Series => "the series",
         }
     }
 }

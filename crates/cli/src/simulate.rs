@@ -3,11 +3,13 @@
 use std::fmt::Write;
 use std::path::{self, Path};
 
+use standfast_cases::CaseFile;
+use standfast_cases::key::Table;
 use standfast_cases::motion::{
-    Copies, CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionView, STATE_AT, SeriesAsked,
-    SeriesColumn, SeriesRow, StrengthAsked,
+    BlockCase, BodyPoint, Copies, CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionView,
+    STATE_AT, SeriesAsked, SeriesColumn, SeriesRow, StrengthAsked, resume,
 };
-use standfast_tables::{TableFormat, WrittenColumn, written};
+use standfast_tables::{MotionTable, TableFormat, TableOptions, WrittenColumn, written};
 
 use crate::answer::PrintedAnswer;
 use crate::args::{SimulateArgs, threads};
@@ -15,7 +17,7 @@ use crate::batch;
 use crate::case_file;
 use crate::error::{CommandError, Result};
 use crate::figures::Figures;
-use crate::files_read::FilesRead;
+use crate::files_read::{FilePurpose, FilesRead};
 use crate::format::{Format, Shown};
 use crate::progress::watched;
 use crate::write;
@@ -27,7 +29,11 @@ use crate::write;
 pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
     let read = FilesRead::default();
     let file = case_file::parse(&args.case, &read)?;
-    let cases = file.motions()?;
+    let file = match (&args.from, args.row) {
+        (Some(series), Some(row)) => resumed(file, series, row.get(), &read)?,
+        _ => file,
+    };
+    let cases = cases(args, &file)?;
     if args.check && cases.iter().all(|case| case.criteria.is_empty()) {
         return Err(CommandError::NothingToCheck {
             path: args.case.clone(),
@@ -58,23 +64,13 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
         Some(Some(count)) => StrengthAsked::Always(Factors::Even(count.into())),
         None => StrengthAsked::IfShort(Factors::Rungs),
     };
-    let follow = Follow { divergence: true, strength, series: !no_figures || args.series.is_some() };
-    let asked = args.copies.map(|number| CopiesAsked {
-        number,
-        spread: args.spread.unwrap_or(CopiesAsked::SPREAD),
-        seed: args.seed,
-        threads: threads(args.threads),
-    });
+    let series_kept = !no_figures || args.series.is_some();
+    let follow = Follow { divergence: true, strength, series: series_kept, threads: threads(args.threads) };
     let answers = watched(|portion| {
-        let copied = asked.map_or(0.0, |asked| asked.number as f64);
-        let [of_all, of_copies] = portion.parts([50.0, copied]);
-        let answers = FollowedMotion::of_all(cases, &follow, of_all)?;
-        let count = answers.len();
-        let answers = answers.into_iter().enumerate().map(|(place, followed)| match asked {
-            Some(asked) => followed.copied(asked, of_copies.part(place, count)),
-            None => Ok(followed),
-        });
-        answers.collect::<Result<Vec<FollowedMotion>, MotionError>>()
+        FollowedMotion::of_all(cases, &follow, portion).map_err(|error| match (&error, &args.spread) {
+            (MotionError::NoSpread { .. }, Some(_)) => CommandError::Spread { problem: error.to_string() },
+            _ => CommandError::from(file.motion_refused(error)),
+        })
     })?;
     // The worst by the criteria is the first.
     let met = answers.first().and_then(FollowedMotion::met);
@@ -114,6 +110,63 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
     Ok(PrintedAnswer { met, ..printed })
 }
 
+/// The situations of a case, with what the options say of how it begins, of points and of copies.
+fn cases(args: &SimulateArgs, file: &CaseFile) -> Result<Vec<BlockCase>> {
+    let mut cases = file.motions()?;
+    let points = args.at.iter().enumerate().map(|(place, written)| {
+        let problem = |problem: String| CommandError::Point { written: written.clone(), problem };
+        BodyPoint::parse(written, place + 1, file.inputs().units()).map_err(problem)
+    });
+    let points = points.collect::<Result<Vec<BodyPoint>>>()?;
+    for case in &mut cases {
+        for point in &points {
+            if case.points.iter().any(|known| known.name == point.name) {
+                let problem = format!("there is a point {} already", point.name);
+                return Err(CommandError::Point { written: point.name.clone(), problem });
+            }
+            case.points.push(point.clone());
+        }
+        let own = case.copies.take();
+        let number = args.copies.or(own.as_ref().map(|own| own.number));
+        let Some(number) = number else {
+            let given = [
+                ("--spread", args.spread.is_some()),
+                ("--seed", args.seed.is_some()),
+                ("--threads", args.threads.is_some()),
+                ("--csv", args.csv.is_some()),
+            ];
+            match given.into_iter().find(|(_, given)| *given) {
+                Some((option, _)) => return Err(CommandError::NoCopies { option }),
+                None => continue,
+            }
+        };
+        let (spread, seed) =
+            own.map_or((CopiesAsked::SPREAD, CopiesAsked::SEED), |own| (own.spread, own.seed));
+        let (spread, seed) = (args.spread.clone().unwrap_or(spread), args.seed.unwrap_or(seed));
+        case.copies = Some(CopiesAsked { number, spread, seed });
+    }
+    Ok(cases)
+}
+
+/// A case whose motion goes on from a row of a series.
+fn resumed(file: CaseFile, series: &Path, row: usize, read: &FilesRead) -> Result<CaseFile> {
+    let name = series.display().to_string();
+    let wrong = |problem: String| CommandError::From { path: series.to_owned(), row, problem };
+    let bytes = read
+        .read(series, FilePurpose::Series)
+        .map_err(|cause| CommandError::Read { name: name.clone(), cause: cause.to_string() })?;
+    let from = series_format(series)?;
+    let table = MotionTable::of(&bytes, &TableOptions { from, ..TableOptions::new(&name) })?;
+    let rows = table.rows();
+    let found = rows.get(row - 1).ok_or_else(|| wrong(format!("it has {} rows", rows.len())))?;
+    let mut inputs = file.inputs().clone();
+    if inputs.has(Table::Initial) {
+        eprintln!("note: row {row} of {name} stands in place of [motion.initial]");
+    }
+    resume(&mut inputs, &table.named(found)).map_err(|error| wrong(error.to_string()))?;
+    Ok(file.varied(inputs))
+}
+
 /// True if a name is that of standard output.
 fn is_stdout(table: &Path) -> bool {
     table == Path::new("-")
@@ -147,7 +200,7 @@ fn series_bytes(
     let numbers =
         |column: &SeriesColumn| WrittenColumn::Numbers(rows.iter().map(|row| column.value(row)).collect());
     let mut columns: Vec<_> =
-        asked.columns().iter().map(|column| (column.name.to_owned(), numbers(column))).collect();
+        asked.columns(case).iter().map(|column| (column.name.to_string(), numbers(column))).collect();
     let states = rows.iter().map(|row| row.moment.state.symbol().to_owned()).collect();
     columns.insert(STATE_AT, ("state".to_owned(), WrittenColumn::Texts(states)));
     written(format, &columns).map_err(|cause| CommandError::Write { path: file.to_owned(), cause })

@@ -33,6 +33,8 @@ pub enum Value {
     Settings(Vec<(String, String)>),
     /// Names, and a number of each.
     Ratios(Vec<(String, f64)>),
+    /// Names, and a point of each in SI units.
+    Places(Vec<(String, [f64; 2])>),
     /// Keys of criteria, and their bounds.
     Bounds(Vec<(Key, Value)>),
     /// A set of modes.
@@ -252,6 +254,14 @@ impl Inputs {
     pub fn ratios(&self, id: impl Into<Id>) -> Option<&[(String, f64)]> {
         match self.get(id)? {
             Value::Ratios(ratios) => Some(ratios),
+            _ => None,
+        }
+    }
+
+    /// The names and their points under a key, in SI units.
+    pub fn places(&self, id: impl Into<Id>) -> Option<&[(String, [f64; 2])]> {
+        match self.get(id)? {
+            Value::Places(places) => Some(places),
             _ => None,
         }
     }

@@ -70,6 +70,8 @@ pub enum Table {
     ImpactRatio,
     /// State in which the motion begins.
     Initial,
+    /// Copies of the motion with numbers a little other.
+    Copies,
     /// Motion of the base.
     Base,
     /// Its acceleration to the right over time.
@@ -98,7 +100,7 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 39] = [
+    pub const ALL: [Table; 40] = [
         Table::Top,
         Table::Datum,
         Table::Output,
@@ -126,6 +128,7 @@ impl Table {
         Table::Impact,
         Table::ImpactRatio,
         Table::Initial,
+        Table::Copies,
         Table::Base,
         Table::BaseHorizontal,
         Table::BaseVertical,
@@ -146,7 +149,7 @@ impl Table {
             Table::Top | Table::History | Table::Soil => None,
             Table::BackfillLayer => Some(Table::Backfill),
             Table::Drain => Some(Table::Water),
-            Table::Impact | Table::Initial | Table::Base => Some(Table::Motion),
+            Table::Impact | Table::Initial | Table::Copies | Table::Base => Some(Table::Motion),
             Table::ImpactRatio => Some(Table::Impact),
             Table::BaseHorizontal | Table::BaseVertical | Table::BaseHorizontalZ => Some(Table::Base),
             Table::WaveHistory => Some(Table::Wave),
@@ -183,6 +186,7 @@ impl Table {
                 | Table::Impact
                 | Table::ImpactRatio
                 | Table::Initial
+                | Table::Copies
                 | Table::Base
                 | Table::BaseHorizontal
                 | Table::BaseVertical
@@ -230,6 +234,7 @@ impl Table {
             Table::Impact => "impact",
             Table::ImpactRatio => "ratio",
             Table::Initial => "initial",
+            Table::Copies => "copies",
             Table::Base => "base",
             Table::BaseHorizontal => "horizontal",
             Table::BaseVertical => "vertical",
@@ -313,6 +318,7 @@ impl Table {
             Table::Impact => "[motion.impact]",
             Table::ImpactRatio => "`ratio` of [motion.impact]",
             Table::Initial => "[motion.initial]",
+            Table::Copies => "[motion.copies]",
             Table::Base => "[motion.base]",
             Table::BaseHorizontal => "`horizontal` of [motion.base]",
             Table::BaseVertical => "`vertical` of [motion.base]",
@@ -390,7 +396,12 @@ impl Table {
             Table::ImpactRatio => {
                 "what the ratio of the rates after and before an impact follows from, one of both"
             }
-            Table::Initial => "how the motion begins; at rest without it",
+            Table::Initial => {
+                "how the motion begins, or goes on from a moment of another; at rest without it"
+            }
+            Table::Copies => {
+                "copies of the motion whose numbers differ a little, where one motion is no answer"
+            }
             Table::Base => "how the base moves: a history for each direction",
             Table::BaseHorizontal => "acceleration of the base to the right",
             Table::BaseVertical => "acceleration of the base upwards",
@@ -486,6 +497,7 @@ impl Table {
             Table::Impact => "[motion.impact]\nlaw = \"ratio\"\nratio = 0.9",
             Table::ImpactRatio => "ratio = { points = 3 }",
             Table::Initial => "[motion.initial]\ntheta = 0.05",
+            Table::Copies => "[motion.copies]\nnumber = 100\nspread = 0.01",
             Table::WaveHistory | Table::LoadHistory | Table::BlockLoadHistory | Table::History => {
                 "history = { shape = \"triangle\", rise = \"0.2 s\", duration = \"0.4 s\" }"
             }
@@ -640,6 +652,10 @@ pub enum Kind {
     Settings,
     /// Names of keys or of resistances, and a number above zero for each.
     Ratios,
+    /// Names of numbers, and by how much each scatters; or one number for all.
+    Spreads,
+    /// Names, and a point [x, y] of each, lengths.
+    Places,
     /// Criteria under their names.
     Bounds,
     /// Slides, and the probability of each that may be exceeded: one, or a list of such.
@@ -733,7 +749,8 @@ impl KeyInfo {
             Kind::OneOf(_, range) => Some(range),
             Kind::Text | Kind::Truth | Kind::Choice { .. } | Kind::Unit(_) | Kind::File => None,
             Kind::List(_) | Kind::Pairs(_) | Kind::Plains | Kind::Factors | Kind::ModeList => None,
-            Kind::Settings | Kind::Ratios | Kind::Bounds | Kind::Exceedances => None,
+            Kind::Settings | Kind::Ratios | Kind::Spreads | Kind::Places => None,
+            Kind::Bounds | Kind::Exceedances => None,
         }
     }
 
@@ -814,17 +831,22 @@ const SHAPES_IN_TIME: [&str; 9] =
 const HEIGHTS: Kind = Kind::Choice { of: &["rayleigh"], words: "\"rayleigh\"" };
 const PULSES: Kind = Kind::Choice { of: &["triangle", "shimosako"], words: "\"triangle\" or \"shimosako\"" };
 
+const TOUCHING: Kind =
+    Kind::Choice { of: &["O", "O'", "both", "none"], words: "\"O\", \"O'\", \"both\" or \"none\"" };
+const SLIPPING: Kind =
+    Kind::Choice { of: &["left", "right", "none"], words: "\"left\", \"right\" or \"none\"" };
+
 const fn time(range: Range) -> Kind {
     Kind::Measured(Dimension::Time, range)
 }
 
 use Kind::{
-    Bounds, Exceedances, Factors, File, InGravity, List, Measured, ModeList, OneOf, Pairs, Plain, Plains,
-    Ratios, Reached, Settings, Text, Truth,
+    Bounds, Exceedances, Factors, File, InGravity, List, Measured, ModeList, OneOf, Pairs, Places, Plain,
+    Plains, Ratios, Reached, Settings, Spreads, Text, Truth,
 };
 use Range::{Batter, Finite, FromOne, Increment, NotNegative, Positive, Share, SoilAngle, Turn, ZeroToOne};
 use Table::{
-    AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Criteria, Datum, Drain,
+    AddedMass, Backfill, BackfillLayer, Block, BlockLoad, Body, Combination, Copies, Criteria, Datum, Drain,
     Earthquake, Footprint, Ground, History, Impact, ImpactRatio as RatioOfImpact, Initial, Joint, Load,
     Moment, Motion, Output, Part, Point, Pressure, Resistance, Soil, Storm, Top, Uplift, Water, Wave,
 };
@@ -1249,10 +1271,13 @@ listed! {
     GreatestTheta = key(Criteria, "max_theta", Measured(Dimension::Angle, Positive), "",
         "at most: largest angle of the motion, to either side", "\"20 mrad\"");
     NotOverturned = key(Criteria, "overturned", Truth, "", "false: the body does not overturn in its motion", "false");
+    GreatestOverturnedShare = key(Criteria, "overturned_share", Plain(ZeroToOne), "",
+        "at most: upper end of the interval of the share of copies that overturn, of a case with [motion.copies]", "0.05");
     ModesNot = key(Criteria, "modes_not", ModeList, "", "modes that are not allowed under the full load", "[\"RO\", \"SRO-\"]");
 
     TMax = key(Motion, "t_max", time(Positive), "t_max", "when to stop at the latest", "\"60 s\"")
         .silent("end of the motion: at rest, overturned, or long after the loads");
+    MotionPoints = key(Motion, "points", Places, "", "points of the body whose accelerations are told, each [x, y] from the centre of mass, fixed in the body: where equipment stands", "{ rack = [0, \"0.9 m\"] }");
     ImpactLaw = key(Impact, "law", IMPACTS, "", "law of impacts: no rebound; no slip either; a measured ratio; a rebound by impulses or by energy", "\"inelastic\"");
     ImpactRatio = key(Impact, "ratio", Plain(ZeroToOne), "r", "measured ratio of the rates of rotation after and before an impact, with law = \"ratio\"; or what it follows from, in braces", "0.9");
     ImpactE = key(Impact, "e", Plain(ZeroToOne), "e", "restitution: with law = \"poisson\" of impulses, \"energetic\" of energy; with \"housner\" and \"ratio\" of landings from flight", "0.3");
@@ -1266,6 +1291,23 @@ listed! {
     InitialVy = key(Initial, "vy", Plain(Finite), "v_y", "velocity of the centre of mass upwards, m/s", "0.1");
     InitialGap = key(Initial, "gap", length(NotNegative), "y_0", "lower corner above the base", "\"10 mm\"")
         .silent("lower corner above the base: 0");
+    InitialTime = key(Initial, "time", time(NotNegative), "t_0", "when the motion begins, of the time of the loads", "\"4.5 s\"")
+        .silent("when the motion begins: 0");
+    InitialX = key(Initial, "x", length(Finite), "x_0", "place of the centre of mass along the base at the beginning", "\"12 mm\"")
+        .silent("place of the centre of mass at the beginning: 0");
+    InitialTouching = key(Initial, "touching", TOUCHING, "", "corners that touch the base, and stay there, of a motion that goes on", "\"O\"")
+        .silent("corners that touch: those that the pose and the velocity tell");
+    InitialSlip = key(Initial, "slip", SLIPPING, "", "where the corners that touch slip", "\"none\"")
+        .silent("slip at the beginning: that of the velocity");
+    InitialSlideO = key(Initial, "slide[1]", OneOf(2, Finite), "s_O", "displacement of O along the base so far", "[0.012, 0.012]")
+        .silent("displacement of O so far: 0");
+    InitialSlideOPrime = key(Initial, "slide[2]", OneOf(2, Finite), "s_O'", "displacement of O' so far", "[0.012, 0.012]")
+        .silent("displacement of O' so far: 0");
+    CopiesNumber = key(Copies, "number", Plain(Positive), "N_c", "so many copies, the case itself not counted", "100");
+    CopiesSpread = key(Copies, "spread", Spreads, "", "by how much the numbers of a copy scatter, as a share: one for all, or names with a share for each", "{ friction = 0.1, base = 0.05 }")
+        .silent("spread of the numbers of copies: 0.001");
+    CopiesSeed = key(Copies, "seed", Plain(NotNegative), "s_c", "seed of the copies", "7")
+        .silent("seed of the copies: 1");
 
     StormWaves = key(Storm, "waves", Plain(Positive), "N_w", "waves in a storm", "1000");
     StormDuration = key(Storm, "duration", time(Positive), "t_s", "duration of a storm, in place of its number of waves", "\"7200 s\"");
@@ -1361,7 +1403,10 @@ impl Key {
 
     /// True if it asks something of the motion in time.
     pub fn is_of_motion(self) -> bool {
-        matches!(self, Key::GreatestSlide | Key::GreatestTheta | Key::NotOverturned)
+        matches!(
+            self,
+            Key::GreatestSlide | Key::GreatestTheta | Key::NotOverturned | Key::GreatestOverturnedShare
+        )
     }
 
     /// The key under which a file has `name` in `table`; the first number of a list.
@@ -1454,7 +1499,7 @@ impl fmt::Display for Id {
 }
 
 /// The keys of these criteria, which are those of the results that they ask for.
-pub const MOTION_CRITERIA: [&str; 3] = ["slide", "max_theta", "overturned"];
+pub const MOTION_CRITERIA: [&str; 4] = ["slide", "max_theta", "overturned", "overturned_share"];
 
 #[cfg(test)]
 mod tests {

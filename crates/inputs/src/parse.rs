@@ -726,6 +726,11 @@ impl Field<'_> {
                 Value::Settings(self.named(kind, |field| Ok(written(field)))?)
             }
             Kind::Ratios => Value::Ratios(self.named(kind, |field| field.ratio())?),
+            Kind::Spreads => match plain_number(self.value.get_ref()) {
+                Some(number) => Value::Number(self.in_range(number, Range::ZeroToOne)?),
+                None => Value::Ratios(self.named(kind, |field| field.share())?),
+            },
+            Kind::Places => Value::Places(self.named(kind, |field| field.point())?),
             Kind::Bounds => Value::Bounds(self.bounds()?),
             Kind::Exceedances => Value::Numbers(self.exceedances()?),
             Kind::ModeList => {
@@ -800,6 +805,35 @@ impl Field<'_> {
             true => Ok(number),
             false => Err(self.out_of_range("a number above zero, 1000000 at most")),
         }
+    }
+
+    /// A share from 0 to 1.
+    fn share(&self) -> Result<f64, PlacedProblem> {
+        let number = plain_number(self.value.get_ref());
+        let number = number
+            .ok_or_else(|| self.wrong_type("names with their shares, numbers without unit or quotes"))?;
+        self.in_range(number, Range::ZeroToOne)
+    }
+
+    /// A point, of lengths.
+    fn point(&self) -> Result<[f64; 2], PlacedProblem> {
+        let list = self.value.get_ref().as_array().filter(|both| both.len() == 2);
+        let list = list.ok_or_else(|| self.wrong_type("a point [x, y] of each name"))?;
+        let mut point = [0.0; 2];
+        for (place, value) in point.iter_mut().zip(list) {
+            let field = Field { value, ..*self };
+            let number = match (plain_number(value.get_ref()), value.get_ref().as_str(), self.frame.units) {
+                (Some(number), ..) => number,
+                (None, Some(text), Some(_)) => Dimension::Length.parse(text).map_err(|error| {
+                    let written = field.written(value);
+                    let dimension = Some(Dimension::Length);
+                    field.problem(Problem::Unit { key: self.id.key, dimension, written, error })
+                })?,
+                _ => return Err(field.wrong_type("a point [x, y] of each name")),
+            };
+            *place = field.in_range(number, Range::Finite)?;
+        }
+        Ok(point)
     }
 
     /// Criteria under their names.

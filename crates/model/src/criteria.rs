@@ -46,6 +46,8 @@ pub enum MotionCriterion {
     MaxTheta(f64),
     /// The body does not overturn.
     NotOverturned,
+    /// The share of copies that overturn is this at most, at the upper end of its interval.
+    OverturnedShare(f64),
 }
 
 /// Criteria on a number that has to be at least the bound; all others have to be at most that.
@@ -206,6 +208,7 @@ impl MotionCriterion {
             MotionCriterion::Slide(_) => MOTION_CRITERIA[0],
             MotionCriterion::MaxTheta(_) => MOTION_CRITERIA[1],
             MotionCriterion::NotOverturned => MOTION_CRITERIA[2],
+            MotionCriterion::OverturnedShare(_) => MOTION_CRITERIA[3],
         }
     }
 
@@ -215,6 +218,7 @@ impl MotionCriterion {
             MotionCriterion::Slide(_) => "slide",
             MotionCriterion::MaxTheta(_) => "turn",
             MotionCriterion::NotOverturned => "overturning",
+            MotionCriterion::OverturnedShare(_) => "copies",
         }
     }
 
@@ -224,6 +228,9 @@ impl MotionCriterion {
             MotionCriterion::Slide(_) => "displacement along the base at the end, to either side",
             MotionCriterion::MaxTheta(_) => "largest angle to either side",
             MotionCriterion::NotOverturned => "whether the body overturns",
+            MotionCriterion::OverturnedShare(_) => {
+                "share of copies that overturn, the upper end of its interval"
+            }
         }
     }
 
@@ -238,13 +245,16 @@ impl MotionCriterion {
             Some(true) => return Err(Fault::new(Problem::AskedToOverturn, Key::NotOverturned)),
             asked => asked.map(|_| MotionCriterion::NotOverturned),
         };
-        Ok([slide, theta, stands].into_iter().flatten().collect())
+        let share = inputs.number(Key::GreatestOverturnedShare).map(MotionCriterion::OverturnedShare);
+        Ok([slide, theta, stands, share].into_iter().flatten().collect())
     }
 
     /// The bound, where it is a number.
     pub fn bound(self) -> Option<f64> {
         match self {
-            MotionCriterion::Slide(bound) | MotionCriterion::MaxTheta(bound) => Some(bound),
+            MotionCriterion::Slide(bound)
+            | MotionCriterion::MaxTheta(bound)
+            | MotionCriterion::OverturnedShare(bound) => Some(bound),
             MotionCriterion::NotOverturned => None,
         }
     }

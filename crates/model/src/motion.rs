@@ -9,10 +9,12 @@ use crate::case::{Acting, Case, CaseMotion, Foundation, HistoryOf, Reader, Trial
 use crate::case_file::CaseFile;
 use crate::criteria::MotionCriterion;
 use crate::error::{CaseError, Fault, Place, Problem};
-use crate::inputs::Inputs;
+use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Table};
 use crate::load_words::load_words;
+use crate::parse::read;
 use crate::slips::slips;
+use crate::units::Extent;
 
 /// A body with what acts on it in time; that of a `[body]` is in SI units, per its mass.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,8 +37,76 @@ pub struct BlockCase {
     pub peaks: Vec<LoadPeak>,
     /// Criteria on the motion.
     pub criteria: Vec<MotionCriterion>,
+    /// Points whose accelerations are told.
+    pub points: Vec<BodyPoint>,
+    /// Copies that are asked for.
+    pub copies: Option<CopiesAsked>,
     /// Warnings of possible slips.
     pub warnings: Vec<MotionWarning>,
+}
+
+/// Point of the body, as where equipment stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyPoint {
+    /// Its name.
+    pub name: String,
+    /// From the centre of mass to the right and upwards, fixed in the body.
+    pub at: [f64; 2],
+}
+
+impl BodyPoint {
+    /// A point as an option has it: two lengths with a comma between, and its name before them, or else its number.
+    ///
+    /// # Errors
+    /// If it is none; what is wrong, in words.
+    pub fn parse(text: &str, number: usize, units: Option<Extent>) -> Result<BodyPoint, String> {
+        let (name, lengths) = match text.split_once('=') {
+            Some((name, lengths)) => (name.trim().to_owned(), lengths),
+            None => (number.to_string(), text),
+        };
+        if name.is_empty() {
+            return Err("a name is missing before =".to_owned());
+        }
+        let (x, y) = lengths.split_once(',').ok_or("expected two lengths with a comma between")?;
+        let length = |written: &str| {
+            let value = read(Key::InitialX.into(), Key::InitialX.info().kind, units, written.trim());
+            match value {
+                Ok(Value::Number(number)) => Ok(number),
+                Ok(_) => Err(format!("{written} is no length")),
+                Err(problem) => Err(format!("{}: {problem}", written.trim())),
+            }
+        };
+        Ok(BodyPoint { name, at: [length(x)?, length(y)?] })
+    }
+}
+
+/// Copies of a motion that are asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CopiesAsked {
+    /// Number of them, the case itself not counted.
+    pub number: usize,
+    /// How far their numbers scatter.
+    pub spread: Spread,
+    /// The seed.
+    pub seed: u64,
+}
+
+/// σ, by which the logarithms of numbers scatter.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Spread {
+    /// One for all.
+    Even(f64),
+    /// That of each name; of others none.
+    Named(Vec<(String, f64)>),
+}
+
+impl CopiesAsked {
+    /// The spread where nothing is said: one in a thousand.
+    pub const SPREAD: Spread = Spread::Even(1e-3);
+    /// The seed where nothing is said.
+    pub const SEED: u64 = 1;
+    /// More copies would take hours.
+    pub const MOST: usize = 1_000_000;
 }
 
 /// A load of a body at its peak, about its centre of mass.
@@ -118,7 +188,7 @@ fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting)
     let problem = MotionProblem::of(&situation, motion.base.clone(), motion.impact).and_then(|problem| {
         let (initial, t_max, restitution) = (motion.initial, motion.t_max, motion.restitution);
         let problem = MotionProblem { initial, t_max, restitution, ..problem };
-        problem.check().map(|()| problem)
+        checked(problem)
     });
     let problem = problem.map_err(|error| match error {
         MotionError::NoHistory { load } if said_by(load) == Place::Table(Table::Earthquake, 0) => {
@@ -161,6 +231,8 @@ fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting)
         si: true,
         peaks,
         criteria: motion.criteria.clone(),
+        points: motion.points.clone(),
+        copies: motion.copies.clone(),
         warnings,
     })
 }
@@ -194,7 +266,7 @@ fn block_case(given: &Reader<'_>) -> Result<BlockCase, Fault> {
     problem.base = motion.base;
     (problem.impact, problem.initial, problem.t_max) = (motion.impact, motion.initial, motion.t_max);
     problem.restitution = motion.restitution;
-    problem.check().map_err(|error| given.motion_refused(error))?;
+    let problem = checked(problem).map_err(|error| given.motion_refused(error))?;
     let mut warnings = motion.warnings;
     warnings.extend(slips(&problem, motion.step));
     let height = 2.0 * problem.block.d;
@@ -210,8 +282,17 @@ fn block_case(given: &Reader<'_>) -> Result<BlockCase, Fault> {
         si: false,
         peaks: Vec::new(),
         criteria,
+        points: motion.points,
+        copies: motion.copies,
         warnings,
     })
+}
+
+/// A problem that may be followed, with what corners that touch say of its beginning left to them.
+fn checked(problem: MotionProblem) -> Result<MotionProblem, MotionError> {
+    problem.check()?;
+    let initial = problem.initial.put();
+    Ok(MotionProblem { initial, ..problem })
 }
 
 /// Refuses what does not go with a body in pure numbers.

@@ -2,7 +2,7 @@
 
 use standfast::loads::LoadId;
 use standfast::number::exact;
-use standfast::{HistoryError, InputError};
+use standfast::{Corner, HistoryError, InputError};
 use standfast_watch::Stopped;
 use thiserror::Error;
 
@@ -62,6 +62,33 @@ pub enum MotionError {
         /// The largest for either direction.
         largest: f64,
     },
+    /// A corner that is said to touch, and does not.
+    #[error(
+        "touching names {}, which is {} off the base in this pose; expected one on it, within 1e-9 of half the base",
+        corner.letter(), exact(*.gap)
+    )]
+    Apart {
+        /// The corner.
+        corner: Corner,
+        /// Its gap.
+        gap: f64,
+    },
+    /// Copies of a motion whose numbers scatter under a name that is none of it.
+    #[error("{name} is no number of this motion that differs from copy to copy; expected one of {names}")]
+    NoSpread {
+        /// The name.
+        name: String,
+        /// The names of the motion.
+        names: String,
+    },
+    /// A criterion on copies of a motion that has none.
+    #[error(
+        "overturned_share is that of copies, and none are asked for; expected [motion.copies], or --copies"
+    )]
+    NoCopies,
+    /// A slip of corners that do not touch, or of which nothing is said.
+    #[error("slip is that of corners that touch; expected some in `touching`")]
+    SlipOfNone,
     /// A body that does not rest under the loads that act before time 0.
     #[error("the body floats: the net load that presses it down before the motion is {}; expected one above zero", exact(*.pressing))]
     Floats {

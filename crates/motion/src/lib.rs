@@ -52,7 +52,7 @@ pub use error::MotionError;
 pub use machine::{Keep, simulate};
 pub use moment::Moment;
 pub use outcome::{End, Event, MotionOutcome, MotionStep, Position, Why};
-pub use problem::{ActingLoad, BaseMotion, Impact, Initial, LoadInTime, MotionProblem};
+pub use problem::{ActingLoad, BaseMotion, Going, Impact, Initial, LoadInTime, MotionProblem};
 
 pub use situated::{is_own_weight, shaken_water};
 pub use standfast::history::{History, HistoryError, Piece};

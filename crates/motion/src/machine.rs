@@ -13,8 +13,9 @@ use crate::decide::{
 use crate::error::MotionError;
 use crate::forcing::{Channels, Forcing};
 use crate::impact::{CORNERS, ImpactState, Law, kinetic, stuck};
+use crate::moment::touching;
 use crate::outcome::{End, Event, MotionOutcome, MotionStep, Why};
-use crate::problem::{Initial, MotionProblem};
+use crate::problem::{Going, Initial, MotionProblem};
 use crate::roots::{first_root, value};
 use crate::series::{
     LEN, Motion, ORDER, Pose, Series, arm, derivative, flat, flying, gap_along, inertia_along, lever,
@@ -77,6 +78,7 @@ struct Machine<'a> {
     law: Law,
     gravity: f64,
     forcing: &'a Forcing,
+    initial: Initial,
     scales: Scales,
     t_max: f64,
     keep: Keep,
@@ -130,6 +132,7 @@ impl<'a> Machine<'a> {
             let square = b * b + block.d * block.d;
             block.rho2 + 0.5 * block.m_y * square * (1.0 - (1.0 + block.mu_k * block.mu_k).sqrt())
         };
+        let begin = problem.initial.time;
         Machine {
             block,
             law: Law {
@@ -140,12 +143,16 @@ impl<'a> Machine<'a> {
             },
             gravity: problem.gravity,
             forcing,
+            initial: problem.initial,
             scales,
-            t_max: problem.t_max.unwrap_or(forcing.end() + 200.0 * (radius / problem.gravity).sqrt()),
+            t_max: problem
+                .t_max
+                .unwrap_or(forcing.end().max(begin) + 200.0 * (radius / problem.gravity).sqrt()),
             keep,
             singular: least(block.b1).min(least(block.b2)) <= 0.0,
-            t: 0.0,
-            segment: 0,
+            t: begin,
+            // What jumps at the moment itself has jumped.
+            segment: forcing.breaks.partition_point(|t| *t <= begin),
             mode: Mode::Rest,
             pose: started(block, &problem.initial),
             slip_begins: false,
@@ -155,8 +162,8 @@ impl<'a> Machine<'a> {
             events: Vec::new(),
             steps: Vec::new(),
             feet: [[0.0; 2]; 2],
-            max_slide: [0.0; 2],
-            max_theta: [0.0; 2],
+            max_slide: [0.0, begin],
+            max_theta: [0.0, begin],
             past_balance: false,
             impacts: 0,
             t_rest_is_bound: false,
@@ -168,8 +175,8 @@ impl<'a> Machine<'a> {
             impulse_left_base: false,
             reduced_impacts: 0,
             bounces: 0,
-            max_gap: [0.0; 2],
-            undetermined: (0, 0.0),
+            max_gap: [0.0, begin],
+            undetermined: (0, begin),
             landing: None,
             stuck_events: 0,
         }
@@ -202,22 +209,27 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// The state at time 0.
+    /// The state at the beginning.
     fn begin(&mut self) -> Result<Option<End>, MotionError> {
         self.first = self.pose;
         let tiny = 1e-12 * self.scales.length;
         let gap = |corner| self.pose.y - lever(self.block, corner, self.pose.θ)[1];
-        let touching = CORNERS.map(|corner| gap(corner) <= tiny);
+        let touching = self.initial.touching.unwrap_or_else(|| CORNERS.map(|corner| gap(corner) <= tiny));
         let place = |corner| [self.pose.x, lever(self.block, corner, self.pose.θ)[0]];
         self.feet = CORNERS.map(place);
-        if let Some(lower) = (0..2).find(|i| touching[*i]) {
+        if let Some(slide) = self.initial.slide {
+            self.feet.iter_mut().zip(slide).for_each(|(foot, slide)| foot[0] -= slide);
+        } else if let Some(lower) = (0..2).find(|i| touching[*i]) {
             // A body that rocks over without slipping stays where it is, whichever corner it began on.
             let [x, c] = self.feet[lower];
             self.feet =
                 CORNERS.map(|corner| [x + (c - arm(self.block, CORNERS[lower])), arm(self.block, corner)]);
         }
-        self.max_theta = [self.pose.θ.abs(), 0.0];
+        self.max_theta[0] = self.pose.θ.abs();
         let tiny = tiny / self.scales.time;
+        if self.initial.touching.is_some() {
+            return self.resume(touching, tiny);
+        }
         let [left, right] = CORNERS.map(|corner| velocity(self.block, corner, &self.pose));
         let up = [left[1], right[1]];
         let approach = (0..2).any(|i| touching[i] && up[i] < -tiny);
@@ -237,11 +249,48 @@ impl<'a> Machine<'a> {
             closed = CORNERS.map(|corner| turning(corner) == self.pose.ω.signum());
         }
         let decision = self.decide(Contact { closed, slip, failed: None, zero: None, jump: true });
-        if closed == [true, true] && slip.is_none() {
-            let permanent = self.forcing.pressing;
-            if permanent <= 0.0 {
-                return Err(MotionError::Floats { pressing: permanent });
+        self.pressed(closed, slip)?;
+        Ok(self.go_on(Why::Start, decision, slip, closed))
+    }
+
+    /// Refuses a body that begins at rest and floats.
+    fn pressed(&self, closed: [bool; 2], slip: Option<Slip>) -> Result<(), MotionError> {
+        let pressing = self.forcing.pressing;
+        let floats = closed == [true, true] && slip.is_none() && pressing <= 0.0;
+        if floats { Err(MotionError::Floats { pressing }) } else { Ok(()) }
+    }
+
+    /// The state from which a motion goes on: that of the corners that are said to touch, and of their slip, where its conditions hold.
+    fn resume(&mut self, closed: [bool; 2], tiny: f64) -> Result<Option<End>, MotionError> {
+        let touching = CORNERS.into_iter().find(|corner| closed[*corner as usize]);
+        let along = touching.map_or(0.0, |corner| velocity(self.block, corner, &self.pose)[0]);
+        let slip = match self.initial.going {
+            None => direction(along, tiny),
+            Some(Going::Sticks) => None,
+            Some(Going::Slips(slip)) => Some(slip),
+        };
+        // A slip that only begins has no velocity.
+        let begins = along * slip.map_or(0.0, Slip::sign) <= tiny;
+        if let Some(corner) = touching.filter(|_| begins) {
+            self.pose.vx = -lever(self.block, corner, self.pose.θ)[1] * self.pose.ω;
+        }
+        self.first = self.pose;
+        self.pressed(closed, slip)?;
+        let same = match (closed, slip) {
+            ([true, true], None) => Mode::Rest,
+            ([true, true], Some(slip)) => Mode::slide(slip),
+            ([false, false], _) => Mode::Flight,
+            ([o, _], slip) => {
+                let corner = if o { Corner::O } else { Corner::OPrime };
+                slip.map_or(Mode::rock(corner), |slip| Mode::slide_rock(corner, slip))
             }
+        };
+        let decision = self.decide(Contact { closed, slip, failed: None, zero: None, jump: slip.is_none() });
+        if decision.modes.contains(same) || same == Mode::Flight {
+            // It is not chosen here, whatever else might begin.
+            self.take(same, begins);
+            self.say(Why::Start, [same].into_iter().collect());
+            return Ok(None);
         }
         Ok(self.go_on(Why::Start, decision, slip, closed))
     }
@@ -255,7 +304,7 @@ impl<'a> Machine<'a> {
         let resting = end == End::AtRest;
         let since = self.events.iter().rposition(|event| event.state != Mode::Rest);
         let t_rest =
-            resting.then(|| self.events.get(since.map_or(0, |i| i + 1)).map_or(0.0, |event| event.t));
+            resting.then(|| self.events.get(since.map_or(0, |i| i + 1)).map_or(last, |event| event.t));
         MotionOutcome {
             end,
             slide,
@@ -265,17 +314,7 @@ impl<'a> Machine<'a> {
             max_theta: self.max_theta[0],
             t_max_theta: self.max_theta[1],
             theta: self.pose.θ,
-            last: Initial {
-                theta: self.pose.θ,
-                omega: self.pose.ω,
-                vx: Some(self.pose.vx),
-                vy: Some(self.pose.vy),
-                gap: CORNERS
-                    .map(|corner| self.pose.y - lever(self.block, corner, self.pose.θ)[1])
-                    .into_iter()
-                    .fold(f64::INFINITY, f64::min)
-                    .max(0.0),
-            },
+            last: self.last(last),
             past_balance: self.past_balance,
             impacts: self.impacts,
             t_rest,
@@ -304,6 +343,25 @@ impl<'a> Machine<'a> {
         }
     }
 
+    /// Pose, rates and contact at the end, from which the motion goes on as if it had not been left.
+    fn last(&self, time: f64) -> Initial {
+        let (closed, slip) = self.contact();
+        let gaps = CORNERS.map(|corner| self.pose.y - lever(self.block, corner, self.pose.θ)[1]);
+        let slide = CORNERS.map(|corner| self.slide_of(corner));
+        Initial {
+            time,
+            x: self.pose.x,
+            theta: self.pose.θ,
+            omega: self.pose.ω,
+            vx: Some(self.pose.vx),
+            vy: Some(self.pose.vy),
+            gap: gaps[0].min(gaps[1]).max(0.0),
+            touching: Some(closed),
+            going: Some(slip.map_or(Going::Sticks, Going::Slips)),
+            slide: Some(slide),
+        }
+    }
+
     fn say(&mut self, why: Why, consistent: Modes) {
         self.events.push(Event { t: self.t, why, state: self.mode, consistent });
     }
@@ -322,12 +380,7 @@ impl<'a> Machine<'a> {
 
     /// The closed corners of the present state, and the direction of their slip.
     fn contact(&self) -> ([bool; 2], Option<Slip>) {
-        let closed = match (self.mode, self.mode.corner()) {
-            (_, Some(corner)) => CORNERS.map(|other| other == corner),
-            (Mode::Flight, None) => [false, false],
-            (_, None) => [true, true],
-        };
-        (closed, self.mode.slip())
+        (touching(self.mode), self.mode.slip())
     }
 
     /// A load jumps: the state is decided afresh.
@@ -447,7 +500,10 @@ impl<'a> Machine<'a> {
 
     /// Displacement along the base of the corner that touches, of O if none or both do.
     fn slide(&self) -> f64 {
-        let corner = self.mode.corner().unwrap_or(Corner::O);
+        self.slide_of(self.mode.corner().unwrap_or(Corner::O))
+    }
+
+    fn slide_of(&self, corner: Corner) -> f64 {
         let [x, c] = self.feet[corner as usize];
         (self.pose.x - x) + (lever(self.block, corner, self.pose.θ)[0] - c)
     }
@@ -471,9 +527,15 @@ fn direction(along: f64, tiny: f64) -> Option<Slip> {
 
 /// The pose at the beginning. A velocity that is not given is that of a lower corner that stays where it is.
 fn started(block: &Block, initial: &Initial) -> Pose {
-    let Initial { theta: θ, omega: ω, vx, vy, gap } = *initial;
-    let lower = if θ > 0.0 || (θ == 0.0 && ω >= 0.0) { Corner::O } else { Corner::OPrime };
+    let Initial { x, theta: θ, omega: ω, vx, vy, gap, touching, .. } = initial.put();
+    let lower = match touching {
+        Some([true, false]) => Corner::O,
+        Some([false, true]) => Corner::OPrime,
+        _ if θ > 0.0 || (θ == 0.0 && ω >= 0.0) => Corner::O,
+        _ => Corner::OPrime,
+    };
     let [c, h] = lever(block, lower, θ);
-    let (along, up) = if gap > 0.0 { (0.0, 0.0) } else { (-h * ω, -c * ω) };
-    Pose { x: 0.0, y: h + gap, θ, vx: vx.unwrap_or(along), vy: vy.unwrap_or(up), ω }
+    let flies = gap > 0.0 || touching == Some([false, false]);
+    let (along, up) = if flies { (0.0, 0.0) } else { (-h * ω, -c * ω) };
+    Pose { x, y: h + gap, θ, vx: vx.unwrap_or(along), vy: vy.unwrap_or(up), ω }
 }

@@ -4,6 +4,7 @@ use standfast::{Corner, Mode};
 
 use crate::impact::{CORNERS, kinetic};
 use crate::outcome::{MotionOutcome, MotionStep};
+use crate::problem::{Going, Initial};
 use crate::roots::value;
 use crate::series::{LEN, ORDER, Pose, Series, arm, derivative, lever};
 
@@ -37,6 +38,8 @@ pub struct Moment {
     pub tangential: Option<[f64; 2]>,
     /// Reaction to the right of both.
     pub friction: f64,
+    /// Displacement along the base of O and of O'.
+    pub slides: [f64; 2],
     /// Height of O and O' above the base.
     pub gaps: [f64; 2],
     /// Loads about C: X to the right, P downwards with the weight, M counter-clockwise.
@@ -62,6 +65,35 @@ fn integral(a: &Series, b: &Series, τ: f64) -> f64 {
         }
     }
     product.iter().enumerate().rev().fold(0.0, |sum, (k, a)| sum * τ + a / (k + 1) as f64) * τ
+}
+
+impl Moment {
+    /// The moment as the beginning of a motion that goes on from there.
+    pub fn initial(&self) -> Initial {
+        let (touching, slip) = (touching(self.state), self.state.slip());
+        let flies = touching == [false, false];
+        let [vx, vy] = self.velocity;
+        Initial {
+            time: self.t,
+            x: self.x,
+            theta: self.theta,
+            omega: self.omega,
+            vx: (flies || slip.is_some()).then_some(vx),
+            vy: flies.then_some(vy),
+            gap: if flies { self.gaps[0].min(self.gaps[1]).max(0.0) } else { 0.0 },
+            touching: Some(touching),
+            going: Some(slip.map_or(Going::Sticks, Going::Slips)),
+            slide: Some(self.slides),
+        }
+    }
+}
+
+/// Whether O and O' touch in a state.
+pub fn touching(state: Mode) -> [bool; 2] {
+    match state.corner() {
+        Some(corner) => CORNERS.map(|other| other == corner),
+        None => [state != Mode::Flight; 2],
+    }
 }
 
 impl MotionOutcome {
@@ -125,6 +157,7 @@ impl MotionOutcome {
             normal,
             tangential,
             friction,
+            slides: CORNERS.map(|corner| self.slide_of(corner, x, theta)),
             gaps: gaps.map(|gap| if gap.abs() < 1e-12 * arm(block, Corner::OPrime) { 0.0 } else { gap }),
             loads,
             kinetic,

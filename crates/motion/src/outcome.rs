@@ -223,7 +223,10 @@ impl MotionOutcome {
 
     /// Displacement along the base of the corner that touches in a state, of O if none or both do.
     pub(crate) fn slide_in(&self, state: Mode, x: f64, theta: f64) -> f64 {
-        let corner = state.corner().unwrap_or(Corner::O);
+        self.slide_of(state.corner().unwrap_or(Corner::O), x, theta)
+    }
+
+    pub(crate) fn slide_of(&self, corner: Corner, x: f64, theta: f64) -> f64 {
         let [x0, c0] = self.feet[corner as usize];
         (x - x0) + (lever(&self.block, corner, theta)[0] - c0)
     }

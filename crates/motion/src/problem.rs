@@ -1,9 +1,12 @@
 //! The problem: a block on its base, what acts on it in time, how it meets the base.
 
+use standfast::Slip;
 use standfast::contact::Block;
+use standfast::history::History;
 
 use crate::error::MotionError;
-use standfast::history::History;
+use crate::impact::CORNERS;
+use crate::series::lever;
 
 /// Law of the impact of a corner on the base.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -75,9 +78,22 @@ impl BaseMotion {
     }
 }
 
-/// Pose and rates at the beginning of the motion.
+/// Whether the corners that touch at the beginning slip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Going {
+    /// They stick.
+    Sticks,
+    /// They slip, or begin to.
+    Slips(Slip),
+}
+
+/// Pose and rates at the beginning of the motion, or at a moment from which another one goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Initial {
+    /// The moment, of the loads' time.
+    pub time: f64,
+    /// x of the centre of mass.
+    pub x: f64,
     /// θ, counter-clockwise, rad.
     pub theta: f64,
     /// ω = θ̇.
@@ -88,7 +104,28 @@ pub struct Initial {
     pub vy: Option<f64>,
     /// Of the lower corner above the base.
     pub gap: f64,
+    /// Whether O and O' touch, of a motion that goes on: these are on the base and stay there. `None`: the pose and the velocity tell.
+    pub touching: Option<[bool; 2]>,
+    /// Whether they slip; `None`: the velocity tells.
+    pub going: Option<Going>,
+    /// Displacement along the base of O and of O' so far; `None`: none so far.
+    pub slide: Option<[f64; 2]>,
 }
+
+impl Initial {
+    /// The same with what follows from the corners that touch left to them, so that it holds for a body a little other.
+    pub fn put(self) -> Initial {
+        let Some(touching) = self.touching.filter(|touching| *touching != [false, false]) else {
+            return self;
+        };
+        let upright = if touching == [true, true] { 0.0 } else { 1.0 };
+        let vx = self.vx.filter(|_| self.going != Some(Going::Sticks));
+        Initial { theta: upright * self.theta, omega: upright * self.omega, vx, vy: None, gap: 0.0, ..self }
+    }
+}
+
+/// The largest share of B, of √(gB), by which a corner that is said to touch may be off the base, or leave it.
+const TOUCHES: f64 = 1e-9;
 
 /// A block, what acts on it, and how it begins. Lengths in any unit, masses in that of the body, times and accelerations as they come.
 #[derive(Debug, Clone, PartialEq)]
@@ -209,18 +246,34 @@ impl MotionProblem {
                 return Err(MotionError::Ratio { ratio, largest });
             }
         }
-        let Initial { theta, omega, vx, vy, gap } = self.initial;
+        let Initial { time, x, theta, omega, vx, vy, gap, .. } = self.initial;
+        if !(0.0..1e50).contains(&time) {
+            return value("time", time, "a time not below zero");
+        }
+        if let Some(t) = self.t_max.filter(|t| *t <= time) {
+            return value("t_max", t, "a time after that at which the motion begins");
+        }
         if theta.is_nan() || theta.abs() >= std::f64::consts::FRAC_PI_2 {
             return value("theta", theta, "an angle within a quarter turn");
         }
         if !(0.0..1e50).contains(&gap) {
             return value("gap", gap, "a number not below zero");
         }
-        for (name, number) in [("omega", omega), ("vx", vx.unwrap_or(0.0)), ("vy", vy.unwrap_or(0.0))] {
+        let [slide, other] = self.initial.slide.unwrap_or_default();
+        let finite = [
+            ("x", x),
+            ("omega", omega),
+            ("vx", vx.unwrap_or(0.0)),
+            ("vy", vy.unwrap_or(0.0)),
+            ("slide", slide),
+            ("slide", other),
+        ];
+        for (name, number) in finite {
             if !(-1e50..1e50).contains(&number) {
                 return value(name, number, "a finite number");
             }
         }
+        self.check_touching()?;
         self.base.check(MOST_GRAVITIES * self.gravity)?;
         for load in &self.loads {
             for (name, numbers) in [("at", load.at), ("direction", load.direction)] {
@@ -228,6 +281,45 @@ impl MotionProblem {
                     return value(name, number, "a finite number");
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// Refuses a pose, or rates, in which the corners that are said to touch do not.
+    fn check_touching(&self) -> Result<(), MotionError> {
+        let (block, initial) = (&self.block, &self.initial);
+        let Some(touching) = initial.touching else {
+            let slips = matches!(initial.going, Some(Going::Slips(_)));
+            return if slips { Err(MotionError::SlipOfNone) } else { Ok(()) };
+        };
+        if touching == [false, false] && matches!(initial.going, Some(Going::Slips(_))) {
+            return Err(MotionError::SlipOfNone);
+        }
+        let value = |name, value, expected| Err(MotionError::Value { name, value, expected });
+        let length = TOUCHES * block.b1.max(block.b2);
+        let speed = TOUCHES * (self.gravity * block.b1.max(block.b2)).sqrt();
+        let levers = CORNERS.map(|corner| lever(block, corner, initial.theta));
+        let y = levers[0][1].max(levers[1][1]) + initial.gap;
+        for (corner, [c, h]) in
+            CORNERS.into_iter().zip(levers).filter(|(corner, _)| touching[*corner as usize])
+        {
+            if (y - h).abs() > length {
+                return Err(MotionError::Apart { corner, gap: y - h });
+            }
+            if let Some(vy) = initial.vy.filter(|vy| (vy + c * initial.omega).abs() > speed) {
+                return value("vy", vy, "that of a corner that touches and stays; left out it is that");
+            }
+            let sticks = initial.going == Some(Going::Sticks);
+            if let Some(vx) = initial.vx.filter(|vx| sticks && (vx + h * initial.omega).abs() > speed) {
+                return value(
+                    "vx",
+                    vx,
+                    "that of a corner that touches and does not slip; left out it is that",
+                );
+            }
+        }
+        if touching == [true, true] && initial.omega.abs() * block.b1.max(block.b2) > speed {
+            return value("omega", initial.omega, "0 where both corners touch");
         }
         Ok(())
     }

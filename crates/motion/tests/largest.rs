@@ -83,6 +83,7 @@ fn nothing_of_a_flight_is_more_than_its_largest() {
             vx: Some(random.between(-0.6, 0.6)),
             vy: Some(random.between(1.6, 3.0)),
             gap: random.between(0.0, 0.3),
+            ..Initial::default()
         };
         problem.t_max = Some(random.between(0.5, 12.0));
         let outcome = followed(&problem);

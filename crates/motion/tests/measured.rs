@@ -46,9 +46,10 @@ fn slides_stop_where_measured() {
 
 /// The face on which a tossed cube comes to rest, in quarter turns, how far it came and when it rested: each quarter turn that is over is a cube
 /// again, on its next face.
-fn tossed(row: &[f64]) -> (i32, f64, f64) {
+fn tossed(row: &[f64], e: f64, mu_impact: f64) -> (i32, f64, f64) {
     let mut problem = cube(0.219);
-    problem.impact = Impact::Inelastic;
+    (problem.impact, problem.restitution) = (Impact::Poisson, e);
+    problem.mu_impact = Some(mu_impact);
     let tilt = row[1];
     let lowest = HALF * (tilt.cos().abs() + tilt.sin().abs());
     let (mut turns, mut x, mut time) = (0, 0.0, 0.0);
@@ -58,6 +59,7 @@ fn tossed(row: &[f64]) -> (i32, f64, f64) {
         vx: Some(row[4]),
         vy: Some(row[5]),
         gap: (row[3] - lowest).max(0.0),
+        ..Initial::default()
     };
     for _ in 0..20 {
         let outcome = simulate(&problem, Keep { steps: true }).unwrap();
@@ -69,24 +71,42 @@ fn tossed(row: &[f64]) -> (i32, f64, f64) {
             return (turns, x, time);
         }
         turns += outcome.theta.signum() as i32;
-        problem.initial = Initial { theta: 0.0, ..outcome.last };
+        let Initial { omega, vx, vy, gap, .. } = outcome.last;
+        problem.initial = Initial { omega, vx, vy, gap, ..Initial::default() };
     }
     panic!("it rolls without end: {row:?}");
 }
 
-/// 36 tosses: at least 34 faces right. They travel about a quarter less than measured, for the cube bounces a little.
-#[test]
-fn tosses_end_on_the_face_measured() {
-    let (mut right, mut ratios) = (0, Vec::new());
+/// Faces right, the median share of the measured way, and the mean distance between both ways, mm.
+fn all_tossed(e: f64, mu_impact: f64) -> (i32, f64, f64) {
+    let (mut right, mut off, mut ratios) = (0, 0.0, Vec::new());
     let all: Vec<_> = rows(include_str!("data/cube-tosses.csv")).collect();
     for row in &all {
-        let (turns, x, time) = tossed(row);
+        let (turns, x, time) = tossed(row, e, mu_impact);
         right += i32::from(turns == row[8] as i32);
         ratios.push(x / row[7]);
+        off += (x - row[7]).abs();
         assert!(time > 0.05 && time < 2.0, "{time}");
     }
     assert_eq!(all.len(), 36);
-    assert!(right >= 34, "{right} of 36");
     ratios.sort_by(f64::total_cmp);
-    assert!((0.6..0.95).contains(&ratios[18]), "{}", ratios[18]);
+    (right, 0.5 * (ratios[17] + ratios[18]), 1e3 * off / 36.0)
+}
+
+/// 36 tosses with the friction of the slides: without rebound 35 faces are right, and the cube goes two thirds of the measured way. The restitution that
+/// is reported, 0.125, changes that little; a larger one loses faces. Less friction at impacts than in slides brings it farther. None of these is fitted.
+#[test]
+fn tosses_end_on_the_face_measured() {
+    for (e, mu_impact, faces, share, off) in [
+        (0.0, 0.219, 35, 0.66, 88.0),
+        (0.125, 0.219, 35, 0.66, 87.0),
+        (0.55, 0.219, 32, 0.73, 72.0),
+        (0.0, 0.12, 35, 0.85, 40.0),
+        (0.125, 0.12, 34, 0.90, 28.0),
+    ] {
+        let (right, ratio, distance) = all_tossed(e, mu_impact);
+        let told = format!("{e} {mu_impact}: {right} faces, {ratio} of the way, {distance} mm");
+        assert_eq!(right, faces, "{told}");
+        assert!((ratio - share).abs() < 0.005 && (distance - off).abs() < 0.5, "{told}");
+    }
 }

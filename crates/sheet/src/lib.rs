@@ -150,7 +150,7 @@ impl Sheet {
         portion: Portion<'_>,
     ) -> Result<Sheet, SheetError> {
         let strength = StrengthAsked::IfShort(Factors::Rungs);
-        let follow = Follow { series: true, divergence: true, strength };
+        let follow = Follow { series: true, divergence: true, strength, ..Follow::default() };
         let [of_answer, of_chances] =
             portion.parts([1.0, if case_file.random().is_some() { 9.0 } else { 0.0 }]);
         let assessment = Assessment::following(case_file, Some(&follow), of_answer)?;

@@ -10,7 +10,12 @@ const CAISSON: &str = include_str!("../../../examples/motion/caisson-breaking-wa
 
 /// What a sheet asks of a motion.
 fn follow() -> Follow {
-    Follow { series: true, divergence: true, strength: StrengthAsked::IfShort(Factors::Rungs) }
+    Follow {
+        series: true,
+        divergence: true,
+        strength: StrengthAsked::IfShort(Factors::Rungs),
+        ..Follow::default()
+    }
 }
 
 /// The cells of a table of the sheet, row by row.

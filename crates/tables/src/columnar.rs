@@ -13,10 +13,12 @@ mod table;
 mod text;
 #[cfg(feature = "xlsx")]
 mod unpacked;
+mod whole;
 #[cfg(feature = "xlsx")]
 mod workbook;
 mod written;
 
+pub(crate) use whole::text as whole_text;
 pub(crate) use written::written;
 
 use std::io::{self, Write};

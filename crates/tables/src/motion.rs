@@ -5,7 +5,7 @@ use standfast_cases::motion::{ColumnError, MotionRows, RowFault};
 
 use crate::case::nothing_varies;
 use crate::text::{FirstLine, Rows, Text, lossy};
-use crate::{RowProblem, TableError, TableHead, TablePlace};
+use crate::{RowProblem, TableError, TableFormat, TableHead, TableOptions, TablePlace};
 
 /// Bytes of text read at once.
 const TEXT: usize = 1 << 17;
@@ -15,6 +15,8 @@ pub struct MotionTable {
     name: String,
     header: FirstLine,
     rows: Vec<MotionRow>,
+    /// True if its rows are lines of a text.
+    is_text: bool,
 }
 
 /// A row of a table of motions.
@@ -28,6 +30,25 @@ pub struct MotionRow {
 }
 
 impl MotionTable {
+    /// Reads a table in the format that the options name, from the bytes of its file.
+    ///
+    /// # Errors
+    /// As [`read`](MotionTable::read), and if it is damaged, or this build leaves out its format.
+    pub fn of(bytes: &[u8], options: &TableOptions) -> Result<MotionTable, TableError> {
+        if options.from == TableFormat::Csv {
+            return MotionTable::read(bytes, &options.name, options.head);
+        }
+        #[cfg(feature = "columnar")]
+        {
+            let input = crate::TableInput::Stream(Box::new(std::io::Cursor::new(bytes)));
+            let text = crate::columnar::whole_text(input, options)?;
+            let table = MotionTable::read(&text, &options.name, TableHead::default())?;
+            Ok(MotionTable { is_text: false, ..table })
+        }
+        #[cfg(not(feature = "columnar"))]
+        Err(TableError::LeftOut { name: options.name.clone(), format: options.from.name() })
+    }
+
     /// Reads CSV text; `name` is what errors call the table.
     ///
     /// # Errors
@@ -45,12 +66,17 @@ impl MotionTable {
                 rows.push(MotionRow { cells, problem, line: found.line(piece.line) });
             }
         }
-        Ok(MotionTable { name: name.to_owned(), header, rows })
+        Ok(MotionTable { name: name.to_owned(), header, rows, is_text: true })
     }
 
     /// The names of the columns.
     pub fn columns(&self) -> &[String] {
         &self.header.names
+    }
+
+    /// Each column with its cell in a row.
+    pub fn named(&self, row: &MotionRow) -> Vec<(String, String)> {
+        self.columns().iter().cloned().zip(row.cells.iter().cloned()).collect()
     }
 
     /// The rows.
@@ -90,7 +116,11 @@ impl MotionTable {
 
     /// The error of a row with a problem.
     pub fn error(&self, row: usize, problem: RowProblem) -> TableError {
-        let place = TablePlace::Line(self.rows[row].line);
+        let place = if self.is_text {
+            TablePlace::Line(self.rows[row].line)
+        } else {
+            TablePlace::Row(row as u64 + 1)
+        };
         TableError::Row { name: self.name.clone(), place, problem }
     }
 }

@@ -40,7 +40,7 @@ class _Given(NamedTuple):
     unit: str | None
     strength: bool | None
     all: bool
-    copies: tuple[int, float, int] | None
+    copies: tuple[int | None, float | list[tuple[str, float]] | None, int | None]
 
 
 class Simulation(Lazy, MotionDocument):
@@ -150,8 +150,8 @@ def simulate(
     strength: bool | None = None,
     all: bool = False,
     copies: int | None = None,
-    spread: float = 0.001,
-    seed: int = 1,
+    spread: float | Mapping[str, float] | None = None,
+    seed: int | None = None,
     sensitivity: bool = False,
     progress: Progress = None,
 ) -> Simulation:
@@ -171,9 +171,10 @@ def simulate(
             left to itself where no record is as long as 20,000 points. False where many motions are followed one by one.
         all: whether the text lists every event, of more than 24 too.
         copies: so many copies are followed whose numbers differ a little, for ``copies``: which share of them overturns, quantiles, and
-            when they part from the case.
-        spread: by how much the numbers of copies scatter, as a share of each, at most 0.5.
-        seed: the seed of the copies; the first forty of four hundred are the forty.
+            when they part from the case; left out, as many as ``[motion.copies]`` says.
+        spread: by how much the numbers of copies scatter, as a share of each, 0 to 1: 0.001 where nothing says so; or names with such
+            shares, ``{"friction": 0.1}``, and all other numbers stay.
+        seed: the seed of the copies; the first forty of four hundred are the forty. 1 where nothing says so.
         sensitivity: changes nothing: ``divergence``, of which ``sensitivity`` has the value, is always there.
         progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the parts done and all parts, thousandths of the work.
 
@@ -217,18 +218,24 @@ def simulate(
     return found
 
 
-def copies_of(copies: int | None, spread: float, seed: int) -> tuple[int, float, int] | None:
-    """The copies that are asked for: number, spread and seed."""
-    if copies is None:
-        return None
-    whole = isinstance(copies, (int, np.integer)) and not isinstance(copies, bool)
-    if not (whole and 1 <= copies <= 1_000_000):
+def copies_of(
+    copies: int | None, spread: float | Mapping[str, float] | None, seed: int | None
+) -> tuple[int | None, float | list[tuple[str, float]] | None, int | None]:
+    """What is asked of copies: number, spread and seed."""
+
+    def whole(value: object) -> bool:
+        return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+
+    if not (copies is None or whole(copies) and 1 <= copies <= 1_000_000):
         raise StandfastError(f"copies is {copies!r}; expected a whole number from 1 to 1000000")
-    if not 0 < spread <= 0.5:
-        raise StandfastError(f"spread is {spread!r}; expected a share above 0, at most 0.5")
-    if not (isinstance(seed, (int, np.integer)) and not isinstance(seed, bool) and 0 <= seed < 1 << 64):
+    named = list(spread.items()) if isinstance(spread, Mapping) else None
+    for value in [] if spread is None else [spread] if named is None else [value for _, value in named]:
+        if not (isinstance(value, (float, np.floating)) or whole(value)) or not 0 <= value <= 1:
+            raise StandfastError(f"spread is {spread!r}; expected a share from 0 to 1, or names with such shares")
+    if not (seed is None or whole(seed) and 0 <= seed < 1 << 64):
         raise StandfastError(f"seed is {seed!r}; expected a whole number, not below 0")
-    return int(copies), float(spread), int(seed)
+    shares = [(str(name), float(value)) for name, value in named] if named is not None else None if spread is None else float(spread)  # type: ignore[arg-type]
+    return None if copies is None else int(copies), shares, None if seed is None else int(seed)
 
 
 def folder_of(case: str | os.PathLike[str] | Mapping[str, object]) -> str:

@@ -131,6 +131,7 @@ fn row(key: Key) -> String {
         Key::Lambda1 => "factors on the standing, the breaking pressure and the uplift",
         Key::AtX => "where the force acts, from the centre of mass",
         Key::DirectionX => "its direction and size",
+        Key::InitialSlideO => "displacement of O and of O' along the base so far",
         _ => info.words,
     };
     let silent = info.silent.and_then(|silent| silent.split_once(": ")).map_or("", |(_, taken)| taken);
@@ -173,6 +174,8 @@ fn takes(kind: Kind) -> String {
         Kind::Factors => "names and factors, zero or more, or two factors in a list".to_owned(),
         Kind::Settings => "names of keys, in quotes, and their values".to_owned(),
         Kind::Ratios => "names and numbers above zero".to_owned(),
+        Kind::Spreads => "a share, from 0 to 1; or names and such shares".to_owned(),
+        Kind::Places => "names and points, each a list of two lengths".to_owned(),
         Kind::Exceedances => {
             "a length and a share, above zero and 1 at most, in braces; or a list of such".to_owned()
         }

@@ -196,7 +196,7 @@ fn sliding_over(slide: &str, value: Option<&str>) -> Result<Target, TargetError>
 /// A criterion of the motion, by its place among them, with the value as a case file has it.
 fn motion_criterion(place: usize, value: Option<&str>) -> Result<Target, TargetError> {
     let name = MOTION_CRITERIA[place];
-    let example = ["0.10 m", "50 mrad", "false"][place].to_owned();
+    let example = ["0.10 m", "50 mrad", "false", "0.05"][place].to_owned();
     let Some(written) = value.filter(|value| !value.is_empty()) else {
         return Err(TargetError::NoValue { name, example });
     };
@@ -210,6 +210,7 @@ fn motion_criterion(place: usize, value: Option<&str>) -> Result<Target, TargetE
     // As the criteria of the same dimension are read.
     let (key, criterion): (Key, fn(f64) -> MotionCriterion) = match place {
         0 => (Key::GreatestSlide, MotionCriterion::Slide),
+        3 => (Key::GreatestOverturnedShare, MotionCriterion::OverturnedShare),
         _ => (Key::GreatestTheta, MotionCriterion::MaxTheta),
     };
     match read(key.into(), key.info().kind, Some(Extent::PerMetre), written) {

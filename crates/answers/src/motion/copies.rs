@@ -14,32 +14,13 @@
 //!
 //! [`mix`] is splitmix64's.
 
+use standfast_model::{CopiesAsked, Spread};
 use standfast_motion::{Event, Impact, Keep, MotionError, MotionOutcome, MotionProblem, simulate};
 use standfast_probability::normal;
 use standfast_probability::sample::{Estimate, around_quantile};
 use standfast_watch::Portion;
 
 use super::spectrum::in_order;
-
-/// Copies that are asked for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CopiesAsked {
-    /// Number of them, the case itself not counted.
-    pub number: usize,
-    /// σ, by which the logarithm of every number scatters.
-    pub spread: f64,
-    /// The seed.
-    pub seed: u64,
-    /// Number of threads.
-    pub threads: usize,
-}
-
-impl CopiesAsked {
-    /// The spread where nothing is said: one in a thousand.
-    pub const SPREAD: f64 = 1e-3;
-    /// More copies would take hours.
-    pub const MOST: usize = 1_000_000;
-}
 
 /// Outcomes of copies.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,6 +29,8 @@ pub struct Copies {
     pub asked: CopiesAsked,
     /// The names of the numbers that differ.
     pub names: Vec<String>,
+    /// σ of each.
+    pub spreads: Vec<f64>,
     /// Each copy, in its order.
     pub rows: Vec<Copy>,
     /// Number of copies whose ratio or restitution was cut at its limit.
@@ -123,23 +106,24 @@ impl Copies {
     pub fn of(
         problem: &MotionProblem,
         outcome: &MotionOutcome,
-        asked: CopiesAsked,
+        asked: &CopiesAsked,
+        threads: usize,
         portion: Portion<'_>,
     ) -> Result<Copies, MotionError> {
-        let varied = varied(problem);
+        let varied = scattered(problem, &asked.spread)?;
         let numbers: Vec<u64> = (1..=asked.number as u64).collect();
         let one = |number: &u64| -> Result<(Copy, bool), MotionError> {
             let mut copy = problem.clone();
             let mut is_cut = false;
             let mut factors = Vec::with_capacity(varied.len());
-            for varied in &varied {
-                let factor = (asked.spread * drawn(asked.seed, *number, &varied.name)).exp();
+            for (varied, σ) in &varied {
+                let factor = (σ * drawn(asked.seed, *number, &varied.name)).exp();
                 is_cut |= (varied.put)(&mut copy, varied.place, factor);
                 factors.push(factor);
             }
             Ok((Copy::of(&simulate(&copy, Keep::default())?, outcome, factors), is_cut))
         };
-        let all = in_order(&numbers, asked.threads, portion, one)?;
+        let all = in_order(&numbers, threads, portion, one)?;
         let all = all.into_iter().collect::<Result<Vec<_>, _>>()?;
         let cut = all.iter().filter(|(_, is_cut)| *is_cut).count();
         let rows: Vec<Copy> = all.into_iter().map(|(row, _)| row).collect();
@@ -149,8 +133,9 @@ impl Copies {
         let own = outcome.overturned();
         let (overturned, same_verdict) = (share(&|row| row.overturned), share(&|row| row.overturned == own));
         Ok(Copies {
-            asked,
-            names: varied.into_iter().map(|varied| varied.name).collect(),
+            asked: asked.clone(),
+            spreads: varied.iter().map(|(_, σ)| *σ).collect(),
+            names: varied.into_iter().map(|(varied, _)| varied.name).collect(),
             cut,
             overturned,
             same_verdict,
@@ -251,6 +236,21 @@ fn quantiles(mut values: Vec<f64>) -> Vec<CopyQuantile> {
         CopyQuantile { share, value: values[place - 1], interval }
     };
     if n == 0 { Vec::new() } else { SHARES.map(of).to_vec() }
+}
+
+/// The numbers of a motion that scatter, each with its σ.
+fn scattered(problem: &MotionProblem, spread: &Spread) -> Result<Vec<(Varied, f64)>, MotionError> {
+    let all = varied(problem);
+    let named = match spread {
+        Spread::Even(σ) => return Ok(all.into_iter().map(|varied| (varied, *σ)).collect()),
+        Spread::Named(named) => named,
+    };
+    if let Some((name, _)) = named.iter().find(|(name, _)| all.iter().all(|varied| varied.name != *name)) {
+        let names: Vec<&str> = all.iter().map(|varied| varied.name.as_str()).collect();
+        return Err(MotionError::NoSpread { name: name.clone(), names: names.join(", ") });
+    }
+    let σ = |varied: &Varied| named.iter().find(|(name, _)| *name == varied.name).map(|(_, σ)| *σ);
+    Ok(all.into_iter().filter_map(|varied| σ(&varied).map(|σ| (varied, σ))).collect())
 }
 
 /// The numbers of a motion that differ from copy to copy, each with its name.
@@ -381,13 +381,36 @@ mod tests {
     use standfast::contact::Block;
     use standfast_motion::Initial;
 
-    fn asked(number: usize, threads: usize) -> CopiesAsked {
-        CopiesAsked { number, spread: 0.01, seed: 1, threads }
+    fn scattering(problem: &MotionProblem, number: usize, spread: Spread, threads: usize) -> Copies {
+        let outcome = simulate(problem, Keep::default()).unwrap();
+        let asked = CopiesAsked { number, spread, seed: 1 };
+        Copies::of(problem, &outcome, &asked, threads, Portion::UNSEEN).unwrap()
     }
 
-    fn copies(problem: &MotionProblem, asked: CopiesAsked) -> Copies {
-        let outcome = simulate(problem, Keep::default()).unwrap();
-        Copies::of(problem, &outcome, asked, Portion::UNSEEN).unwrap()
+    fn copies(problem: &MotionProblem, number: usize, threads: usize) -> Copies {
+        scattering(problem, number, Spread::Even(0.01), threads)
+    }
+
+    /// Under names of their own numbers scatter as they would with all others, and these not at all; a name that is none is refused.
+    #[test]
+    fn numbers_scatter_by_name() {
+        let mut problem = MotionProblem::new(Block::uniform(0.2, 0.3), 1.0);
+        problem.initial = Initial { vx: Some(0.4), ..Initial::default() };
+        let named = |name: &str, σ: f64| Spread::Named(vec![(name.to_owned(), σ)]);
+        let [all, one] =
+            [Spread::Even(0.01), named("friction", 0.01)].map(|spread| scattering(&problem, 50, spread, 1));
+        assert_eq!((one.names, one.spreads), (vec!["friction".to_owned()], vec![0.01]));
+        for (all, one) in all.rows.iter().zip(&one.rows) {
+            assert_eq!(all.factors[3], one.factors[0]);
+            assert!((one.slide.unwrap() * 0.6 * one.factors[0] / 0.16 - 1.0).abs() < 1e-12);
+        }
+        let outcome = simulate(&problem, Keep::default()).unwrap();
+        let asked = CopiesAsked { number: 2, spread: named("base", 0.1), seed: 1 };
+        let refused = Copies::of(&problem, &outcome, &asked, 1, Portion::UNSEEN).unwrap_err().to_string();
+        assert!(
+            refused.contains("base") && refused.contains("width, height, inertia, friction"),
+            "{refused}"
+        );
     }
 
     /// Its first values, which a program of another hand must have too.
@@ -415,7 +438,7 @@ mod tests {
     fn slides_scatter_as_friction_does() {
         let mut problem = MotionProblem::new(Block::uniform(0.2, 0.3), 1.0);
         problem.initial = Initial { vx: Some(0.4), ..Initial::default() };
-        let found = copies(&problem, asked(200, 2));
+        let found = copies(&problem, 200, 2);
         let place = found.names.iter().position(|name| name == "friction").unwrap();
         assert_eq!(found.names, ["width", "height", "inertia", "friction"]);
         for row in &found.rows {
@@ -430,7 +453,7 @@ mod tests {
         };
         assert!(found.slide().iter().all(enclosed));
         // More of them than products of the share can be told from nothing for.
-        assert!(copies(&problem, asked(400, 2)).slide().iter().all(enclosed));
+        assert!(copies(&problem, 400, 2).slide().iter().all(enclosed));
         let median = found.slide()[2];
         let [low, high] = median.interval.unwrap();
         assert!(
@@ -443,7 +466,7 @@ mod tests {
     fn more_copies_have_the_first_among_them() {
         let mut problem = MotionProblem::new(Block::uniform(4.0, 0.7), 1.0);
         problem.base.horizontal = Some(History::half_sine(0.45, 2.2).unwrap());
-        let (few, many) = (copies(&problem, asked(40, 1)), copies(&problem, asked(400, 3)));
+        let (few, many) = (copies(&problem, 40, 1), copies(&problem, 400, 3));
         assert_eq!(few.rows[..], many.rows[..40]);
         assert!(few.names.contains(&"base".to_owned()));
     }
@@ -463,7 +486,7 @@ mod tests {
             let middle = 0.5 * (stands + falls);
             if overturns(middle) { falls = middle } else { stands = middle }
         }
-        let found = copies(&shaken(stands), asked(100, 2));
+        let found = copies(&shaken(stands), 100, 2);
         let share = found.overturning() as f64 / 100.0;
         assert!((0.25..0.75).contains(&share), "{share}");
         // Clopper and Pearson about a half of a hundred: 0.40 to 0.60.

@@ -3,9 +3,9 @@
 //! A bound is met by a motion that was followed to its end: of a body that still moves when the time is up nobody knows how far it gets.
 
 use standfast_model::MotionCriterion;
-use standfast_motion::{End, MotionOutcome};
+use standfast_motion::End;
 
-use super::FollowedMotion;
+use super::{Copies, FollowedMotion};
 use crate::criteria::{met_word, used_words};
 use crate::digits::{apart, digits};
 
@@ -38,9 +38,13 @@ pub struct MotionCheck {
 }
 
 impl MotionCheck {
-    /// Check of a criterion against a motion; `si` if quantities are in SI units.
-    pub fn of(criterion: MotionCriterion, si: bool, outcome: &MotionOutcome) -> MotionCheck {
+    /// Check of a criterion against a motion.
+    pub fn of(criterion: MotionCriterion, followed: &FollowedMotion) -> MotionCheck {
+        let FollowedMotion { case, outcome, copies, .. } = followed;
         let value = match criterion {
+            MotionCriterion::OverturnedShare(_) => copies
+                .as_ref()
+                .map_or(MotionValue::None, |copies| MotionValue::Number(copies.overturned.high)),
             MotionCriterion::Slide(_) if outcome.overturned() => MotionValue::None,
             MotionCriterion::Slide(_) => MotionValue::Number(outcome.slide.abs()),
             MotionCriterion::MaxTheta(_) => MotionValue::Number(outcome.max_theta),
@@ -52,14 +56,20 @@ impl MotionCheck {
             _ => false,
         };
         // What is beyond a bound already stays a number; what is not may get there yet.
-        let followed = matches!(outcome.end, End::AtRest | End::Overturned);
+        let of_copies = matches!(criterion, MotionCriterion::OverturnedShare(_));
+        let is_unknown =
+            |copies: &Copies| copies.rows.len() > copies.ended(End::AtRest.word()) + copies.overturning();
+        let followed = match copies.as_ref().filter(|_| of_copies) {
+            Some(copies) => !is_unknown(copies),
+            None => matches!(outcome.end, End::AtRest | End::Overturned),
+        };
         let value = if within && !followed { MotionValue::None } else { value };
         let utilisation = match (value, criterion.bound()) {
             (MotionValue::Number(value), Some(bound)) => Some(value / bound),
             (MotionValue::None, Some(_)) => Some(f64::INFINITY),
             _ => None,
         };
-        MotionCheck { criterion, value, utilisation, met: within && followed, end: outcome.end, si }
+        MotionCheck { criterion, value, utilisation, met: within && followed, end: outcome.end, si: case.si }
     }
 
     /// The value as it is read, with as many digits as tell it from the bound.
@@ -72,9 +82,16 @@ impl MotionCheck {
             (MotionValue::Number(value), None) => digits(value),
             (MotionValue::Truth(true), _) => "yes".to_owned(),
             (MotionValue::Truth(false), _) => "no".to_owned(),
+            (MotionValue::None, _) if self.is_of_copies() => {
+                "not known: copies are not followed to their end".to_owned()
+            }
             (MotionValue::None, _) if self.end == End::Overturned => "none: the body overturns".to_owned(),
             (MotionValue::None, _) => "not known: the motion is not followed to its end".to_owned(),
         }
+    }
+
+    fn is_of_copies(&self) -> bool {
+        matches!(self.criterion, MotionCriterion::OverturnedShare(_))
     }
 
     /// The utilisation as it is read.
@@ -94,6 +111,7 @@ impl MotionCheck {
             (MotionValue::Number(_), _) => {
                 format!("{name} is {}, not {}", self.value_words(), self.criterion.required(self.si))
             }
+            _ if self.is_of_copies() => format!("{name} is {}", self.value_words()),
             (_, End::Overturned) => "the body overturns".to_owned(),
             _ => format!("{name} is not known: the motion is not followed to its end"),
         }
@@ -116,8 +134,7 @@ pub(crate) fn worst_checks(
     answers: &[FollowedMotion],
 ) -> Vec<(MotionCheck, usize)> {
     let worst = |criterion: &MotionCriterion| {
-        let check = |of: &FollowedMotion| MotionCheck::of(*criterion, of.case.si, &of.outcome);
-        let checks = answers.iter().enumerate().map(|(place, followed)| (check(followed), place));
+        let checks = answers.iter().enumerate().map(|(place, of)| (MotionCheck::of(*criterion, of), place));
         checks.reduce(|worst, next| if next.0.urgency() > worst.0.urgency() { next } else { worst })
     };
     let mut checks: Vec<_> = criteria.iter().filter_map(worst).collect();

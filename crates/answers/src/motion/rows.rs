@@ -10,6 +10,7 @@ use standfast_model::{CaseFile, motions};
 use standfast_motion::{End, MotionOutcome};
 use thiserror::Error;
 
+use standfast_probability::sample::Estimate;
 use standfast_watch::Portion;
 
 use super::{Follow, FollowedMotion};
@@ -25,7 +26,7 @@ use crate::suggest::closest;
 use crate::sweep::{self, Factor, NoFactor, heading};
 
 /// The results of a row, in their order.
-pub const RESULTS: [&str; 16] = [
+pub const RESULTS: [&str; 19] = [
     "end",
     "slide",
     "max_slide",
@@ -37,12 +38,18 @@ pub const RESULTS: [&str; 16] = [
     "t_rest",
     "t_final",
     "unique",
+    "overturned_share",
+    "overturned_share_low",
+    "overturned_share_high",
     "met",
     "utilisation",
     "criterion",
     "situation",
     "warnings",
 ];
+
+/// Those of copies.
+const OF_COPIES: [&str; 3] = ["overturned_share", "overturned_share_low", "overturned_share_high"];
 
 /// Those that say how far the criteria are met.
 const OF_CRITERIA: [&str; 3] = ["met", "utilisation", "criterion"];
@@ -196,10 +203,14 @@ impl MotionRows {
         &self.notes
     }
 
-    /// The results that the case has, in their order: of criteria only where it has some.
+    /// The results that the case has, in their order: of criteria and of copies only where it has some.
     pub fn results(&self) -> Vec<usize> {
-        let of_criteria = |place: &usize| OF_CRITERIA.contains(&RESULTS[*place]);
-        (0..RESULTS.len()).filter(|place| self.asks || !of_criteria(place)).collect()
+        let copied = self.inputs.has(Table::Copies);
+        let is_there = |place: &usize| {
+            let name = &RESULTS[*place];
+            (self.asks || !OF_CRITERIA.contains(name)) && (copied || !OF_COPIES.contains(name))
+        };
+        (0..RESULTS.len()).filter(is_there).collect()
     }
 
     /// The places of the columns that vary something, and the keys that they vary.
@@ -277,6 +288,8 @@ impl MotionRows {
             .map_err(|error| any(error.to_string()))?;
         let Some(followed) = answers.first() else { return Err(any("no situation".to_owned())) };
         let outcome: &MotionOutcome = &followed.outcome;
+        let copies = followed.copies.as_ref().map(|copies| copies.overturned);
+        let share = |of: fn(Estimate) -> f64| copies.map_or_else(String::new, |share| of(share).to_string());
         let checks = followed.checks();
         let governing = checks.first();
         let names: Vec<&str> = followed.warnings.iter().map(|warning| warning.name).collect();
@@ -293,6 +306,9 @@ impl MotionRows {
             outcome.t_rest.map_or_else(String::new, |t| t.to_string()),
             outcome.t_final.to_string(),
             outcome.unique.to_string(),
+            share(|share| share.value),
+            share(|share| share.low),
+            share(|share| share.high),
             followed.met().map_or_else(String::new, |met| met.to_string()),
             governing.and_then(|check| check.utilisation).map_or_else(String::new, |used| used.to_string()),
             governing.map_or("", |check| check.criterion.name()).to_owned(),

@@ -1,27 +1,43 @@
 //! The motion at even steps of time, as a table.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
-use standfast::History;
 use standfast_model::BlockCase;
 use standfast_motion::{Moment, MotionOutcome};
 
+use super::points::{PointAnswer, PointMotion, ground};
+
 /// A column of a series: its name, the SI unit of its values, what it is, and its value at a moment.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct SeriesColumn {
     /// Its name.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// The unit of a body in SI units; empty of an angle's sine or a word.
     pub unit: &'static str,
     /// Its meaning in a few words.
     pub words: &'static str,
-    value: fn(&SeriesRow) -> Option<f64>,
+    value: ColumnValue,
+}
+
+/// Where the value of a column comes from.
+#[derive(Debug, Clone, Copy)]
+enum ColumnValue {
+    /// The row.
+    Row(fn(&SeriesRow) -> Option<f64>),
+    /// One of the numbers of a point of the body.
+    Point { at: [f64; 2], which: usize },
 }
 
 impl SeriesColumn {
     /// The value in a row; `None` where there is none.
     pub fn value(&self, row: &SeriesRow) -> Option<f64> {
-        (self.value)(row)
+        match self.value {
+            ColumnValue::Row(value) => value(row),
+            ColumnValue::Point { at, which } => {
+                Some(PointMotion::of(at, &row.moment, row.ground, row.gravity).numbers()[which])
+            }
+        }
     }
 }
 
@@ -35,16 +51,25 @@ pub struct SeriesAsked {
 }
 
 impl SeriesAsked {
-    /// The columns but the state, which stands before that at [`STATE_AT`].
-    pub fn columns(self) -> &'static [SeriesColumn] {
-        if self.events { &SERIES } else { &SERIES[..SERIES.len() - 1] }
-    }
-
-    /// The names of all columns, in their order.
-    pub fn names(self) -> Vec<&'static str> {
-        let mut names: Vec<&str> = self.columns().iter().map(|column| column.name).collect();
-        names.insert(STATE_AT, "state");
-        names
+    /// The columns but the state, which stands before that at [`STATE_AT`]: of every body, then of each of the case's points.
+    pub fn columns(self, case: &BlockCase) -> Vec<SeriesColumn> {
+        let mut columns = SERIES[..SERIES.len() - usize::from(!self.events)].to_vec();
+        for point in &case.points {
+            let words = [
+                "absolute acceleration of the point to the right",
+                "absolute acceleration of the point upwards",
+                "what an instrument at the point feels along the base of the body, with gravity",
+                "what an instrument at the point feels along the side of the body, with gravity",
+            ];
+            let named = PointAnswer::NAMES.into_iter().zip(words).enumerate();
+            columns.extend(named.map(|(which, (name, words))| SeriesColumn {
+                name: Cow::Owned(format!("{name}.{}", point.name)),
+                unit: "m/s2",
+                words,
+                value: ColumnValue::Point { at: point.at, which },
+            }));
+        }
+        columns
     }
 
     /// The rows of a motion, until it ends.
@@ -53,8 +78,11 @@ impl SeriesAsked {
         case: &'a BlockCase,
         outcome: &'a MotionOutcome,
     ) -> impl Iterator<Item = SeriesRow> + 'a {
-        let count = (outcome.t_final / self.dt + 1e-9).floor() as u64;
-        let mut even = (0..=count).map(move |i| i as f64 * self.dt).peekable();
+        // Of a motion that goes on from a moment: that moment, and then the multiples of the step.
+        let begin = case.problem.initial.time;
+        let [first, last] = [begin, outcome.t_final].map(|t| (t / self.dt + 1e-9).floor() as u64);
+        let after = (first + 1..=last).map(move |i| i as f64 * self.dt);
+        let mut even = std::iter::once(begin).chain(after).peekable();
         let mut events = outcome.events.iter().map(|event| event.t).filter(move |_| self.events).peekable();
         let mut after = None;
         let times = std::iter::from_fn(move || {
@@ -67,7 +95,7 @@ impl SeriesAsked {
             // Several events of a moment are one, and take the place of the even step that it may be.
             while events.next_if_eq(&t).is_some() {}
             even.next_if_eq(&t);
-            if t <= 0.0 {
+            if t <= begin {
                 return Some((t, Some(Side::After)));
             }
             after = Some(t);
@@ -78,9 +106,12 @@ impl SeriesAsked {
 
     /// The rows of a motion as CSV.
     pub fn csv(self, case: &BlockCase, outcome: &MotionOutcome) -> String {
-        let mut text = self.names().join(",") + "\n";
+        let columns = self.columns(case);
+        let mut names: Vec<Cow<'_, str>> = columns.iter().map(|column| quoted(&column.name)).collect();
+        names.insert(STATE_AT, "state".into());
+        let mut text = names.join(",") + "\n";
         for row in self.rows(case, outcome) {
-            for (place, column) in self.columns().iter().enumerate() {
+            for (place, column) in columns.iter().enumerate() {
                 if place == STATE_AT {
                     let _ = write!(text, ",{}", row.moment.state.symbol());
                 }
@@ -112,6 +143,7 @@ pub struct SeriesRow {
     mass: f64,
     /// Accelerations of the base, to the right and upwards.
     ground: [f64; 2],
+    gravity: f64,
     /// Of a row at an event.
     side: Option<Side>,
 }
@@ -122,10 +154,15 @@ const fn column(
     words: &'static str,
     value: fn(&SeriesRow) -> Option<f64>,
 ) -> SeriesColumn {
-    SeriesColumn { name, unit, words, value }
+    SeriesColumn { name: Cow::Borrowed(name), unit, words, value: ColumnValue::Row(value) }
 }
 
-static SERIES: [SeriesColumn; 29] = [
+/// A name as a cell of CSV.
+fn quoted(name: &str) -> Cow<'_, str> {
+    if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")).into() } else { name.into() }
+}
+
+static SERIES: [SeriesColumn; 31] = [
     column("t", "s", "time", |row| Some(row.moment.t)),
     column("slide", "m", "displacement along the base of the corner that touches, or of O", |row| {
         Some(row.moment.slide)
@@ -152,6 +189,8 @@ static SERIES: [SeriesColumn; 29] = [
         Some(row.mass * row.moment.tangential?[1])
     }),
     column("T", "N", "reaction to the right of both corners", |row| Some(row.mass * row.moment.friction)),
+    column("slide_O", "m", "displacement along the base of O", |row| Some(row.moment.slides[0])),
+    column("slide_O'", "m", "displacement along the base of O'", |row| Some(row.moment.slides[1])),
     column("gap_O", "m", "height of O above the base", |row| Some(row.moment.gaps[0])),
     column("gap_O'", "m", "height of O' above the base", |row| Some(row.moment.gaps[1])),
     column("X", "N", "loads to the right, with the base's acceleration", |row| {
@@ -190,10 +229,6 @@ pub const STATE_AT: usize = 6;
 fn row(case: &BlockCase, outcome: &MotionOutcome, t: f64, side: Option<Side>) -> Option<SeriesRow> {
     let before = side == Some(Side::Before);
     let moment = outcome.moment(t, before)?;
-    let base = &case.problem.base;
-    let ground = [&base.horizontal, &base.vertical].map(|history| {
-        let value = if before { History::before } else { History::at };
-        history.as_ref().map_or(0.0, |history| value(history, t))
-    });
-    Some(SeriesRow { moment, mass: case.mass, ground, side })
+    let (ground, gravity) = (ground(case, t, before), case.problem.gravity);
+    Some(SeriesRow { moment, mass: case.mass, ground, gravity, side })
 }

@@ -107,7 +107,7 @@ impl Strength {
                 MotionCriterion::MaxTheta(bound) => {
                     max_theta = Some((bound, strengths.verdict(|tried| tried.is_turned_beyond(bound))?));
                 }
-                MotionCriterion::NotOverturned => {}
+                MotionCriterion::NotOverturned | MotionCriterion::OverturnedShare(_) => {}
             }
         }
         Ok(Strength { onset: onset(&case.problem)?, overturning, slide, max_theta, tried: strengths.tried })

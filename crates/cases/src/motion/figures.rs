@@ -42,7 +42,7 @@ fn figures(
     let (begin, end) = samples.moves();
     let from = significant(begin, 3);
     let to = format!("{}{}", significant(end, 3), if si { " s" } else { "" });
-    let told = match (begin > 0.0, end < samples.end) {
+    let told = match (begin > samples.begin, end < samples.end) {
         (false, false) => samples.caption.clone(),
         (true, false) => format!("{} Shown from t = {from} on: before, the body rests.", samples.caption),
         (false, true) => format!("{} Shown up to t = {to}: after that the body rests.", samples.caption),
@@ -67,6 +67,8 @@ fn figures(
 pub(super) struct Samples {
     pub title: String,
     caption: String,
+    /// When the motion begins.
+    begin: f64,
     pub end: f64,
     pub states: Vec<(f64, Mode)>,
     loads: Vec<(&'static str, Vec<(f64, f64)>)>,
@@ -78,7 +80,7 @@ pub(super) struct Samples {
 impl Samples {
     pub(super) fn of(followed: &FollowedMotion) -> Samples {
         let (case, outcome) = (&followed.case, &followed.outcome);
-        let end = Samples::end_of(outcome);
+        let (begin, end) = (case.problem.initial.time, Samples::end_of(outcome));
         let mut states: Vec<(f64, Mode)> = Vec::new();
         for event in &outcome.events {
             if states.last().is_none_or(|(_, mode)| *mode != event.state) {
@@ -86,7 +88,8 @@ impl Samples {
             }
         }
         let gravity = case.problem.gravity;
-        let acting = case.problem.acting(end, SAMPLES);
+        let mut acting = case.problem.acting(end, SAMPLES);
+        acting.retain(|acting| acting.t >= begin);
         let mut loads = vec![(
             "load to the right over the weight",
             acting.iter().map(|a| (a.t, a.x / gravity)).collect::<Vec<_>>(),
@@ -94,7 +97,8 @@ impl Samples {
         if acting.iter().any(|a| a.up != 0.0) {
             loads.push(("load upwards", acting.iter().map(|a| (a.t, a.up / gravity)).collect()));
         }
-        let mut moments: Vec<f64> = (0..=SAMPLES).map(|i| end * i as f64 / SAMPLES as f64).collect();
+        let mut moments: Vec<f64> =
+            (0..=SAMPLES).map(|i| begin + (end - begin) * i as f64 / SAMPLES as f64).collect();
         moments.extend(outcome.events.iter().map(|event| event.t).filter(|t| *t <= end));
         moments.extend([outcome.t_max_theta, outcome.t_max_slide]);
         moments.sort_by(f64::total_cmp);
@@ -105,6 +109,7 @@ impl Samples {
         Samples {
             title,
             caption: caption(followed),
+            begin,
             end,
             states,
             loads,
@@ -115,16 +120,17 @@ impl Samples {
                 .base
                 .horizontal
                 .iter()
-                .flat_map(|history| ground(history, end, gravity))
+                .flat_map(|history| ground(history, (begin, end), gravity))
                 .collect(),
         }
     }
 
     /// The last moment that is shown.
     pub(super) fn end_of(outcome: &MotionOutcome) -> f64 {
-        let last = outcome.events.last().map_or(0.0, |event| event.t);
+        let [first, last] =
+            [outcome.events.first(), outcome.events.last()].map(|event| event.map_or(0.0, |event| event.t));
         let end = if outcome.overturned() { last } else { outcome.t_final };
-        if end > 0.0 && end.is_finite() { end } else { 1.0 }
+        if end > first && end.is_finite() { end } else { first + 1.0 }
     }
 
     /// Does something with the picture of the whole motion.
@@ -141,7 +147,7 @@ impl Samples {
             title: &self.title,
             caption: &self.caption,
             outline: MotionOutline { b1: block.b1, b2: block.b2, d: block.d, height: case.height },
-            begin: 0.0,
+            begin: self.begin,
             end: self.end,
             time_unit,
             length_unit,
@@ -156,7 +162,7 @@ impl Samples {
 
     /// Positions of the body as it leaves rest, at its largest slide and rotation, at the end, and between them.
     fn moments(&self, outcome: &MotionOutcome) -> Vec<MotionPose> {
-        let leaves = self.states.iter().find(|(_, mode)| *mode != Mode::Rest).map_or(0.0, |(t, _)| *t);
+        let leaves = self.states.iter().find(|(_, mode)| *mode != Mode::Rest).map_or(self.begin, |(t, _)| *t);
         let rests = self.states.last().map_or(self.end, |(t, _)| *t);
         let rests = if outcome.at_rest() { rests } else { self.end };
         let apart = 0.03 * (rests - leaves);
@@ -179,13 +185,13 @@ impl Samples {
 
     /// From shortly before the body leaves rest to shortly after it comes to rest; the whole time if little is left out.
     fn moves(&self) -> (f64, f64) {
-        let whole = (0.0, self.end);
+        let whole = (self.begin, self.end);
         let is_rest = |state: &&(f64, Mode)| state.1 == Mode::Rest;
         let Some((leaves, _)) = self.states.iter().find(|state| !is_rest(state)) else { return whole };
         let rests = self.states.last().filter(is_rest).map_or(self.end, |(t, _)| t.min(self.end));
         let room = (ROOM * (rests - leaves)).min(1.0);
-        let (from, to) = ((leaves - room).max(0.0), (rests + room).min(self.end));
-        if to - from < (1.0 - LITTLE) * self.end { (from, to) } else { whole }
+        let (from, to) = ((leaves - room).max(self.begin), (rests + room).min(self.end));
+        if to - from < (1.0 - LITTLE) * (self.end - self.begin) { (from, to) } else { whole }
     }
 
     /// Positions of the body within a time, so many that an eye sees it move; of a rest only the first and the last.
@@ -218,9 +224,9 @@ impl Samples {
 }
 
 /// Acceleration of the base in gravities, so often that an eye sees it change.
-fn ground(history: &History, end: f64, gravity: f64) -> Vec<(f64, f64)> {
-    let count = (end * PER_SECOND / 2.0).ceil().clamp(1.0, PICTURES) as usize;
-    let moments = (0..=count).map(|i| end * i as f64 / count as f64);
+fn ground(history: &History, (begin, end): (f64, f64), gravity: f64) -> Vec<(f64, f64)> {
+    let count = ((end - begin) * PER_SECOND / 2.0).ceil().clamp(1.0, PICTURES) as usize;
+    let moments = (0..=count).map(|i| begin + (end - begin) * i as f64 / count as f64);
     moments.map(|t| (t, history.at(t) / gravity)).collect()
 }
 

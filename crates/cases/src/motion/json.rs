@@ -4,7 +4,7 @@ use super::{FollowedMotion, MotionWarning};
 use crate::json::CheckEntry;
 use serde::Serialize;
 use standfast::Mode;
-use standfast_answers::motion::{Copies, CopyQuantile, Strength};
+use standfast_answers::motion::{Copies, CopyQuantile, Extremes, PointAnswer, Spread, Strength};
 use standfast_motion::End;
 use standfast_motion::divergence::Divergence;
 use standfast_motion::strength::{Change, VerdictStrength};
@@ -50,9 +50,10 @@ struct Document<'a> {
     sensitivity: Option<f64>,
     strength: Option<StrengthEntry>,
     copies: Option<CopiesEntry>,
+    points: Vec<PointEntry<'a>>,
     met: Option<bool>,
     criteria: Vec<CheckEntry>,
-    events: Vec<EventEntry>,
+    events: Vec<EventEntry<'a>>,
     warnings: Vec<WarningEntry<'a>>,
     figures: &'a [String],
     others: Vec<Document<'a>>,
@@ -83,7 +84,8 @@ impl From<Divergence> for DivergenceEntry {
 #[derive(Serialize)]
 struct CopiesEntry {
     number: usize,
-    spread: f64,
+    spread: Option<f64>,
+    spreads: Vec<f64>,
     seed: u64,
     names: Vec<String>,
     cut: usize,
@@ -140,7 +142,11 @@ impl CopiesEntry {
         };
         CopiesEntry {
             number: copies.rows.len(),
-            spread: copies.asked.spread,
+            spread: match copies.asked.spread {
+                Spread::Even(spread) => Some(spread),
+                Spread::Named(_) => None,
+            },
+            spreads: copies.spreads.clone(),
             seed: copies.asked.seed,
             names: copies.names.clone(),
             cut: copies.cut,
@@ -243,12 +249,50 @@ impl VerdictEntry {
     }
 }
 
+/// A point of the body: extremes of its accelerations, between impacts.
 #[derive(Serialize)]
-struct EventEntry {
+struct PointEntry<'a> {
+    name: &'a str,
+    at: [f64; 2],
+    a_x: ExtremesEntry,
+    a_y: ExtremesEntry,
+    f_along: ExtremesEntry,
+    f_up: ExtremesEntry,
+}
+
+#[derive(Serialize)]
+struct ExtremesEntry {
+    least: f64,
+    t_least: f64,
+    largest: f64,
+    t_largest: f64,
+}
+
+impl<'a> PointEntry<'a> {
+    fn of(answer: &'a PointAnswer) -> PointEntry<'a> {
+        let entry = |Extremes { least: [least, t_least], largest: [largest, t_largest] }: Extremes| {
+            ExtremesEntry { least, t_least, largest, t_largest }
+        };
+        let [a_x, a_y, f_along, f_up] = answer.extremes.map(entry);
+        PointEntry { name: &answer.point.name, at: answer.point.at, a_x, a_y, f_along, f_up }
+    }
+}
+
+#[derive(Serialize)]
+struct EventEntry<'a> {
     t: f64,
     why: &'static str,
     state: &'static str,
     also: Vec<&'static str>,
+    jumps: Vec<JumpEntry<'a>>,
+}
+
+/// Jump of a point's velocity at an impact.
+#[derive(Serialize)]
+struct JumpEntry<'a> {
+    point: &'a str,
+    jump_vx: f64,
+    jump_vy: f64,
 }
 
 #[derive(Serialize)]
@@ -263,13 +307,21 @@ impl<'a> From<&'a MotionWarning> for WarningEntry<'a> {
     }
 }
 
-fn document(followed: &FollowedMotion) -> Document<'_> {
+fn document<'a>(followed: &'a FollowedMotion) -> Document<'a> {
     let (case, outcome) = (&followed.case, &followed.outcome);
-    let events = outcome.events.iter().map(|event| EventEntry {
+    let jumps = |event: usize| {
+        let of = |answer: &'a PointAnswer| {
+            let (_, [jump_vx, jump_vy]) = *answer.jumps.iter().find(|(place, _)| *place == event)?;
+            Some(JumpEntry { point: &answer.point.name, jump_vx, jump_vy })
+        };
+        followed.points.iter().filter_map(of).collect()
+    };
+    let events = outcome.events.iter().enumerate().map(|(place, event)| EventEntry {
         t: event.t,
         why: event.why.word(),
         state: event.state.symbol(),
         also: event.consistent.without(Some(event.state)).iter().map(Mode::symbol).collect(),
+        jumps: jumps(place),
     });
     let warnings = followed.warnings.iter();
     Document {
@@ -313,6 +365,7 @@ fn document(followed: &FollowedMotion) -> Document<'_> {
         sensitivity: followed.divergence.map(|divergence| divergence.value),
         strength: followed.strength.as_ref().map(StrengthEntry::of),
         copies: followed.copies.as_ref().map(CopiesEntry::of),
+        points: followed.points.iter().map(PointEntry::of).collect(),
         met: followed.met(),
         criteria: followed.checks().iter().map(CheckEntry::of_motion).collect(),
         events: events.collect(),

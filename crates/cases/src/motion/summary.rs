@@ -1,7 +1,7 @@
 //! Top of the answer in time: criteria, what becomes of the body, how near another answer is.
 
 use standfast_answers::assess::AnyCheck;
-use standfast_answers::motion::{Copies, MotionCheck, Strength};
+use standfast_answers::motion::{Copies, MotionCheck, Spread, Strength};
 use standfast_motion::divergence::Divergence;
 use standfast_motion::strength::{Change, Tried, VerdictStrength};
 use standfast_probability::sample::Estimate;
@@ -57,9 +57,17 @@ fn of_copies(copies: &Copies) -> String {
         some => format!("{some} of {count} copies"),
     };
     let Estimate { low, high, .. } = copies.overturned;
-    let [spread, low, high] = [copies.asked.spread, low, high].map(|share| significant(100.0 * share, 2));
+    let percent = |share: f64| significant(100.0 * share, 2);
+    let [low, high] = [low, high].map(percent);
+    let spread = match &copies.asked.spread {
+        Spread::Even(spread) => format!("by {} %", percent(*spread)),
+        Spread::Named(named) => {
+            let each = named.iter().map(|(name, spread)| format!("{name} by {} %", percent(*spread)));
+            format!("in {}", each.collect::<Vec<_>>().join(", "))
+        }
+    };
     let open = if (1..count).contains(&overturning) { ": one motion does not decide this" } else { "" };
-    format!("It overturns in {many} whose numbers differ by {spread} % ({low} to {high} %){open}.")
+    format!("It overturns in {many} whose numbers differ {spread} ({low} to {high} %){open}.")
 }
 
 /// How near another answer is; `None` where it was not looked for.

@@ -11,7 +11,7 @@ use crate::assess::met_words;
 use crate::layout::{columns, digits, paragraph, row, significant};
 use crate::summary::capital;
 use crate::units::Dimension;
-use standfast_answers::motion::{Copies, CopyQuantile};
+use standfast_answers::motion::{Copies, CopyQuantile, PointAnswer, Spread};
 use standfast_probability::sample::Estimate;
 
 /// So many events are shown one by one.
@@ -45,6 +45,9 @@ pub(super) fn render(followed: &FollowedMotion, view: &MotionView, alone: bool) 
     for warning in &followed.warnings {
         let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
     }
+    for point in &followed.points {
+        text += &of_point(followed, point);
+    }
     if let Some(copies) = &followed.copies {
         text += &of_copies(followed, copies);
     }
@@ -52,6 +55,46 @@ pub(super) fn render(followed: &FollowedMotion, view: &MotionView, alone: bool) 
         let _ = write!(text, "\nCriteria\n{}", criteria(followed));
     }
     text
+}
+
+/// Accelerations of a point of the body.
+fn of_point(followed: &FollowedMotion, answer: &PointAnswer) -> String {
+    let (case, outcome) = (&followed.case, &followed.outcome);
+    let [m, s, rate, acceleration] = if case.si { [" m", " s", " m/s", " m/s²"] } else { [""; 4] };
+    let mut rows = vec![row!["", "least", "at t =", "largest", "at t ="]];
+    let words = [
+        "acceleration to the right",
+        "acceleration upwards",
+        "felt along the base of the body",
+        "felt along its side, with gravity",
+    ];
+    for (words, extremes) in words.into_iter().zip(answer.extremes) {
+        let [least, largest] = [extremes.least, extremes.largest]
+            .map(|[value, t]| [number(value) + acceleration, number(t) + s]);
+        rows.push(vec![
+            words.to_owned(),
+            least[0].clone(),
+            least[1].clone(),
+            largest[0].clone(),
+            largest[1].clone(),
+        ]);
+    }
+    let [x, y] = answer.point.at;
+    let head = format!(
+        "\nPoint {}, {}{m} right of and {}{m} above the centre of mass\n",
+        answer.point.name,
+        number(x),
+        number(y)
+    );
+    let jump = answer.largest_jump(outcome).map_or(String::new(), |[jump, t]| {
+        let words = format!(
+            "At an impact it is infinite: there the velocity of the point jumps, by {}{rate} at most, at t = {}{s}.",
+            number(jump),
+            number(t)
+        );
+        paragraph(&words, 2)
+    });
+    head + &columns(&rows, 2, &[1, 2, 3, 4]) + &jump
 }
 
 /// Outcomes of copies: how many end how, quantiles, and when they part from the case itself.
@@ -78,6 +121,12 @@ fn of_copies(followed: &FollowedMotion, copies: &Copies) -> String {
         ("|slide|", copies.slide(), m),
         ("largest slide", copies.max_slide(), m),
     ] {
+        if quantiles.iter().all(|one| one.value == 0.0) {
+            if !quantiles.is_empty() {
+                rows.push(row![format!("  {what}, at least 95 % of them"), format!("0{unit}"), ""]);
+            }
+            continue;
+        }
         for one in &quantiles {
             let (value, within) = quantile(one, unit);
             rows.push(row![format!("  {what}, {} % stay below", number(100.0 * one.share)), value, within]);
@@ -97,12 +146,15 @@ fn of_copies(followed: &FollowedMotion, copies: &Copies) -> String {
     if copies.cut > 0 {
         sentences.push(format!("In {} copies a ratio or a restitution is cut at its limit.", copies.cut));
     }
-    let names = copies.names.join(", ");
-    sentences.push(format!(
-        "Numbers that differ, by {} % (seed {}): {names}.",
-        number(100.0 * copies.asked.spread),
-        copies.asked.seed
-    ));
+    let each = copies.names.iter().zip(&copies.spreads);
+    let (by, names): (String, Vec<String>) = match copies.asked.spread {
+        Spread::Even(spread) => (format!(", by {} %", number(100.0 * spread)), copies.names.clone()),
+        Spread::Named(_) => {
+            (String::new(), each.map(|(name, σ)| format!("{name} by {} %", number(100.0 * σ))).collect())
+        }
+    };
+    let names = names.join(", ");
+    sentences.push(format!("Numbers that differ{by} (seed {}): {names}.", copies.asked.seed));
     let head = format!("\nOf {} copies\n", copies.rows.len());
     head + &columns(&rows, 2, &[1]) + &sentences.iter().map(|words| paragraph(words, 2)).collect::<String>()
 }
@@ -164,6 +216,7 @@ fn outcome_words(followed: &FollowedMotion, number: impl Fn(f64) -> String) -> S
         };
     };
     let begins = match first.why {
+        Why::Start if first.t > 0.0 => format!("From t = {}{s} on the body", number(first.t)),
         Why::Start => "From the start the body".to_owned(),
         _ => format!("At t = {}{s} the body leaves rest: it", number(first.t)),
     };

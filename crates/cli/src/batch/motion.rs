@@ -8,8 +8,8 @@ use standfast_cases::layout::paragraph;
 use standfast_cases::motion::{ROW_RESULTS, in_order};
 use standfast_cases::sweep::heading;
 use standfast_tables::{
-    Interface, MotionRow, MotionTable, OnError, TableError, TableFormat, WrittenColumn, column_warnings,
-    written,
+    Interface, MotionRow, MotionTable, OnError, TableError, TableFormat, TableOptions, WrittenColumn,
+    column_warnings, written,
 };
 
 use crate::args::{BatchArgs, threads};
@@ -29,14 +29,12 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     if !args.map.is_empty() {
         return Err(CommandError::Option { option: "--map" });
     }
-    let format = args.input_format.or_else(|| TableFormat::of(&args.input, "--input-format").ok());
-    if let Some(format) = format.filter(|format| *format != TableFormat::Csv) {
-        return Err(CommandError::Format { name: args.input.display().to_string(), format: format.name() });
-    }
+    let from = super::format(&args.input, args.input_format, "--input-format")?;
     let format = super::format(&args.output, args.output_format, "--output-format");
     let format = format?;
     let nulls = args.on_error == OnError::Null;
-    let table = MotionTable::read(&read(args, &name, files)?, &name, args.head())?;
+    let options = TableOptions { from, head: args.head(), ..TableOptions::new(&name) };
+    let table = MotionTable::of(&read(args, &name, files)?, &options)?;
     let header = table.columns();
     if args.output != Path::new("-") {
         // Before many motions are followed for nothing.

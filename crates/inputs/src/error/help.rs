@@ -569,6 +569,8 @@ pub fn expected_type(kind: Kind) -> &'static str {
         Kind::Factors => "names of loads with their factors, in braces",
         Kind::Settings => "names of keys with their values, in braces",
         Kind::Ratios => "names with their numbers, in braces",
+        Kind::Spreads => "a share, or names with their shares, in braces",
+        Kind::Places => "names with a point [x, y] of each, in braces",
         Kind::Bounds => "criteria with their bounds, in braces",
         Kind::Exceedances => "{ slide = \"0.3 m\", at_most = 0.1 }, or a list of such",
         Kind::Plains => "a list of numbers",

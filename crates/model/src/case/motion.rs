@@ -1,14 +1,15 @@
 //! From typed inputs to the motion in time: how the base moves, how corners meet it, how the motion begins, what is asked of it.
 
 use standfast::History;
-use standfast_motion::{BaseMotion, Impact, Initial, MotionError};
+use standfast::Slip;
+use standfast_motion::{BaseMotion, Going, Impact, Initial, MotionError};
 
 use super::Reader;
 use super::history::{HistoryOf, ReadHistory};
 use crate::criteria::MotionCriterion;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
-use crate::motion::MotionWarning;
+use crate::motion::{BodyPoint, CopiesAsked, MotionWarning, Spread};
 
 /// Motion of a case in time, as its file gives it.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +28,10 @@ pub struct CaseMotion {
     pub t_max: Option<f64>,
     /// Criteria on the motion.
     pub criteria: Vec<MotionCriterion>,
+    /// Points whose accelerations are told.
+    pub points: Vec<BodyPoint>,
+    /// Copies that are asked for.
+    pub copies: Option<CopiesAsked>,
     /// Warnings of possible slips in its histories.
     pub(crate) warnings: Vec<MotionWarning>,
     /// The longest step between the points of a record, s.
@@ -53,6 +58,8 @@ impl Reader<'_> {
             initial: self.initial(),
             t_max: self.number(Key::TMax),
             criteria: MotionCriterion::all(self.inputs)?,
+            points: self.points(),
+            copies: self.copies()?,
             warnings: Vec::new(),
             step: None,
         };
@@ -122,13 +129,62 @@ impl Reader<'_> {
 
     fn initial(&self) -> Initial {
         let or_zero = |key| self.number(key).unwrap_or(0.0);
+        let touching = self.inputs.choice(Key::InitialTouching).map(|word| match word {
+            "both" => [true, true],
+            "none" => [false, false],
+            one => [one == "O", one != "O"],
+        });
+        let going = self.inputs.choice(Key::InitialSlip).map(|word| match word {
+            "left" => Going::Slips(Slip::Left),
+            "right" => Going::Slips(Slip::Right),
+            _ => Going::Sticks,
+        });
+        let slide = [Key::InitialSlideO, Key::InitialSlideOPrime].map(|key| self.number(key));
         Initial {
+            time: or_zero(Key::InitialTime),
+            x: or_zero(Key::InitialX),
+            touching,
+            going,
+            slide: slide[0].zip(slide[1]).map(<[f64; 2]>::from),
             theta: or_zero(Key::InitialTheta),
             omega: or_zero(Key::InitialOmega),
             vx: self.number(Key::InitialVx),
             vy: self.number(Key::InitialVy),
             gap: or_zero(Key::InitialGap),
         }
+    }
+
+    fn points(&self) -> Vec<BodyPoint> {
+        let places = self.inputs.places(Key::MotionPoints).unwrap_or_default();
+        places.iter().map(|(name, at)| BodyPoint { name: name.clone(), at: *at }).collect()
+    }
+
+    fn copies(&self) -> Result<Option<CopiesAsked>, Fault> {
+        /// Greater whole numbers are not all numbers of a case file.
+        const LARGEST: f64 = 9_007_199_254_740_992.0;
+        if !self.inputs.has(Table::Copies) {
+            return Ok(None);
+        }
+        let whole = |key: Key, most: f64, expected: &'static str| {
+            let number = self.number(key);
+            match number.filter(|number| number.fract() != 0.0 || *number > most) {
+                Some(value) => {
+                    let error = MotionError::Value { name: key.name(), value, expected };
+                    Err(Fault::new(Problem::Motion(error), key))
+                }
+                None => Ok(number),
+            }
+        };
+        let number = whole(Key::CopiesNumber, CopiesAsked::MOST as f64, "a whole number from 1 to 1000000")?;
+        let number = number.ok_or_else(|| self.missing(Key::CopiesNumber, 0))?;
+        let seed = whole(Key::CopiesSeed, LARGEST, "a whole number, zero or more, of up to 15 digits")?;
+        let spread = match (self.number(Key::CopiesSpread), self.inputs.ratios(Key::CopiesSpread)) {
+            (Some(spread), _) => Spread::Even(spread),
+            (None, Some(named)) => Spread::Named(named.to_vec()),
+            (None, None) => CopiesAsked::SPREAD,
+        };
+        let seed = seed.map_or(CopiesAsked::SEED, |seed| seed as u64);
+        Ok(Some(CopiesAsked { number: number as usize, spread, seed }))
     }
 
     /// Refusal by the motion, shown at the key it is about.
@@ -147,6 +203,10 @@ impl Reader<'_> {
                 tables.filter(|table| table.name() == *name).map(Place::from).next()
             }
             MotionError::WaterWithoutHeight { .. } => Some(Key::WaterMass.into()),
+            MotionError::Apart { .. } => Some(Key::InitialTouching.into()),
+            MotionError::NoSpread { .. } => Some(Key::CopiesSpread.into()),
+            MotionError::NoCopies => Some(Key::GreatestOverturnedShare.into()),
+            MotionError::SlipOfNone => Some(Key::InitialSlip.into()),
             _ => None,
         };
         let whole = [Table::Motion, Table::Block].into_iter().find(|table| self.inputs.has(*table));

@@ -5,7 +5,7 @@
 use standfast::{Mode, Modes, Slip};
 
 use crate::outcome::{End, Event, MotionOutcome, Why};
-use crate::problem::{Initial, MotionProblem};
+use crate::problem::{Going, Initial, MotionProblem};
 use standfast::history::Piece;
 
 /// A share of what is compared below which nothing is decided here.
@@ -189,7 +189,16 @@ pub(super) fn slides_only(problem: &MotionProblem) -> Option<MotionOutcome> {
         max_theta: 0.0,
         t_max_theta: 0.0,
         theta: 0.0,
-        last: Initial { theta: 0.0, omega: 0.0, vx: Some(0.0), vy: Some(0.0), gap: 0.0 },
+        last: Initial {
+            time: since,
+            x: found.x,
+            vx: Some(0.0),
+            vy: Some(0.0),
+            touching: Some([true, true]),
+            going: Some(Going::Sticks),
+            slide: Some([found.x; 2]),
+            ..Initial::default()
+        },
         past_balance: false,
         impacts: 0,
         t_rest: Some(since),

@@ -35,7 +35,7 @@ impl Machine<'_> {
             if self.events.last().is_none_or(|event| event.why != Why::Rest) {
                 self.say(Why::Rest, Modes::NONE);
                 // It rests since the last event, not since the loads ended.
-                let since = self.events.iter().rev().nth(1).map_or(0.0, |event| event.t);
+                let since = self.events.iter().rev().nth(1).map_or(self.t, |event| event.t);
                 if let Some(event) = self.events.last_mut() {
                     event.t = since;
                 }

@@ -117,8 +117,8 @@ pub fn mirrored(problem: &MotionProblem) -> MotionProblem {
         load.direction[0] = -load.direction[0];
     }
     other.base.horizontal = problem.base.horizontal.clone().map(|h| h.times_factor(-1.0));
-    let Initial { theta, omega, vx, vy, gap } = problem.initial;
-    other.initial = Initial { theta: -theta, omega: -omega, vx: vx.map(|v| -v), vy, gap };
+    let Initial { theta, omega, vx, .. } = problem.initial;
+    other.initial = Initial { theta: -theta, omega: -omega, vx: vx.map(|v| -v), ..problem.initial };
     other
 }
 

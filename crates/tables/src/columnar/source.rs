@@ -19,7 +19,7 @@ use crate::{Progress, TableError, TableFormat, TableOptions};
 const TEXT_OF_ROW: usize = 1 << 6;
 
 /// A file that can be read from any place: a stream is copied into a temporary one.
-fn seekable(input: TableInput<'_>) -> io::Result<File> {
+pub(super) fn seekable(input: TableInput<'_>) -> io::Result<File> {
     match input {
         TableInput::File(file) => Ok(file),
         TableInput::Stream(mut stream) => {
