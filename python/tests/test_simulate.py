@@ -112,10 +112,62 @@ def test_a_series_is_written_in_every_format(program: list[str], tmp_path: Path,
     table = read[format]()
     series = standfast.simulate(path).series(0.05)
     assert list(table.columns) == series.column_names and len(table) > 100
-    assert series.column_names[:9] == ["t", "slide", "x", "y", "theta", "omega", "state", "vx", "vy"] and len(series.column_names) == 29
+    assert series.column_names[:9] == ["t", "slide", "x", "y", "theta", "omega", "state", "vx", "vy"] and len(series.column_names) == 31
     for name in set(table.columns) - {"state"}:
         np.testing.assert_allclose(table[name], series[name].to_numpy(), rtol=1e-15 if format == "xlsx" else 0)
     assert [standfast.Mode(code).symbol for code in series.state.to_pylist()] == list(table.state)
+
+
+def test_a_motion_goes_on_and_points_are_told() -> None:
+    case: dict[str, Any] = {
+        "block": {"b1": 1, "b2": 1, "d": 3, "mu_s": 0.5, "gravity": 1},
+        "motion": {
+            "impact": {"law": "ratio", "ratio": 0.8},
+            "base": {"horizontal": {"shape": "half-sine", "peak": 0.5, "duration": 3}},
+            "points": {"shelf": [0.2, 2.5]},
+        },
+    }
+    whole = standfast.simulate(case)
+    series = whole.series(0.25)
+    assert series.column_names[-4:] == ["a_x.shelf", "a_y.shelf", "f_along.shelf", "f_up.shelf"]
+    felt = series["f_up.shelf"].to_numpy()
+    assert whole.points[0].name == "shelf" and whole.points[0].f_up.least <= felt.min() and felt.max() <= whole.points[0].f_up.largest
+    jumps = [jump for event in whole.events for jump in event.jumps]
+    assert len(jumps) > 3 and {jump.point for jump in jumps} == {"shelf"} and all(event.why != "start" or not event.jumps for event in whole.events)
+    row = {name: series[name].to_pylist()[12] for name in ("t", "x", "theta", "omega", "slide_O", "slide_O'")}
+    assert series.state.to_pylist()[12] == standfast.Mode.ROCK_O
+    case["motion"]["initial"] = {
+        "time": row["t"], "x": row["x"], "theta": row["theta"], "omega": row["omega"],
+        "touching": "O", "slip": "none", "slide": [row["slide_O"], row["slide_O'"]],
+    }  # fmt: skip
+    rest = standfast.simulate(case)
+    assert rest.events[0].t == row["t"] and rest.t_rest == pytest.approx(whole.t_rest, abs=1e-9)
+    assert rest.slide == pytest.approx(whole.slide, abs=1e-12)
+    case["motion"]["initial"]["touching"] = "O'"
+    with pytest.raises(standfast.StandfastError, match="touching names O'"):
+        standfast.simulate(case)
+
+
+def test_copies_scatter_by_name_and_may_be_judged() -> None:
+    case: dict[str, Any] = {
+        "block": {"b1": 1, "b2": 1, "d": 4, "mu_s": 2, "gravity": 1},
+        "motion": {"base": {"horizontal": {"shape": "half-sine", "peak": 0.3, "duration": 3}}},
+    }
+    few = standfast.simulate(case, copies=30, spread={"base": 0.1, "height": 0.02}, strength=False)
+    assert few.copies is not None and few.copies.names == ["height", "base"] and few.copies.spreads == [0.02, 0.1] and few.copies.spread is None
+    case["motion"]["copies"] = {"number": 30, "spread": {"base": 0.1, "height": 0.02}}
+    case["criteria"] = {"overturned_share": few.copies.share.high * 1.01}
+    judged = standfast.simulate(case, strength=False)
+    assert judged.copies is not None and judged.copies.share == few.copies.share and judged.met is True
+    assert len(judged.series(0.5)) > 10
+    more = standfast.simulate(case, copies=40, strength=False)
+    assert more.copies is not None and more.copies.number == 40
+    for wrong in ({"spread": {"bas": 0.1}}, {"spread": 2.0}, {"spread": {"base": -1}}, {"copies": 0}, {"seed": -1}):
+        with pytest.raises(standfast.StandfastError):
+            standfast.simulate(case, **wrong)  # type: ignore[arg-type]
+    del case["motion"]["copies"], case["criteria"]
+    with pytest.raises(standfast.StandfastError, match="spread is of copies"):
+        standfast.simulate(case, spread=0.01)
 
 
 def test_tables_of_motions_are_written_in_every_format(program: list[str], tmp_path: Path) -> None:

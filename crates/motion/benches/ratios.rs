@@ -13,7 +13,7 @@ use common::Random;
 use common::stepping::stepped;
 use standfast::contact::Block;
 use standfast_motion::record::Record;
-use standfast_motion::{Event, History, Impact, Keep, MotionProblem, simulate};
+use standfast_motion::{Event, History, Impact, Keep, MotionProblem, simulate, simulate_at_length};
 
 const POINTS: usize = 4000;
 const STEP: f64 = 0.005;
@@ -43,6 +43,38 @@ fn shaking() -> Vec<f64> {
     values.into_iter().map(|value| value * 0.4 * 9.81 / peak).collect()
 }
 
+/// Blocks of many sizes that rock under the record of the examples: short series beside those of full length.
+fn rocking() {
+    let text = include_str!("../../../examples/records/np01002p_4225c_a.smc");
+    let history = Record::parse("a.smc", text, None, None).unwrap().history(1.0).unwrap();
+    let pieces = history.pieces().len();
+    let mut random = Random::new(17);
+    let problems: Vec<MotionProblem> = (0..40)
+        .map(|_| {
+            let (half, α) = (random.between(0.3, 6.0), random.between(0.08, 0.25));
+            let mut block = Block::uniform(1.0 / α, 50.0);
+            (block.b1, block.b2, block.d) = (half * α, half * α, half);
+            block.rho2 *= (half * α).powi(2);
+            let mut problem = MotionProblem::new(block, 9.81);
+            problem.base.horizontal = Some(history.clone().times_factor(0.013));
+            problem.impact = Impact::Housner;
+            problem
+        })
+        .collect();
+    let time = |follow: &dyn Fn(&MotionProblem) -> usize| {
+        let mut events = 0;
+        let time = least(10, || events = problems.iter().map(follow).sum());
+        (time / problems.len() as u32, events / problems.len())
+    };
+    let (short, events) = time(&|problem| simulate(problem, Keep::default()).unwrap().events.len());
+    let (long, _) = time(&|problem| simulate_at_length(problem, Keep::default()).unwrap().events.len());
+    println!(
+        "rocks under {pieces} points of a record: {short:?}, {:.0} ns a piece, {events} events; {:.2} of series of full length",
+        short.as_secs_f64() * 1e9 / pieces as f64,
+        short.as_secs_f64() / long.as_secs_f64()
+    );
+}
+
 fn main() {
     let values = shaking();
     let history = History::samples(STEP, &values).unwrap();
@@ -61,6 +93,7 @@ fn main() {
     println!(
         "a file of {POINTS} points is read in {file:?}, a history of numbers made in {made:?}, each looked at in {look:?}"
     );
+    rocking();
     let block = |half: f64, slenderness: f64, friction: f64| {
         let mut block = Block::uniform(slenderness, friction);
         (block.b1, block.b2, block.d) = (half, half, half * slenderness);

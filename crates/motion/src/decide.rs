@@ -126,13 +126,19 @@ pub(crate) struct Decider<'a> {
     pub channels: &'a Channels,
     pub pose: Pose,
     pub contact: Contact,
+    /// Room for the series of what is tried.
+    pub motion: &'a mut Motion,
 }
 
 impl Decider<'_> {
-    pub(crate) fn decide(&self) -> Decision {
+    pub(crate) fn decide(&mut self) -> Decision {
         let Contact { closed, slip, failed, .. } = self.contact;
-        let mut modes: Modes =
-            self.tried().into_iter().filter(|mode| Some(*mode) != failed && self.holds(*mode)).collect();
+        let mut modes = Modes::NONE;
+        for mode in self.tried() {
+            if Some(mode) != failed && self.holds(mode) {
+                modes.insert(mode);
+            }
+        }
         if slip.is_none() && self.block.mu_s > self.block.mu_k {
             // Slip at a corner counts only where that corner cannot stick.
             let stick = modes;
@@ -211,28 +217,42 @@ impl Decider<'_> {
     }
 
     /// True if a state satisfies its conditions just after the moment.
-    fn holds(&self, mode: Mode) -> bool {
-        let (block, scales, n) = (self.block, &self.scales, DECIDING);
-        let mut motion = Motion::EMPTY;
+    fn holds(&mut self, mode: Mode) -> bool {
+        // Mostly the first of what may be zero is not.
+        let mut is_open = false;
+        let holds = self.holds_to(mode, 2, &mut is_open);
+        if is_open { self.holds_to(mode, DECIDING, &mut is_open) } else { holds }
+    }
+
+    /// The same by the derivatives to an order; open where what they say is zero.
+    fn holds_to(&mut self, mode: Mode, n: usize, is_open: &mut bool) -> bool {
+        let (block, scales) = (self.block, &self.scales);
+        let is_open = std::cell::Cell::from_mut(is_open);
+        let sign = |powers: &[f64], size: f64| {
+            let sign = scales.sign(powers, size);
+            is_open.set(is_open.get() || sign == Equal);
+            sign
+        };
+        let motion = &mut *self.motion;
         let at_rest = self.contact.slip.is_none();
         let flat_before = self.contact.closed == [true, true];
-        let force = |powers: &Series, size: f64| scales.sign(&powers[..=n - 2], size);
+        let force = |powers: &Series, size: f64| sign(&powers[..=n - 2], size);
         let slip = mode.slip().map_or(0.0, Slip::sign);
         match (mode, mode.corner()) {
             (Mode::Flight, _) => {
-                flying(block, &self.pose, self.channels, n, &mut motion);
+                flying(block, &self.pose, self.channels, n, motion);
                 CORNERS.into_iter().zip(self.contact.closed).filter(|(_, closed)| *closed).all(
                     |(corner, _)| {
-                        let mut gap = gap_along(block, corner, n, &motion);
+                        let mut gap = gap_along(block, corner, n, motion);
                         // On the base, and not moving up.
                         let known = if self.contact.zero == Some(Zero::Normal) { 3 } else { 2 };
                         gap[..known].fill(0.0);
-                        scales.sign(&gap[..=n], scales.length) != Less
+                        sign(&gap[..=n], scales.length) != Less
                     },
                 )
             }
             (_, None) => {
-                flat(block, slip, &self.pose, self.channels, n, &mut motion);
+                flat(block, slip, &self.pose, self.channels, n, motion);
                 let [x, p, m] = &motion.wrench;
                 let size = scales.acceleration + x[0].abs() + p[0].abs() + m[0].abs() / scales.length;
                 let base = on_base(block, p, &base_moment(block, slip, &motion.wrench, n), n);
@@ -258,9 +278,9 @@ impl Decider<'_> {
             }
             (_, Some(corner)) => {
                 if slip == 0.0 {
-                    rocking(block, corner, &self.pose, self.channels, n, &mut motion);
+                    rocking(block, corner, &self.pose, self.channels, n, motion);
                 } else {
-                    slipping(block, corner, slip, &self.pose, self.channels, n, &mut motion);
+                    slipping(block, corner, slip, &self.pose, self.channels, n, motion);
                 }
                 let [x, p, m] = &motion.wrench;
                 let size = scales.acceleration + x[0].abs() + p[0].abs() + m[0].abs() / scales.length;
@@ -273,7 +293,7 @@ impl Decider<'_> {
                     }
                     let side = turning(corner);
                     angle.iter_mut().for_each(|a| *a *= side * scales.length);
-                    if scales.sign(&angle[..=n], scales.length) != Greater {
+                    if sign(&angle[..=n], scales.length) != Greater {
                         return false;
                     }
                 }
@@ -295,8 +315,7 @@ impl Decider<'_> {
                     if Zero::of_slip(self.contact.zero, block, mode.slip()) {
                         u[1] = 0.0;
                     }
-                    scales
-                        .sign(&u[..n], scales.acceleration * scales.time * (1.0 + size / scales.acceleration))
+                    sign(&u[..n], scales.acceleration * scales.time * (1.0 + size / scales.acceleration))
                         == Greater
                 } else {
                     true

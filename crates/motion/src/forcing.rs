@@ -1,6 +1,9 @@
 //! Loads and base motion over the pieces of time in which all of them are lines or sines.
 
-use crate::problem::MotionProblem;
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use crate::problem::{BaseMotion, MotionProblem};
 use crate::series::{LEN, Series};
 use standfast::history::{History, Piece};
 
@@ -76,7 +79,55 @@ impl Channels {
     }
 }
 
+/// X, P and M of a piece in which all of them are lines and keep their directions: at a moment, and their slopes.
+pub(crate) type Lines = [[f64; 2]; 3];
+
+thread_local! {
+    /// The shaking of the last motion, where nothing but the base moved: many bodies follow each other under one record.
+    static LAST: RefCell<Option<(BaseMotion, f64, Rc<Forcing>)>> = const { RefCell::new(None) };
+}
+
 impl Forcing {
+    /// That of a problem; of one that has the same shaking as the problem before, and no loads, it is the same one.
+    pub(crate) fn of(problem: &MotionProblem) -> Rc<Forcing> {
+        if !problem.loads.is_empty() {
+            return Rc::new(Forcing::new(problem));
+        }
+        let same = |one: &Option<History>, other: &Option<History>| match (one, other) {
+            (Some(one), Some(other)) => one.is_same(other),
+            (one, other) => one.is_none() && other.is_none(),
+        };
+        LAST.with_borrow_mut(|last| {
+            if let Some((base, gravity, forcing)) = last
+                && *gravity == problem.gravity
+                && same(&base.horizontal, &problem.base.horizontal)
+                && same(&base.vertical, &problem.base.vertical)
+            {
+                return forcing.clone();
+            }
+            let forcing = Rc::new(Forcing::new(problem));
+            *last = Some((problem.base.clone(), problem.gravity, forcing.clone()));
+            forcing
+        })
+    }
+
+    /// The lines from t on in a piece; `None` where something is a sine, or turns with the body.
+    #[inline]
+    pub(crate) fn lines(&self, segment: usize, t: f64) -> Option<Lines> {
+        if self.turn {
+            return None;
+        }
+        let τ = t - self.start(segment);
+        let mut lines = [[0.0; 2], [self.gravity, 0.0], [0.0; 2]];
+        for share in &self.shares {
+            let Local::Line { value, slope } = self.pieces[share.history][segment] else { return None };
+            let line = &mut lines[share.to[0]];
+            line[0] += share.factor * (value + slope * τ);
+            line[1] += share.factor * slope;
+        }
+        Some(lines)
+    }
+
     pub(crate) fn new(problem: &MotionProblem) -> Forcing {
         let mut histories: Vec<&History> = Vec::new();
         let mut shares: Vec<Share> = Vec::new();
@@ -112,15 +163,25 @@ impl Forcing {
                 histories.push(history);
             }
         }
-        let mut breaks: Vec<f64> = histories
-            .iter()
-            .flat_map(|h| h.times().iter().copied())
-            .filter(|t| *t > 0.0 && t.is_finite())
-            .collect();
-        breaks.sort_by(f64::total_cmp);
+        // Each is in order; the pieces without end and before the beginning part nothing.
+        let mut breaks: Vec<f64> =
+            Vec::with_capacity(histories.iter().map(|history| history.times().len()).sum());
+        for history in &histories {
+            let times = history.times();
+            let (from, to) = (times.partition_point(|t| *t <= 0.0), times.partition_point(|t| t.is_finite()));
+            breaks.extend_from_slice(&times[from.min(to)..to]);
+        }
+        if histories.len() > 1 {
+            breaks.sort_by(f64::total_cmp);
+        }
         breaks.dedup();
         let pieces: Vec<Vec<Local>> = histories.iter().map(|history| localised(history, &breaks)).collect();
-        let jumps = breaks.iter().map(|t| histories.iter().any(|history| history.jumps_at(*t))).collect();
+        let mut jumps = vec![false; breaks.len()];
+        for t in histories.iter().flat_map(|history| history.jumps()) {
+            if let Ok(place) = breaks.binary_search_by(|other| other.total_cmp(&t)) {
+                jumps[place] = true;
+            }
+        }
         let turn = shares.iter().any(|share| share.to[1] != 0);
         let permanent = problem.loads.iter().filter(|load| load.history.end() == f64::INFINITY);
         let pressing =

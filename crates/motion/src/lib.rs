@@ -49,6 +49,8 @@ pub mod spectrum;
 pub mod strength;
 
 pub use error::MotionError;
+#[doc(hidden)]
+pub use machine::simulate_at_length;
 pub use machine::{Keep, simulate};
 pub use moment::Moment;
 pub use outcome::{End, Event, MotionOutcome, MotionStep, Position, Why};

@@ -1,5 +1,6 @@
 //! From event to event: the motion in power series, their first roots, and what happens there.
 
+mod glide;
 mod settle;
 mod sliding;
 mod step;
@@ -51,6 +52,19 @@ pub struct Keep {
     pub steps: bool,
 }
 
+/// Follows the motion to its end by series of full length alone: a witness of [`simulate`], and the measure of its speed.
+///
+/// # Errors
+/// As [`simulate`].
+#[doc(hidden)]
+pub fn simulate_at_length(problem: &MotionProblem, keep: Keep) -> Result<MotionOutcome, MotionError> {
+    problem.check()?;
+    let forcing = Forcing::new(problem);
+    let mut machine = Machine { is_short: false, ..Machine::new(problem, &forcing, keep) };
+    let end = machine.run()?;
+    Ok(machine.outcome(end))
+}
+
 /// Follows the motion to its end.
 ///
 /// # Errors
@@ -67,7 +81,7 @@ pub fn simulate(problem: &MotionProblem, keep: Keep) -> Result<MotionOutcome, Mo
 
 /// Follows the motion by the machine that knows all states.
 fn in_general(problem: &MotionProblem, keep: Keep) -> Result<MotionOutcome, MotionError> {
-    let forcing = Forcing::new(problem);
+    let forcing = Forcing::of(problem);
     let mut machine = Machine::new(problem, &forcing, keep);
     let end = machine.run()?;
     Ok(machine.outcome(end))
@@ -87,6 +101,11 @@ struct Machine<'a> {
 
     t: f64,
     segment: usize,
+    rockers: [glide::Rocker; 2],
+    /// True if pieces in which nothing happens are followed by series that are as short as these.
+    is_short: bool,
+    /// c and h of a corner at an angle, as the last piece has left them.
+    known_levers: Option<(Corner, f64, [f64; 2])>,
     mode: Mode,
     pose: Pose,
     /// True if the corner's slip is zero at this moment, up to rounding: a state of slip begins.
@@ -95,6 +114,8 @@ struct Machine<'a> {
     begins: (Option<Zero>, Option<Mode>),
     channels: Channels,
     motion: Motion,
+    /// Room for the series of states that are tried.
+    tried: Motion,
 
     events: Vec<Event>,
     steps: Vec<MotionStep>,
@@ -153,12 +174,16 @@ impl<'a> Machine<'a> {
             t: begin,
             // What jumps at the moment itself has jumped.
             segment: forcing.breaks.partition_point(|t| *t <= begin),
+            rockers: Machine::rockers(block, problem.gravity),
+            is_short: problem.block.m_x == problem.block.m_y,
+            known_levers: None,
             mode: Mode::Rest,
             pose: started(block, &problem.initial),
             slip_begins: false,
             begins: (None, None),
             channels: Channels::EMPTY,
             motion: Motion::EMPTY,
+            tried: Motion::EMPTY,
             events: Vec::new(),
             steps: Vec::new(),
             feet: [[0.0; 2]; 2],
@@ -201,6 +226,12 @@ impl<'a> Machine<'a> {
                 if jump && let Some(end) = self.jumped() {
                     return Ok(end);
                 }
+                continue;
+            }
+            if self.is_short
+                && let Some(corner) = self.mode.corner()
+                && self.glide(corner, stop)
+            {
                 continue;
             }
             if let Some(end) = self.advance(stop) {
@@ -374,8 +405,9 @@ impl<'a> Machine<'a> {
     fn decide(&mut self, contact: Contact) -> Decision {
         self.begins = (contact.zero, contact.failed);
         self.forcing.channels(self.segment, self.t, DECIDING, &mut self.channels);
-        Decider { block: self.block, scales: self.scales, channels: &self.channels, pose: self.pose, contact }
-            .decide()
+        let motion = &mut self.tried;
+        let (block, scales, pose) = (self.block, self.scales, self.pose);
+        Decider { block, scales, channels: &self.channels, pose, contact, motion }.decide()
     }
 
     /// The closed corners of the present state, and the direction of their slip.

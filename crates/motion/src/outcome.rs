@@ -216,7 +216,10 @@ impl MotionOutcome {
 
     /// The kept step at a moment and the time since its beginning: at a moment at which something changes that which begins there, or ends.
     pub(crate) fn step_at(&self, t: f64, before: bool) -> Option<(&MotionStep, f64)> {
-        let i = self.steps.partition_point(|step| if before { step.t < t } else { step.t <= t });
+        // The time of an event and the beginning of a step may differ by rounding, where a plainer way has found the events.
+        let slack = 4.0 * f64::EPSILON * t.abs();
+        let i =
+            self.steps.partition_point(|step| if before { step.t < t - slack } else { step.t <= t + slack });
         let step = self.steps.get(i.saturating_sub(1))?;
         Some((step, (t - step.t).clamp(0.0, step.duration)))
     }

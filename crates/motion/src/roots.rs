@@ -105,15 +105,16 @@ fn isolate(powers: &[f64], bernstein: &[f64], from: f64, to: f64, depth: u32) ->
         .or_else(|| isolate(powers, &right[..=last], middle, to, depth + 1))
 }
 
-/// The one root between two values of opposite signs: Newton's steps, halving where they leave the bracket.
+/// The one root between two values of opposite signs: Newton's steps, halving where they leave the bracket, until the value is rounding.
 fn refine(powers: &[f64], from: f64, to: f64) -> f64 {
     let (mut low, mut high) = (from, to);
     let mut at = 0.5 * (low + high);
     for _ in 0..100 {
-        let (mut f, mut slope) = (0.0, 0.0);
+        let (mut f, mut slope, mut size) = (0.0, 0.0, 0.0);
         for a in powers.iter().rev() {
             slope = slope * at + f;
             f = f * at + a;
+            size = size * at + a.abs();
         }
         if f > 0.0 {
             low = at
@@ -121,6 +122,9 @@ fn refine(powers: &[f64], from: f64, to: f64) -> f64 {
             high = at
         }
         let newton = at - f / slope;
+        if f.abs() <= f64::EPSILON * size && newton >= low && newton <= high {
+            return newton;
+        }
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         if (next - at).abs() <= 2.0 * f64::EPSILON * at || high - low <= 2.0 * f64::EPSILON * high {
             return next;

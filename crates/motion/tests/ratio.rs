@@ -32,13 +32,12 @@ fn a_ratio_that_would_gain_is_the_root_of_the_energy() {
         if corners != [Some(Corner::O), Some(Corner::OPrime)] {
             continue;
         }
-        let (before, after) = (impact.t.next_down(), impact.t);
-        let rate = |t: f64| outcome.at(t).unwrap().omega;
-        let (ω, ω_after) = (rate(before), rate(after));
+        let [before, after] = [true, false].map(|before| outcome.moment(impact.t, before).unwrap());
+        let (ω, ω_after) = (before.omega, after.omega);
         if ω >= -1e-3 || ω_after >= 0.0 {
             continue;
         }
-        let (v, v_after) = (outcome.velocity(before).unwrap(), outcome.velocity(after).unwrap());
+        let (v, v_after) = (before.velocity[0], after.velocity[0]);
         let s = (v_after + block.d * ω_after).signum();
         if (v_after + block.d * ω_after).abs() < 1e-9 {
             // It sticks: its friction is less, and there is nothing to reduce.

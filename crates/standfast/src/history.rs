@@ -462,9 +462,29 @@ impl History {
         (after - before).abs() > 1e-12 * self.size_near(t)
     }
 
+    /// True if it is the same one in memory, or a clone of it: equal without a look at its pieces.
+    pub fn is_same(&self, other: &History) -> bool {
+        Arc::ptr_eq(&self.times, &other.times) && Arc::ptr_eq(&self.pieces, &other.pieces)
+    }
+
+    /// The moments at which it jumps, rising.
+    pub fn jumps(&self) -> impl Iterator<Item = f64> {
+        let times = &self.times;
+        let is_jump = |i: &usize| {
+            let before = i.checked_sub(1).map_or(0.0, |last| self.pieces[last].at(times[*i] - times[last]));
+            let after = self.pieces.get(*i).map_or(0.0, |piece| piece.at(0.0));
+            before != after && (after - before).abs() > 1e-12 * self.size_beside(*i)
+        };
+        (0..times.len()).filter(is_jump).map(|i| times[i])
+    }
+
     /// The size of the pieces on both sides of a moment.
     fn size_near(&self, t: f64) -> f64 {
-        let i = self.times.partition_point(|time| *time < t);
+        self.size_beside(self.times.partition_point(|time| *time < t))
+    }
+
+    /// The size of the pieces before and from a place on.
+    fn size_beside(&self, i: usize) -> f64 {
         let size = |i: usize| match self.pieces.get(i) {
             Some(Piece::Sine { peak, .. }) => peak.abs(),
             Some(piece @ Piece::Line { value, slope }) => {

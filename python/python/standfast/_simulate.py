@@ -100,9 +100,10 @@ class Simulation(Lazy, MotionDocument):
         Returns:
             A table with the columns ``t``, ``slide``, ``x`` and ``y`` (of the centre of mass), ``theta``, ``omega`` and ``state``, words of
             :class:`Mode`; velocities and accelerations ``vx``, ``vy``, ``ax``, ``ay``, ``alpha``; reactions ``N_O``, ``T_O``, ``N_O'``, ``T_O'``
-            at the corners (none of friction that both share) and ``T`` of both; ``gap_O``, ``gap_O'``; the loads ``X``, ``P``, ``M``
+            at the corners (none of friction that both share) and ``T`` of both; ``slide_O``, ``slide_O'``, ``gap_O``, ``gap_O'``; the loads ``X``, ``P``, ``M``
             about the centre of mass, the base's ``a_h`` and ``a_v``; and energies per mass, ``K``, ``potential``, ``work``,
-            ``friction_loss`` and ``impact_loss`` so far. ``series.theta.to_numpy()`` and ``numpy.asarray(series.theta)`` are arrays, ``polars.DataFrame(series)``,
+            ``friction_loss`` and ``impact_loss`` so far. Of each point of ``[motion.points]`` there are ``a_x.NAME``, ``a_y.NAME``, absolute
+            accelerations, and ``f_along.NAME``, ``f_up.NAME``, what an instrument there feels. ``series.theta.to_numpy()`` and ``numpy.asarray(series.theta)`` are arrays, ``polars.DataFrame(series)``,
             ``pyarrow.table(series)`` and ``pandas.DataFrame(series.to_dict())`` tables; ``series.theta.metadata`` has unit and words.
 
         Raises:
@@ -226,15 +227,21 @@ def copies_of(
     def whole(value: object) -> bool:
         return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
 
+    def share(value: object) -> float:
+        number = float(value) if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool) else np.nan
+        if not 0 <= number <= 1:
+            raise StandfastError(f"spread is {spread!r}; expected a share from 0 to 1, or names with such shares")
+        return number
+
     if not (copies is None or whole(copies) and 1 <= copies <= 1_000_000):
         raise StandfastError(f"copies is {copies!r}; expected a whole number from 1 to 1000000")
-    named = list(spread.items()) if isinstance(spread, Mapping) else None
-    for value in [] if spread is None else [spread] if named is None else [value for _, value in named]:
-        if not (isinstance(value, (float, np.floating)) or whole(value)) or not 0 <= value <= 1:
-            raise StandfastError(f"spread is {spread!r}; expected a share from 0 to 1, or names with such shares")
+    shares: float | list[tuple[str, float]] | None
+    if isinstance(spread, Mapping):
+        shares = [(str(name), share(value)) for name, value in spread.items()]
+    else:
+        shares = None if spread is None else share(spread)
     if not (seed is None or whole(seed) and 0 <= seed < 1 << 64):
         raise StandfastError(f"seed is {seed!r}; expected a whole number, not below 0")
-    shares = [(str(name), float(value)) for name, value in named] if named is not None else None if spread is None else float(spread)  # type: ignore[arg-type]
     return None if copies is None else int(copies), shares, None if seed is None else int(seed)
 
 

@@ -224,7 +224,7 @@ def simulate(
     case: _MotionCase,
     base: tuple[_RecordOf, _RecordOf],
     options: tuple[bool | None, bool],
-    copies: tuple[int, float, int] | None,
+    copies: tuple[int | None, float | list[tuple[str, float]] | None, int | None],
     progress: _Progress,
 ) -> MotionAnswer: ...
 

@@ -313,7 +313,7 @@ impl Machine<'_> {
     }
 
     /// The largest |θ| of a step: at its ends, or where ω is zero.
-    fn see_rotation(&mut self, τ: f64) {
+    pub(super) fn see_rotation(&mut self, τ: f64) {
         let (θ, ω) = (&self.motion.θ, &self.motion.ω);
         let mut bound = 0.0;
         for a in θ.iter().rev() {
@@ -341,11 +341,11 @@ impl Machine<'_> {
     }
 
     /// Work, and what friction and impacts have taken so far.
-    fn spent(&self) -> [f64; 3] {
+    pub(super) fn spent(&self) -> [f64; 3] {
         [self.work, self.friction_loss, self.impact_loss]
     }
 
-    fn keep_step(&mut self, τ: f64, spent: [f64; 3]) {
+    pub(super) fn keep_step(&mut self, τ: f64, spent: [f64; 3]) {
         if self.keep.steps {
             let motion = &self.motion;
             self.steps.push(MotionStep {
