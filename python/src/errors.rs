@@ -5,6 +5,7 @@ use pyo3::PyErr;
 use pyo3::create_exception;
 use pyo3::exceptions::PyValueError;
 use standfast_cases::design::DesignError;
+use standfast_cases::motion::MotionsError;
 use standfast_cases::random::ProbabilityError;
 use standfast_cases::{CaseError as Fault, report};
 use standfast_sheet::SheetError;
@@ -38,6 +39,14 @@ pub(crate) fn of_design(error: &DesignError) -> PyErr {
     match error {
         DesignError::Case(error) => of_case(error),
         error if error.is_without_solution() => NoSolution::new_err(report(error)),
+        error => StandfastError::new_err(report(error)),
+    }
+}
+
+/// Motions that cannot be followed.
+pub(crate) fn of_motions(error: &MotionsError) -> PyErr {
+    match error {
+        MotionsError::Case(error) => of_case(error),
         error => StandfastError::new_err(report(error)),
     }
 }

@@ -13,6 +13,7 @@ mod explain;
 mod figure;
 mod grid;
 mod limits;
+mod motions;
 mod ndarray;
 mod numbers;
 mod onset;
@@ -114,6 +115,8 @@ mod _standfast {
     use super::design::{boundary, design, minimum};
     #[pymodule_export]
     use super::diagram::{diagram_numbers, diagram_outlines, diagram_svg, failing_modes};
+    #[pymodule_export]
+    use super::motions::motions;
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "Python's name for it")]
     const __commit__: Option<&str> = option_env!("STANDFAST_COMMIT");

@@ -11,7 +11,7 @@ use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use standfast::Mode;
 use standfast_cases::motion::{
-    BlockCase, CopiesAsked, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit,
+    BlockCase, CopiesOptions, Factors, Follow, FollowedMotion, GivenBase, MotionView, Record, RecordUnit,
     STATE_AT, SeriesAsked, SeriesColumn, SeriesRow, Spread, StrengthAsked,
 };
 use standfast_cases::{CaseFile, Document, Interface};
@@ -129,9 +129,18 @@ pub(crate) fn given_base(
 
 /// The situations of a case, and the contents of the files that it names.
 pub(crate) fn cases(
-    (name, text, folder, files): MotionCase,
+    case: MotionCase,
     base: &GivenBase,
 ) -> PyResult<(Vec<BlockCase>, BTreeMap<String, String>)> {
+    let (file, files) = read_on(case, |_| base.clone())?;
+    Ok((file.motions().map_err(|error| of_case(&error))?, files))
+}
+
+/// A case on a base of arrays, with the files that it names, and their contents.
+pub(crate) fn read_on(
+    (name, text, folder, files): MotionCase,
+    base: impl FnOnce(&CaseFile) -> GivenBase,
+) -> PyResult<(CaseFile, BTreeMap<String, String>)> {
     let known = Mutex::new(files);
     let read = |path: &str| {
         let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
@@ -144,9 +153,9 @@ pub(crate) fn cases(
         known.insert(path.to_owned(), text.clone());
         Ok(text)
     };
-    let file = CaseFile::parse(&name, &text).and_then(|file| file.on_base(base).with_files(&read));
-    let cases = file.and_then(|file| file.motions()).map_err(|error| of_case(&error))?;
-    Ok((cases, known.into_inner().unwrap_or_else(PoisonError::into_inner)))
+    let file = CaseFile::parse(&name, &text).and_then(|file| file.on_base(&base(&file)).with_files(&read));
+    let file = file.map_err(|error| of_case(&error))?;
+    Ok((file, known.into_inner().unwrap_or_else(PoisonError::into_inner)))
 }
 
 /// By how much numbers of copies scatter: all by one share, or each under its name.
@@ -156,28 +165,16 @@ pub(crate) enum SpreadGiven {
     Named(Vec<(String, f64)>),
 }
 
-/// Puts what is asked of copies in place of what the case says of them.
-fn copies_asked(
-    case: &mut BlockCase,
-    (number, spread, seed): &(Option<usize>, Option<SpreadGiven>, Option<u64>),
-) -> PyResult<()> {
-    let own = case.copies.take();
-    let number = number.or(own.as_ref().map(|own| own.number));
-    if number.is_none() && (spread.is_some() || seed.is_some()) {
-        let name = if spread.is_some() { "spread" } else { "seed" };
-        return Err(StandfastError::new_err(format!(
-            "{name} is of copies, and none are followed; expected copies"
-        )));
-    }
-    let (own_spread, own_seed) =
-        own.map_or((CopiesAsked::SPREAD, CopiesAsked::SEED), |own| (own.spread, own.seed));
-    let spread = match spread {
-        None => own_spread,
-        Some(SpreadGiven::Even(spread)) => Spread::Even(*spread),
-        Some(SpreadGiven::Named(named)) => Spread::Named(named.clone()),
-    };
-    case.copies = number.map(|number| CopiesAsked { number, spread, seed: seed.unwrap_or(own_seed) });
-    Ok(())
+/// Number, spread and seed of copies, where they are given.
+pub(crate) type CopiesGiven = (Option<usize>, Option<SpreadGiven>, Option<u64>);
+
+/// What is asked of copies.
+pub(crate) fn copies_options((number, spread, seed): CopiesGiven) -> CopiesOptions {
+    let spread = spread.map(|spread| match spread {
+        SpreadGiven::Even(spread) => Spread::Even(spread),
+        SpreadGiven::Named(named) => Spread::Named(named),
+    });
+    CopiesOptions { number, spread, seed }
 }
 
 /// Follows the motion of a case; `options` are whether its strength is looked for (`None`: where its records are short), and all events.
@@ -187,11 +184,12 @@ pub(crate) fn simulate(
     case: MotionCase,
     base: (Option<Samples<'_>>, Option<Samples<'_>>),
     options: (Option<bool>, bool),
-    copies: (Option<usize>, Option<SpreadGiven>, Option<u64>),
+    copies: CopiesGiven,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<MotionAnswer> {
     let base = given_base(base)?;
     let (strength, all) = options;
+    let copies = copies_options(copies);
     let strength = match strength {
         None => StrengthAsked::IfShort(Factors::Rungs),
         Some(true) => StrengthAsked::Always(Factors::Rungs),
@@ -200,7 +198,11 @@ pub(crate) fn simulate(
     watched(py, progress.as_ref(), move |portion| {
         let (mut cases, files) = cases(case, &base)?;
         for case in &mut cases {
-            copies_asked(case, &copies)?;
+            copies.put(case).map_err(|option| {
+                StandfastError::new_err(format!(
+                    "{option} is of copies, and none are followed; expected copies"
+                ))
+            })?;
         }
         let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
         let answers = FollowedMotion::of_all(

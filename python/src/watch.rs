@@ -83,6 +83,42 @@ pub(crate) fn watched<T: Send + 'static>(
     aside(py, &caller, false, |watch| work(Portion::whole(watch)))
 }
 
+/// As [`watched`], for work on what belongs to the caller: it is waited for where it is stopped, too.
+pub(crate) fn watched_within<T: Send>(
+    py: Python<'_>,
+    progress: Option<&Py<PyAny>>,
+    work: impl FnOnce(Portion<'_>) -> T + Send,
+) -> PyResult<T> {
+    let caller = Caller { progress, total: Some(PARTS) };
+    let (tell, mut told) = mpsc::channel();
+    let watch = Watch::default();
+    thread::scope(|scope| {
+        let watched = &watch;
+        let spawned =
+            thread::Builder::new().spawn_scoped(scope, move || tell.send(work(Portion::whole(watched))));
+        spawned.map_err(|error| {
+            PyRuntimeError::new_err(format!("the system has no thread for the work: {error}"))
+        })?;
+        loop {
+            let (heard, back) = py.detach(move || (told.recv_timeout(PAUSE), told));
+            told = back;
+            match heard {
+                Ok(done) => return caller.tell(py, watch.done().unwrap_or_default()).map(|()| done),
+                Err(RecvTimeoutError::Timeout) => {
+                    if let Err(raised) = caller.look(py, watch.done()) {
+                        watch.stopped.store(true, Ordering::Relaxed);
+                        py.detach(move || told.recv()).ok();
+                        return Err(raised);
+                    }
+                }
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(PyRuntimeError::new_err("the work ended without an answer"));
+                }
+            }
+        }
+    })
+}
+
 /// Does work on a thread of its own, while the caller looks after Ctrl-C. Work that `stops` where its [`Watch`] says so is waited for
 /// then; any other goes on to its end, unheard.
 pub(crate) fn aside<T: Send + 'static>(

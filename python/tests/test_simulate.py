@@ -413,7 +413,7 @@ def test_copies_scatter_as_their_numbers_do() -> None:
     assert middle == pytest.approx(0.16 / 0.6, rel=3e-3)
     assert math.log(above / below) == pytest.approx(2 * 1.645 * 0.01, rel=0.15)
     assert standfast.simulate(thrown).copies is None
-    for wrong, words in [({"copies": 0}, "copies is 0"), ({"copies": 5, "spread": 0.7}, "spread is 0.7"), ({"copies": 5, "seed": -1}, "seed is -1")]:
+    for wrong, words in [({"copies": 0}, "copies is 0"), ({"copies": 5, "spread": 1.7}, "spread is 1.7"), ({"copies": 5, "seed": -1}, "seed is -1")]:
         with pytest.raises(standfast.StandfastError, match=words):
             standfast.simulate(thrown, **wrong)
 

@@ -13,6 +13,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod arrays;
 mod copies;
 mod criteria;
 mod points;
@@ -22,6 +23,7 @@ mod series;
 mod spectrum;
 mod strength;
 
+pub use arrays::{MotionOf, MotionsAsked, MotionsError, MotionsFound, ShakingArray, motions_of, still_base};
 pub use copies::{Copies, CopyQuantile, Differs};
 pub(crate) use criteria::worst_checks;
 pub use criteria::{MotionCheck, MotionValue};
@@ -36,7 +38,7 @@ pub use spectrum::{
 pub use strength::{Strength, StrengthAsked};
 
 use standfast_model::{BlockCase, CaseFile, MotionCriterion, MotionWarning};
-pub use standfast_model::{CopiesAsked, Spread};
+pub use standfast_model::{CopiesAsked, CopiesOptions, Spread};
 use standfast_motion::divergence::Divergence;
 use standfast_motion::{Keep, MotionError, MotionOutcome, simulate};
 use standfast_watch::Portion;

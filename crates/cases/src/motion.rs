@@ -20,7 +20,7 @@ pub use standfast_model::{
 };
 pub use standfast_motion::record::{Record, RecordUnit};
 pub use standfast_motion::strength::{Factors, Tried};
-pub use standfast_motion::{MotionError, MotionOutcome, Position};
+pub use standfast_motion::{End, MotionError, MotionOutcome, Position};
 pub use text::{Rows, energy_rows, event_rows, number_rows, uniqueness, verdict};
 
 /// View of motions: how much is shown.

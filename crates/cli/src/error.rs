@@ -122,7 +122,7 @@ pub enum CommandError {
     #[error("there is no boundary to draw: the target is met up to both ends of the range in every column")]
     NoBoundary,
     /// An option of copies where none are followed.
-    #[error("{option} is of copies, and none are followed")]
+    #[error("--{option} is of copies, and none are followed")]
     NoCopies {
         /// The option.
         option: &'static str,

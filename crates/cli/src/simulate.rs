@@ -6,7 +6,7 @@ use std::path::{self, Path};
 use standfast_cases::CaseFile;
 use standfast_cases::key::Table;
 use standfast_cases::motion::{
-    BlockCase, BodyPoint, Copies, CopiesAsked, Factors, Follow, FollowedMotion, MotionError, MotionView,
+    BlockCase, BodyPoint, Copies, CopiesOptions, Factors, Follow, FollowedMotion, MotionError, MotionView,
     STATE_AT, SeriesAsked, SeriesColumn, SeriesRow, StrengthAsked, resume,
 };
 use standfast_tables::{MotionTable, TableFormat, TableOptions, WrittenColumn, written};
@@ -126,24 +126,12 @@ fn cases(args: &SimulateArgs, file: &CaseFile) -> Result<Vec<BlockCase>> {
             }
             case.points.push(point.clone());
         }
-        let own = case.copies.take();
-        let number = args.copies.or(own.as_ref().map(|own| own.number));
-        let Some(number) = number else {
-            let given = [
-                ("--spread", args.spread.is_some()),
-                ("--seed", args.seed.is_some()),
-                ("--threads", args.threads.is_some()),
-                ("--csv", args.csv.is_some()),
-            ];
-            match given.into_iter().find(|(_, given)| *given) {
-                Some((option, _)) => return Err(CommandError::NoCopies { option }),
-                None => continue,
-            }
-        };
-        let (spread, seed) =
-            own.map_or((CopiesAsked::SPREAD, CopiesAsked::SEED), |own| (own.spread, own.seed));
-        let (spread, seed) = (args.spread.clone().unwrap_or(spread), args.seed.unwrap_or(seed));
-        case.copies = Some(CopiesAsked { number, spread, seed });
+        let options = CopiesOptions { number: args.copies, spread: args.spread.clone(), seed: args.seed };
+        options.put(case).map_err(|name| CommandError::NoCopies { option: name })?;
+        let given = [("threads", args.threads.is_some()), ("csv", args.csv.is_some())];
+        if let (None, Some((option, _))) = (&case.copies, given.into_iter().find(|(_, given)| *given)) {
+            return Err(CommandError::NoCopies { option });
+        }
     }
     Ok(cases)
 }

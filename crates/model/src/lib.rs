@@ -34,7 +34,9 @@ pub use case_file::CaseFile;
 pub use criteria::{Bound, Criterion, MotionCriterion, listed_modes};
 pub use first_instant::{FirstInstant, GivenBase, at_first_instant};
 pub use load_words::load_words;
-pub use motion::{BlockCase, BodyPoint, CopiesAsked, LoadPeak, MotionWarning, Spread, motions};
+pub use motion::{
+    BlockCase, BodyPoint, CopiesAsked, CopiesOptions, LoadPeak, MotionWarning, Spread, motions,
+};
 pub use standfast_inputs::{CaseError, Fault, Inputs, Key, Place, Problem, Value};
 pub use warning::Warning;
 

@@ -3,7 +3,7 @@
 use standfast::Wrench;
 use standfast::contact::Block;
 use standfast::loads::{LoadSource, Pose};
-use standfast_motion::{LoadInTime, MotionError, MotionProblem, is_own_weight};
+use standfast_motion::{BaseMotion, LoadInTime, MotionError, MotionProblem, is_own_weight};
 
 use crate::case::{Acting, Case, CaseMotion, Foundation, HistoryOf, Reader, Trial, said_by};
 use crate::case_file::CaseFile;
@@ -109,6 +109,39 @@ impl CopiesAsked {
     pub const MOST: usize = 1_000_000;
 }
 
+/// What options say of copies, in place of the case.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct CopiesOptions {
+    /// Number of them.
+    pub number: Option<usize>,
+    /// How far their numbers scatter.
+    pub spread: Option<Spread>,
+    /// The seed.
+    pub seed: Option<u64>,
+}
+
+impl CopiesOptions {
+    /// Puts them in place of what a case says.
+    ///
+    /// # Errors
+    /// The name of an option that is given where no copies are followed.
+    pub fn put(&self, case: &mut BlockCase) -> Result<(), &'static str> {
+        let own = case.copies.take();
+        let Some(number) = self.number.or(own.as_ref().map(|own| own.number)) else {
+            return match self {
+                CopiesOptions { spread: Some(_), .. } => Err("spread"),
+                CopiesOptions { seed: Some(_), .. } => Err("seed"),
+                _ => Ok(()),
+            };
+        };
+        let (spread, seed) =
+            own.map_or((CopiesAsked::SPREAD, CopiesAsked::SEED), |own| (own.spread, own.seed));
+        let (spread, seed) = (self.spread.clone().unwrap_or(spread), self.seed.unwrap_or(seed));
+        case.copies = Some(CopiesAsked { number, spread, seed });
+        Ok(())
+    }
+}
+
 /// A load of a body at its peak, about its centre of mass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadPeak {
@@ -127,6 +160,33 @@ pub struct MotionWarning {
     pub name: &'static str,
     /// The finding, with its number.
     pub words: String,
+}
+
+/// Warnings of the shaking of a base.
+const OF_SHAKING: [&str; 6] = [
+    "strong-earthquake",
+    "weak-earthquake",
+    "coarse-record",
+    "nothing-moves",
+    "record-drift",
+    "record-ends-abruptly",
+];
+
+impl BlockCase {
+    /// The same under another shaking of the base, with points up to `step` apart; water that is shaken with the base goes with it.
+    pub fn shaken(&self, base: &BaseMotion, step: f64) -> BlockCase {
+        let mut case = self.clone();
+        if let (Some(own), Some(other)) = (&self.problem.base.horizontal, &base.horizontal) {
+            for load in case.problem.loads.iter_mut().filter(|load| load.history.is_same(own)) {
+                load.history = other.clone();
+            }
+        }
+        case.problem.base = base.clone();
+        case.warnings.retain(|warning| !OF_SHAKING.contains(&warning.name));
+        case.warnings.extend(slips(&case.problem, Some(step)));
+        case.warnings.dedup();
+        case
+    }
 }
 
 impl CaseFile {

@@ -57,7 +57,7 @@ pub use outcome::{End, Event, MotionOutcome, MotionStep, Position, Why};
 pub use problem::{ActingLoad, BaseMotion, Going, Impact, Initial, LoadInTime, MotionProblem};
 
 pub use situated::{is_own_weight, shaken_water};
-pub use standfast::history::{History, HistoryError, Piece};
+pub use standfast::history::{History, HistoryError, HistoryTimes, Piece};
 
 /// The examples of the README are tests.
 #[cfg(doctest)]

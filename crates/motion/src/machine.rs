@@ -175,7 +175,7 @@ impl<'a> Machine<'a> {
             // What jumps at the moment itself has jumped.
             segment: forcing.breaks.partition_point(|t| *t <= begin),
             rockers: Machine::rockers(block, problem.gravity),
-            is_short: problem.block.m_x == problem.block.m_y,
+            is_short: true,
             known_levers: None,
             mode: Mode::Rest,
             pose: started(block, &problem.initial),
@@ -228,10 +228,12 @@ impl<'a> Machine<'a> {
                 }
                 continue;
             }
-            if self.is_short
-                && let Some(corner) = self.mode.corner()
-                && self.glide(corner, stop)
-            {
+            let nothing_happens = match (self.is_short, self.mode, self.mode.corner()) {
+                (true, Mode::Rest, _) => self.rests(stop),
+                (true, _, Some(corner)) => self.glide(corner, stop),
+                _ => false,
+            };
+            if nothing_happens {
                 continue;
             }
             if let Some(end) = self.advance(stop) {

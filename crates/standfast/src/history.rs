@@ -117,6 +117,74 @@ pub struct History {
     /// One more than there are pieces.
     times: Arc<[f64]>,
     pieces: Arc<[Piece]>,
+    peak: f64,
+}
+
+/// The largest magnitude of pieces that begin and end at these times.
+fn peak_of(times: &[f64], pieces: &[Piece]) -> f64 {
+    let ends = times.windows(2).zip(pieces).map(|(t, piece)| match piece {
+        Piece::Sine { peak, angular_frequency, phase } => {
+            let turns = |angle: f64| ((angle / std::f64::consts::PI) - 0.5).floor();
+            let last = phase + angular_frequency * (t[1] - t[0]);
+            if turns(last) > turns(*phase) {
+                peak.abs()
+            } else {
+                piece.at(0.0).abs().max(piece.at(t[1] - t[0]).abs())
+            }
+        }
+        Piece::Line { slope: 0.0, value } => value.abs(),
+        Piece::Line { .. } => piece.at(0.0).abs().max(piece.at(t[1] - t[0]).abs()),
+    });
+    ends.fold(0.0, f64::max)
+}
+
+/// Times at which many histories have values, checked once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HistoryTimes {
+    times: Arc<[f64]>,
+    longest: f64,
+}
+
+impl HistoryTimes {
+    /// Times that rise.
+    ///
+    /// # Errors
+    /// If there are fewer than two, one is not finite, or they do not rise.
+    pub fn new(times: Vec<f64>) -> Result<HistoryTimes, HistoryError> {
+        if times.len() < 2 {
+            return Err(HistoryError::FewPoints { count: times.len() });
+        }
+        for (index, t) in times.iter().enumerate() {
+            let at = |fault| Err(HistoryError::Point { index, value: *t, fault });
+            if !(t.is_finite() && t.abs() < 1e50) {
+                return at(PointFault::Time);
+            }
+            if index > 0 && *t <= times[index - 1] {
+                return at(PointFault::NotRising);
+            }
+        }
+        let longest = times.windows(2).fold(0.0, |longest: f64, pair| longest.max(pair[1] - pair[0]));
+        Ok(HistoryTimes { times: times.into(), longest })
+    }
+
+    /// Times at even steps from 0 on.
+    ///
+    /// # Errors
+    /// If the step is not above zero, or there are fewer than two.
+    pub fn even(step: f64, count: usize) -> Result<HistoryTimes, HistoryError> {
+        let step = positive("dt", step)?;
+        HistoryTimes::new((0..count).map(|i| i as f64 * step).collect())
+    }
+
+    /// The times.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// The longest step between two of them.
+    pub fn longest(&self) -> f64 {
+        self.longest
+    }
 }
 
 fn finite(name: &'static str, value: f64) -> Result<f64, HistoryError> {
@@ -139,7 +207,9 @@ impl History {
     fn of(pieces: Vec<(f64, Piece)>, end: f64) -> History {
         let mut times: Vec<f64> = pieces.iter().map(|piece| piece.0).collect();
         times.push(end);
-        History { times: times.into(), pieces: pieces.into_iter().map(|piece| piece.1).collect() }
+        let pieces: Vec<Piece> = pieces.into_iter().map(|piece| piece.1).collect();
+        let peak = peak_of(&times, &pieces);
+        History { times: times.into(), pieces: pieces.into(), peak }
     }
 
     fn lines(points: &[(f64, f64)]) -> History {
@@ -255,25 +325,28 @@ impl History {
         if times.len() != values.len() {
             return Err(HistoryError::Lengths { times: times.len(), values: values.len() });
         }
-        if times.len() < 2 {
-            return Err(HistoryError::FewPoints { count: times.len() });
+        History::at_times(&HistoryTimes::new(times.to_vec())?, values, 1.0)
+    }
+
+    /// Lines between values at times that many histories have, times a factor.
+    ///
+    /// # Errors
+    /// If there are not as many values as times, or one is not finite.
+    pub fn at_times(times: &HistoryTimes, values: &[f64], factor: f64) -> Result<History, HistoryError> {
+        let times = &times.times;
+        if times.len() != values.len() {
+            return Err(HistoryError::Lengths { times: times.len(), values: values.len() });
         }
-        for (i, (t, value)) in times.iter().zip(values).enumerate() {
-            let at = |value, fault| Err(HistoryError::Point { index: i, value, fault });
-            if !(t.is_finite() && t.abs() < 1e50) {
-                return at(*t, PointFault::Time);
-            }
-            if !(value.is_finite() && value.abs() < 1e50) {
-                return at(*value, PointFault::Value);
-            }
-            if i > 0 && *t <= times[i - 1] {
-                return at(*t, PointFault::NotRising);
-            }
+        let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        let is_wrong = |value: &f64| !(value.is_finite() && value.abs() < 1e50);
+        if let Some(index) = values.iter().position(is_wrong) {
+            return Err(HistoryError::Point { index, value: values[index], fault: PointFault::Value });
         }
         let pieces = times.windows(2).zip(values.windows(2)).map(|(t, value)| {
-            (t[0], Piece::Line { value: value[0], slope: (value[1] - value[0]) / (t[1] - t[0]) })
+            let slope = (value[1] - value[0]) / (t[1] - t[0]);
+            Piece::Line { value: value[0] * factor, slope: slope * factor }
         });
-        Ok(History::of(pieces.collect(), times[times.len() - 1]))
+        Ok(History { times: Arc::clone(times), pieces: pieces.collect(), peak: largest * factor.abs() })
     }
 
     /// Lines between points, each a time and a value; two of one time are a step.
@@ -306,9 +379,7 @@ impl History {
     /// # Errors
     /// As [`History::points`]; or if the step is not above zero.
     pub fn samples(step: f64, values: &[f64]) -> Result<History, HistoryError> {
-        let step = positive("dt", step)?;
-        let times: Vec<f64> = (0..values.len()).map(|i| i as f64 * step).collect();
-        History::points(&times, values)
+        History::at_times(&HistoryTimes::even(step, values.len())?, values, 1.0)
     }
 
     /// Pieces that follow each other: when each begins, and when the last ends.
@@ -368,7 +439,7 @@ impl History {
                 Piece::Sine { peak: peak * factor, angular_frequency, phase }
             }
         };
-        History { pieces: self.pieces.iter().map(scaled).collect(), ..self }
+        History { pieces: self.pieces.iter().map(scaled).collect(), peak: self.peak * factor.abs(), ..self }
     }
 
     /// Moments at which pieces begin, and at which the last ends.
@@ -395,20 +466,7 @@ impl History {
 
     /// The largest magnitude at the ends of pieces and at crests of sines.
     pub fn peak(&self) -> f64 {
-        let ends = self.times.windows(2).zip(&*self.pieces).map(|(t, piece)| match piece {
-            Piece::Sine { peak, angular_frequency, phase } => {
-                let turns = |angle: f64| ((angle / std::f64::consts::PI) - 0.5).floor();
-                let last = phase + angular_frequency * (t[1] - t[0]);
-                if turns(last) > turns(*phase) {
-                    peak.abs()
-                } else {
-                    piece.at(0.0).abs().max(piece.at(t[1] - t[0]).abs())
-                }
-            }
-            Piece::Line { slope: 0.0, value } => value.abs(),
-            Piece::Line { .. } => piece.at(0.0).abs().max(piece.at(t[1] - t[0]).abs()),
-        });
-        ends.fold(0.0, f64::max)
+        self.peak
     }
 
     /// Moments and values between which it is a line, two of one moment where it jumps, from the first piece to what is left after

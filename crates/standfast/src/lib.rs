@@ -71,7 +71,7 @@ pub use body::{BaseEdges, Body};
 pub use departure::{Departure, DepartureSpan};
 pub use diagram::Diagram;
 pub use error::InputError;
-pub use history::{History, HistoryError};
+pub use history::{History, HistoryError, HistoryTimes};
 pub use initiation::{Point, classify};
 pub use loads::wave;
 pub use mode::{Corner, Mode, Modes, ParseModeError, Slip};

@@ -14,6 +14,7 @@ many of them: tables, sweeps, samples                     :func:`assess_table`
 the least width, the greatest force that is enough        :func:`design`
 which direction of the loads is the worst?                :func:`directions`
 what becomes of it in time: slide, rock, overturn         :func:`simulate`, :func:`spectrum`
+the same of many bodies under many records                :func:`motions`
 how likely is each mode, if numbers are random            :func:`probability`, :func:`draws`
 how likely is a limit state of my own below zero?         :func:`reliability`
 which factor gives several cases a reliability index?     :func:`calibrate`
@@ -39,6 +40,7 @@ from ._figure import Figure
 from ._limits import LimitStates, LimitStatesArrays, limit_states
 from ._mode_arrays import ModeArray, ModeNames
 from ._modes import Mode, Modes
+from ._motions import motions
 from ._new import examples, new
 from ._probability import Probability, draws, probability
 from ._reliability import DesignPoint, Reliability, reliability
@@ -105,6 +107,7 @@ __all__ = [
     "examples",
     "explain",
     "limit_states",
+    "motions",
     "new",
     "onset",
     "probability",

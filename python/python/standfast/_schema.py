@@ -20,7 +20,7 @@ MODULES = {
         "boundary": ("BoundaryDocument", "what `design` answers with two quantities"),
         "minimum": ("MinimumDocument", "what `design` answers with `minimise`"),
     },
-    "motions": {
+    "simulations": {
         "simulate": ("MotionDocument", "what `simulate` answers in one situation of a case"),
         "spectrum": ("SpectrumDocument", "what `spectrum` answers"),
     },

@@ -25,7 +25,7 @@ from ._run import Told
 from ._standfast import StandfastError
 from ._types import Array, Progress
 from ._warnings import mind
-from .motions import MotionDocument
+from .simulations import MotionDocument
 
 
 class _Given(NamedTuple):

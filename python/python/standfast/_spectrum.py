@@ -23,7 +23,7 @@ from ._simulate import folder_of
 from ._standfast import StandfastError
 from ._types import Array, Progress
 from ._warnings import mind
-from .motions import SpectrumDocument
+from .simulations import SpectrumDocument
 
 _ADVICE = Advice("spectrum")
 #: What each kind goes over.

@@ -45,6 +45,7 @@ __all__ = [
     "make_table",
     "minimum",
     "modes",
+    "motions",
     "onset",
     "onset_columns",
     "onset_table",
@@ -227,6 +228,47 @@ def simulate(
     copies: tuple[int | None, float | list[tuple[str, float]] | None, int | None],
     progress: _Progress,
 ) -> MotionAnswer: ...
+
+class _Motions(Protocol):
+    """`_motions._Asked`."""
+
+    @property
+    def horizontal(self) -> list[NDArray[np.float64]]: ...
+    @property
+    def vertical(self) -> list[NDArray[np.float64]] | None: ...
+    @property
+    def steps(self) -> list[float]: ...
+    @property
+    def unit(self) -> str | None: ...
+    @property
+    def names(self) -> list[str]: ...
+    @property
+    def bodies(self) -> list[list[float]]: ...
+    @property
+    def number(self) -> int: ...
+    @property
+    def cross(self) -> bool: ...
+    @property
+    def divergence(self) -> bool: ...
+    @property
+    def strength(self) -> bool: ...
+    @property
+    def copies(self) -> tuple[int | None, float | list[tuple[str, float]] | None, int | None]: ...
+    @property
+    def threads(self) -> int | None: ...
+    @property
+    def progress(self) -> _Progress: ...
+
+def motions(
+    case: _MotionCase, asked: _Motions
+) -> tuple[
+    list[tuple[str, str, str, NDArray[np.float64]]],
+    list[tuple[str, str, NDArray[np.int64]]],
+    list[tuple[str, str, NDArray[np.bool_]]],
+    list[str],
+    list[tuple[str, str, int]],
+    bool,
+]: ...
 
 class _Spectrum(Protocol):
     """`_spectrum._Asked`."""

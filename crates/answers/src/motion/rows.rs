@@ -242,16 +242,49 @@ impl MotionRows {
                 }
             }
         }
-        let mut inputs = match &self.case {
-            Some(case) => vary(&self.inputs, case, &numbers),
+        let mut inputs = self.varied_by(&numbers);
+        words.into_iter().for_each(|(id, value)| inputs.put(id, value));
+        Ok(inputs)
+    }
+
+    /// Refuses a column that varies nothing.
+    pub(super) fn all_vary(&self, columns: &[String]) -> Result<(), ColumnError> {
+        let idle =
+            columns.iter().enumerate().find(|(place, _)| self.varied.iter().all(|(of, _)| of != place));
+        let Some((_, column)) = idle else { return Ok(()) };
+        let (name, unit) = heading(column);
+        match Factor::find(name, unit, &self.inputs) {
+            Err(error) => Err(ColumnError::NoFactor { column: column.clone(), error: Box::new(error) }),
+            Ok(_) => Ok(()),
+        }
+    }
+
+    /// The inputs with numbers in place of those that vary, each in the unit of its column.
+    pub(super) fn with_numbers(&self, values: &[f64]) -> Result<Inputs, RowFault> {
+        let mut numbers = Vec::new();
+        for (place, how) in &self.varied {
+            let wrong = |problem: String| RowFault { columns: vec![*place], problem };
+            let Varied::Number(factor, variable) = how else {
+                return Err(wrong(format!("{} is no number", how.id())));
+            };
+            let value = factor.value(values[*place]);
+            let value = value.map_err(|error| wrong(format!("{error}; expected {}", factor.expected())))?;
+            let gravity = if factor.counts_gravity() { self.inputs.gravity() } else { 1.0 };
+            numbers.push((variable, value * gravity));
+        }
+        Ok(self.varied_by(&numbers))
+    }
+
+    /// The inputs with numbers changed, and with what goes with them.
+    fn varied_by(&self, numbers: &[(&Variable, f64)]) -> Inputs {
+        match &self.case {
+            Some(case) => vary(&self.inputs, case, numbers),
             None => {
                 let mut inputs = self.inputs.clone();
                 numbers.iter().for_each(|(variable, value)| inputs.set(variable.id(), *value));
                 inputs
             }
-        };
-        words.into_iter().for_each(|(id, value)| inputs.put(id, value));
-        Ok(inputs)
+        }
     }
 
     /// A file that a row names, read once.

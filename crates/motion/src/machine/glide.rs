@@ -1,4 +1,4 @@
-//! A body that rocks, over a whole piece in which nothing happens: a series as short as the piece is, and one bound that tells that no event is near.
+//! A body that rocks, or rests, over a whole piece in which nothing happens: a series as short as the piece is, and one bound that tells that no event is near.
 //!
 //! Under a record a body rocks over thousands of pieces of 5 ms, of each of which the series converges within half a dozen terms. With δ the rotation
 //! over the piece, c and h turn with it, c(θ + δ) = c cosδ + h sinδ, so that no sine of θ is needed. Where a bound does not tell that the state goes on,
@@ -154,7 +154,8 @@ impl Machine<'_> {
     /// Rocks over a whole piece, if nothing happens in it that could be missed; false if the general step is to be taken.
     pub(super) fn glide(&mut self, corner: Corner, stop: f64) -> bool {
         let begins = self.slip_begins || self.begins != (None, None);
-        if begins || self.mode.slip().is_some() || stop > self.t_max {
+        let heavier = self.block.m_x != self.block.m_y;
+        if begins || heavier || self.mode.slip().is_some() || stop > self.t_max {
             return false;
         }
         let Some(lines) = self.forcing.lines(self.segment, self.t) else { return false };
@@ -179,6 +180,32 @@ impl Machine<'_> {
         self.t = stop;
         self.stuck_events = 0;
         true
+    }
+
+    /// Rests over a whole piece, if all that rest needs is clearly there at both of its ends, and so between them; false if the general step is to be
+    /// taken.
+    pub(super) fn rests(&mut self, stop: f64) -> bool {
+        if self.keep.steps || stop > self.t_max || stop == f64::INFINITY {
+            return false;
+        }
+        let Some([x, p, m]) = self.forcing.lines(self.segment, self.t) else { return false };
+        let block = self.block;
+        let τ = stop - self.t;
+        let clear = |x: f64, p: f64, m: f64| {
+            let size = CLEAR * (self.gravity + x.abs() + p.abs() + m.abs() * self.rockers[0].per_length);
+            let moment = block.d * x - m;
+            let width = size * (block.b1 + block.b2 + block.d);
+            p > size
+                && block.mu_s * p - x.abs() > size * (1.0 + block.mu_s)
+                && block.b1 * p + moment > width
+                && block.b2 * p - moment > width
+        };
+        let rests = clear(x[0], p[0], m[0]) && clear(x[0] + x[1] * τ, p[0] + p[1] * τ, m[0] + m[1] * τ);
+        if rests {
+            (self.t, self.stuck_events) = (stop, 0);
+            (self.slip_begins, self.begins) = (false, (None, None));
+        }
+        rests
     }
 
     /// c and h of the corner at the pose, as the last piece has left them or from its angle.

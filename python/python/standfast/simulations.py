@@ -7,4 +7,4 @@ Units are SI; those of a case with a ``[block]`` are its own. ``None`` says that
 from ._answer import make_classes
 from .answers import Summary as Summary
 
-__all__ = make_classes("motions", globals())
+__all__ = make_classes("simulations", globals())
