@@ -4,7 +4,7 @@
 //! a disk or a mail and fetches nothing. The scripts are modules that know each other by name; here they become one script, each in a
 //! function of its own, so that the policy of the page can name it by its hash, beside the library's and the style's, and allow no
 //! other. The library is packed by LZMA, in two thirds of what gzip takes; what unpacks it is a small library of its own, packed by
-//! gzip, which every browser undoes. So are the scripts packed, and a short one that is not lets them run.
+//! gzip, which every browser undoes. So are the style, the body and the scripts packed, and a short one that is not lets them in.
 
 #![forbid(unsafe_code)]
 
@@ -27,6 +27,10 @@ const MAIN: &str = "main";
 
 /// Module that the page begins with, which lets the others run.
 const OPENING: &str = "open";
+
+/// What hides the page until it is dressed; a browser that cannot unpack the style is told so in the bare page.
+const VEIL: &str =
+    "if (\"DecompressionStream\" in window) document.documentElement.style.visibility = \"hidden\";";
 
 /// Source of its second thread.
 const WORKER: &str = "worker";
@@ -63,17 +67,18 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
     let worker = without_comments(&worker)?;
     let opening = script(OPENING, String::new(), &[], &modules)?;
     let script = page_script(&unpacker.glue, &modules)?;
-    let style = format!("\n{}", without_comments(&read("style.css")?)?);
+    let style = without_comments(&read("style.css")?)?;
+    let veil = VEIL.to_owned();
     for text in [&glue, &worker, &script, &opening] {
         if text.contains("</script") {
             return Err("a script ends the element that it stands in".into());
         }
     }
-    let [of_glue, of_script, of_opening, of_style] =
-        [&glue, &script, &opening, &style].map(|text| hash(text));
+    let [of_glue, of_script, of_opening, of_veil, of_style] =
+        [&glue, &script, &opening, &veil, &style].map(|text| hash(text));
     let policy = format!(
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src {of_glue} {of_script} \
-         {of_opening} 'wasm-unsafe-eval'; worker-src blob:; style-src {of_style}; img-src data: blob:; font-src data: blob:; \
+         {of_opening} {of_veil} 'wasm-unsafe-eval'; worker-src blob:; style-src {of_style}; img-src data: blob:; font-src data: blob:; \
          base-uri 'none'; form-action 'none'\">"
     );
     let packed = |id: &str, kind: &str, letters: String| {
@@ -81,7 +86,7 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
     };
     let parts = [
         ("<!-- policy -->", policy),
-        ("<!-- style -->", format!("<style>{style}</style>")),
+        ("<!-- veil -->", format!("<script>{veil}</script>")),
         (
             "<!-- library -->",
             packed("unpacker", "application/wasm+gzip", letters(&gzip(&unpacker.wasm)?))
@@ -89,17 +94,26 @@ fn bundle(wasm: &Path, page: &Path) -> Result<String, Box<dyn Error>> {
         ),
         (
             "<!-- script -->",
-            packed("glue-packed", "text/javascript+gzip", letters(&gzip(glue.as_bytes())?))
+            packed("style-packed", "text/css+gzip", letters(&gzip(style.as_bytes())?))
+                + &packed("glue-packed", "text/javascript+gzip", letters(&gzip(glue.as_bytes())?))
                 + &packed("page-packed", "text/javascript+gzip", letters(&gzip(script.as_bytes())?))
                 + &format!(
                     "<script type=\"text/plain\" id=\"worker\">{worker}</script>\n<script type=\"module\">{opening}</script>"
                 ),
         ),
     ];
-    let mut html = read("index.html")?;
-    for (place, part) in parts {
+    let html = without_indents(&read("index.html")?);
+    let cut = |html: &str, place: &str| -> Result<(String, String), String> {
         let (before, after) = html.split_once(place).ok_or_else(|| format!("index.html lacks {place}"))?;
-        html = [before, &part, after].concat();
+        Ok((before.to_owned(), after.to_owned()))
+    };
+    let ((before, rest), library) = (cut(&html, "<!-- body -->\n")?, "<!-- library -->");
+    let (body, after) = cut(&rest, library)?;
+    let body = packed("body-packed", "text/html+gzip", letters(&gzip(body.as_bytes())?));
+    let mut html = [&before, &body, library, &after].concat();
+    for (place, part) in parts {
+        let (before, after) = cut(&html, place)?;
+        html = [before, part, after].concat();
     }
     Ok(html)
 }
@@ -121,6 +135,11 @@ impl Library {
             .generate_output()?;
         Ok(Library { glue: without_comments(output.js())?, wasm: output.wasm_mut().emit_wasm() })
     }
+}
+
+/// The page without the indents of its lines, which no element of it shows.
+fn without_indents(html: &str) -> String {
+    html.lines().map(|line| format!("{}\n", line.trim_start())).collect()
 }
 
 /// A script or a style that nobody reads, without what is for readers: comments that stand on lines of their own, and indents.
