@@ -355,7 +355,7 @@ pub struct SimulateArgs {
     /// The seed of the copies [default: 1]
     #[arg(long)]
     pub seed: Option<u64>,
-    /// Number of threads; the answer does not depend on it [default: one for each core]
+    /// Number of threads for the copies; the answer does not depend on it [default: one for each core]
     #[arg(long)]
     pub threads: Option<NonZeroUsize>,
     /// Write the factors and the outcome of every copy to a CSV file; - writes to standard output in place of the answer

@@ -234,13 +234,6 @@ impl MotionOutcome {
         (x - x0) + (lever(&self.block, corner, theta)[0] - c0)
     }
 
-    /// ẋ of the centre of mass at a moment, as [`MotionOutcome::at`].
-    pub fn velocity(&self, t: f64) -> Option<f64> {
-        let (step, τ) = self.step_at(t, false)?;
-        // The derivative of the polynomial.
-        Some(step.x.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, a)| sum * τ + k as f64 * a))
-    }
-
     /// The position at a moment, if the [steps](MotionOutcome::steps) were kept: x and y of the centre of mass and θ; that at the nearest end
     /// outside of the time that was followed.
     pub fn at(&self, t: f64) -> Option<Position> {

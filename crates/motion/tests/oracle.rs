@@ -170,7 +170,11 @@ fn phases_end_as_another_integrator_has_it() {
             let (sin, cos) = before.theta.sin_cos();
             let h = block.d * cos - r * sin;
             // The velocity of C: of a corner that sticks it follows; else from the positions just after, which the test needs to begin.
-            let vx = if slip == 0.0 { -h * before.omega } else { outcome.velocity(begin).unwrap() };
+            let vx = if slip == 0.0 {
+                -h * before.omega
+            } else {
+                outcome.moment(begin, false).unwrap().velocity[0]
+            };
             let state = [before.x, before.theta, vx, before.omega];
             let Some((t, why, last)) = phase.end(begin, state, &[8.0], 8.5) else {
                 panic!("{seed}: {pair:?}")

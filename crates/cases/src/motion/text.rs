@@ -212,6 +212,12 @@ fn outcome_words(followed: &FollowedMotion, number: impl Fn(f64) -> String) -> S
             true => {
                 format!("The body stays at rest until t = {}{s}; {}.", number(outcome.t_final), goes_on())
             }
+            false if outcome.end == End::Time => {
+                format!(
+                    "The body stays at rest until t = {}{s}, when the time is up.",
+                    number(outcome.t_final)
+                )
+            }
             false => "The body stays at rest.".to_owned(),
         };
     };

@@ -349,7 +349,7 @@ mod tests {
         let (mut quick, mut events, mut at_once) = (0, 0, 0);
         for seed in 0..300 {
             let problem = problem(seed);
-            let general = in_general(&problem, Keep::default()).unwrap();
+            let general = in_general(&problem, Keep::default(), true).unwrap();
             let Some(found) = slides_only(&problem) else { continue };
             quick += 1;
             events += found.events.len();
