@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import standfast
@@ -93,10 +94,13 @@ def test_what_does_not_go_together_is_refused() -> None:
         (dict(base=good, seed=3), "seed is of copies"),
         (dict(base=good, threads=0), "threads"),
         (dict(base=good[None]), "3 axes"),
+        (dict(base=good, vary={"motion.base.horizontal.factor": 2.0}), "motion.base.horizontal.factor"),
+        (dict(base=np.ma.masked_greater(good, 1.0)), "masked"),
+        (dict(base=pd.Series(good[0], index=np.arange(good.shape[1]) * 0.01)), "record 0 has times of its own"),
     ):
         with pytest.raises(standfast.StandfastError, match=words):
             standfast.motions(STATUE, **{**asked, **given})
-    for given in (dict(base="a.csv"), dict(base=3.0), dict(base=[["a", "b"]]), dict(base=good, cross=1)):
+    for given in (dict(base=pd.DataFrame(good)), dict(base="a.csv"), dict(base=3.0), dict(base=[["a", "b"]]), dict(base=good, cross=1)):
         with pytest.raises(TypeError):
             standfast.motions(STATUE, **{**asked, **given})
     block = {"block": {"b1": 1, "b2": 1, "d": 3, "mu_s": 0.6, "gravity": 1}}

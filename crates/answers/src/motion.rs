@@ -24,7 +24,7 @@ mod spectrum;
 mod strength;
 
 pub use arrays::{MotionOf, MotionsAsked, MotionsError, MotionsFound, ShakingArray, motions_of, still_base};
-pub use copies::{Copies, CopyQuantile, Differs};
+pub use copies::{Copies, Copy, CopyQuantile, Differs};
 pub(crate) use criteria::worst_checks;
 pub use criteria::{MotionCheck, MotionValue};
 pub use points::{Extremes, PointAnswer};
@@ -41,7 +41,10 @@ use standfast_model::{BlockCase, CaseFile, MotionCriterion, MotionWarning};
 pub use standfast_model::{CopiesAsked, CopiesOptions, Spread};
 use standfast_motion::divergence::Divergence;
 use standfast_motion::{Keep, MotionError, MotionOutcome, simulate};
+use standfast_probability::sample::Estimate;
 use standfast_watch::Portion;
+
+use crate::digits::digits;
 
 use crate::error::CaseError;
 
@@ -121,11 +124,12 @@ impl FollowedMotion {
         }
         let mut warnings = case.warnings.clone();
         warnings.extend(found(&case, &outcome));
+        warnings.extend(few_copies(&case));
         Ok(FollowedMotion { case, outcome, divergence, strength, points, copies, warnings })
     }
 
-    /// Follows the motion in every situation of a file; the worst first: by what is used of the criteria, overturned, past balance, by the
-    /// largest slide.
+    /// Follows the motion in every situation of a file; the worst first: by what is used of the criteria, overturned, past balance, by the share of
+    /// copies that overturn, by the largest angle over that of balance, by the largest slide.
     ///
     /// # Errors
     /// If a load that varies has no history, or the problem is refused.
@@ -151,8 +155,13 @@ impl FollowedMotion {
         let used = |of: &FollowedMotion| of.checks().first().map_or(0.0, MotionCheck::urgency);
         answers.sort_by(|one, two| {
             let by_criteria = used(two).total_cmp(&used(one));
-            let (one, two) = (&one.outcome, &two.outcome);
-            by_criteria.then(rank(one).cmp(&rank(two))).then(two.max_slide.total_cmp(&one.max_slide))
+            let share =
+                |of: &FollowedMotion| of.copies.as_ref().map_or(0.0, |copies| copies.overturned.value);
+            let by_rank = rank(&one.outcome).cmp(&rank(&two.outcome));
+            let by_copies = share(two).total_cmp(&share(one));
+            let by_angle = two.of_balance().total_cmp(&one.of_balance());
+            let by_slide = two.outcome.max_slide.total_cmp(&one.outcome.max_slide);
+            by_criteria.then(by_rank).then(by_copies).then(by_angle).then(by_slide)
         });
         Ok(answers)
     }
@@ -175,6 +184,29 @@ impl FollowedMotion {
         let block = &self.case.problem.block;
         self.outcome.max_theta / (block.b1.min(block.b2) / block.d).atan()
     }
+}
+
+/// So few copies that a criterion on their share cannot be met even if all of them stand.
+fn few_copies(case: &BlockCase) -> Option<MotionWarning> {
+    let number = case.copies.as_ref()?.number;
+    let bound = case.criteria.iter().find_map(|criterion| match criterion {
+        MotionCriterion::OverturnedShare(bound) => Some(*bound),
+        _ => None,
+    })?;
+    let reaches = Estimate::two_sided(0, number as u64).high;
+    if reaches <= bound {
+        return None;
+    }
+    let enough = match bound > 0.0 {
+        true => format!("{} are enough", (0.025f64.ln() / (-bound).ln_1p()).ceil()),
+        false => "no number of them shows a share of 0".to_owned(),
+    };
+    let words = format!(
+        "of {number} copies the interval reaches to {} even if all of them stand, and overturned_share = {} is asked: {enough}",
+        digits(reaches),
+        digits(bound)
+    );
+    Some(MotionWarning { name: "few-copies", words })
 }
 
 /// Warnings that the motion itself gives reason for.

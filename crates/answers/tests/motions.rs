@@ -191,7 +191,7 @@ fn a_share_of_copies_may_be_asked_for() {
         let check = found.checks()[0];
         assert_eq!((found.met(), check.met), (Some(met), met));
         assert!((check.utilisation.unwrap() - upper / bound).abs() < 1e-9, "{check:?}");
-        assert!(check.failure().contains("overturned_share is 0.0596"), "{}", check.failure());
+        assert!(check.failure().contains("overturned_share is at most 0.0596"), "{}", check.failure());
     }
     let refused = |copies: &str| {
         let file = CaseFile::parse("case.toml", &text(copies, 0.1)).unwrap();

@@ -358,8 +358,9 @@ pub struct SimulateArgs {
     /// Number of threads for the copies; the answer does not depend on it [default: one for each core]
     #[arg(long)]
     pub threads: Option<NonZeroUsize>,
-    /// Write the factors and the outcome of every copy to a CSV file; - writes to standard output in place of the answer
-    #[arg(long, value_name = "OUT.csv")]
+    /// Write the factors and the outcome of every copy to a file, CSV, Parquet, Arrow or Excel by its extension; - writes CSV to standard
+    /// output in place of the answer
+    #[arg(long, value_name = "OUT")]
     pub csv: Option<PathBuf>,
     /// Tell the accelerations of a point of the body, where equipment stands: x and y from the centre of mass, with a name before
     /// them if it is to have one, rack=0,0.9; may be given several times

@@ -6,8 +6,8 @@ use std::path::{self, Path};
 use standfast_cases::CaseFile;
 use standfast_cases::key::Table;
 use standfast_cases::motion::{
-    BlockCase, BodyPoint, Copies, CopiesOptions, Factors, Follow, FollowedMotion, MotionError, MotionView,
-    STATE_AT, SeriesAsked, SeriesColumn, SeriesRow, StrengthAsked, resume,
+    BlockCase, BodyPoint, Copies, CopiesOptions, Copy, Factors, Follow, FollowedMotion, MotionError,
+    MotionView, STATE_AT, SeriesAsked, SeriesColumn, SeriesRow, StrengthAsked, resume,
 };
 use standfast_tables::{MotionTable, TableFormat, TableOptions, WrittenColumn, written};
 
@@ -51,8 +51,8 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
     for table in [series, csv].into_iter().flatten().filter(|table| !is_stdout(table)) {
         read.refuse(table)?;
     }
-    if let Some(series) = series.filter(|series| !is_stdout(series)) {
-        series_format(series)?;
+    for table in [series, csv].into_iter().flatten().filter(|table| !is_stdout(table)) {
+        series_format(table)?;
     }
     let no_figures = args.no_figures || (args.brief && args.output.is_none());
     if args.sensitivity {
@@ -105,7 +105,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<PrintedAnswer> {
         write("Series", series, &series_bytes(worst, rows, series)?)?;
     }
     if let (Some(csv), Some(copies)) = (csv.filter(|csv| !is_stdout(csv)), copies) {
-        write("Copies", csv, copies.csv().as_bytes())?;
+        write("Copies", csv, &copies_bytes(copies, csv)?)?;
     }
     Ok(PrintedAnswer { met, ..printed })
 }
@@ -172,6 +172,28 @@ fn series_format(file: &Path) -> Result<TableFormat> {
         return Err(CommandError::Extension { path: file.to_owned() });
     }
     batch::format(file, None, "--series")
+}
+
+/// The copies of a motion as a table in the format that the file's name asks for.
+fn copies_bytes(copies: &Copies, file: &Path) -> Result<Vec<u8>> {
+    let format = series_format(file)?;
+    if format == TableFormat::Csv {
+        return Ok(copies.csv().into_bytes());
+    }
+    let rows = || copies.rows.iter();
+    let numbers = |value: &dyn Fn(&Copy) -> Option<f64>| WrittenColumn::Numbers(rows().map(value).collect());
+    let places = (1..=copies.rows.len() as i64).map(Some).collect();
+    let mut columns = vec![("copy".to_owned(), WrittenColumn::Counts(places))];
+    for (place, name) in copies.names.iter().enumerate() {
+        columns.push((name.clone(), numbers(&|row| Some(row.factors[place]))));
+    }
+    columns.push(("end".to_owned(), WrittenColumn::Texts(rows().map(|row| row.end.to_owned()).collect())));
+    let overturned = rows().map(|row| Some(row.overturned)).collect();
+    columns.push(("overturned".to_owned(), WrittenColumn::Truths(overturned)));
+    columns.push(("max_theta".to_owned(), numbers(&|row| (!row.overturned).then_some(row.max_theta))));
+    columns.push(("slide".to_owned(), numbers(&|row| row.slide)));
+    columns.push(("max_slide".to_owned(), numbers(&|row| row.max_slide)));
+    written(format, &columns).map_err(|cause| CommandError::Write { path: file.to_owned(), cause })
 }
 
 /// The rows of a motion as a table in the format that the file's name asks for.

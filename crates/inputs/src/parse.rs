@@ -726,9 +726,12 @@ impl Field<'_> {
                 Value::Settings(self.named(kind, |field| Ok(written(field)))?)
             }
             Kind::Ratios => Value::Ratios(self.named(kind, |field| field.ratio())?),
-            Kind::Spreads => match plain_number(self.value.get_ref()) {
-                Some(number) => Value::Number(self.in_range(number, Range::ZeroToOne)?),
-                None => Value::Ratios(self.named(kind, |field| field.share())?),
+            Kind::Spreads => match self.value.get_ref().as_table() {
+                None => Value::Number(self.share()?),
+                Some(table) if table.is_empty() => {
+                    return Err(self.out_of_range("one name with a share at least"));
+                }
+                Some(_) => Value::Ratios(self.named(kind, |field| field.share())?),
             },
             Kind::Places => Value::Places(self.named(kind, |field| field.point())?),
             Kind::Bounds => Value::Bounds(self.bounds()?),
@@ -807,11 +810,17 @@ impl Field<'_> {
         }
     }
 
-    /// A share from 0 to 1.
+    /// A share from 0 to 1, or in per cent.
     fn share(&self) -> Result<f64, PlacedProblem> {
-        let number = plain_number(self.value.get_ref());
-        let number = number
-            .ok_or_else(|| self.wrong_type("names with their shares, numbers without unit or quotes"))?;
+        let percent = |text: &str| text.trim().strip_suffix('%')?.trim().parse::<f64>().ok();
+        let value = self.value.get_ref();
+        let number = match (plain_number(value), value.as_str().and_then(percent)) {
+            (Some(number), _) => number,
+            (None, Some(percent)) => 0.01 * percent,
+            (None, None) => {
+                return Err(self.wrong_type("a share, as 0.02 or \"2%\", or names with such shares"));
+            }
+        };
         self.in_range(number, Range::ZeroToOne)
     }
 

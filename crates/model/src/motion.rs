@@ -69,11 +69,11 @@ impl BodyPoint {
         }
         let (x, y) = lengths.split_once(',').ok_or("expected two lengths with a comma between")?;
         let length = |written: &str| {
-            let value = read(Key::InitialX.into(), Key::InitialX.info().kind, units, written.trim());
-            match value {
+            let written = written.trim();
+            match read(Key::InitialX.into(), Key::InitialX.info().kind, units, written) {
                 Ok(Value::Number(number)) => Ok(number),
-                Ok(_) => Err(format!("{written} is no length")),
-                Err(problem) => Err(format!("{}: {problem}", written.trim())),
+                _ if units.is_none() => Err(format!("{written} is no number; a [block] has no units")),
+                _ => Err(format!("{written} is no length, as 0.9, \"90 cm\" or \"0.9 m\"")),
             }
         };
         Ok(BodyPoint { name, at: [length(x)?, length(y)?] })

@@ -13,7 +13,7 @@ from . import _standfast
 from ._arrow import ArrowTable
 from ._assess import case_text
 from ._progress import shown
-from ._records import positive
+from ._records import own_times, positive
 from ._run import Told, run
 from ._simulate import copies_of, folder_of
 from ._standfast import StandfastError
@@ -94,10 +94,11 @@ def motions(
         raise StandfastError(f"unit is {unit!r}; expected one of {', '.join(map(repr, _UNITS))}")
     text = case_text(case)
     horizontal = _records(base, "base")
+    steps = _steps(dt, len(horizontal))
+    _same_times(base, steps)
     upwards = None if vertical is None else _records(vertical, "vertical")
     if upwards is not None and [len(one) for one in upwards] != [len(one) for one in horizontal]:
         raise StandfastError("vertical has other records than base; expected as many, with as many values each")
-    steps = _steps(dt, len(horizontal))
     names, bodies, count = _bodies(vary)
     for name, flag in (("cross", cross), ("divergence", divergence), ("strength", strength)):
         if not isinstance(flag, (bool, np.bool_)):
@@ -169,6 +170,10 @@ def _record(given: Any, name: str) -> NDArray[np.float64]:
 
 
 def _numbers(given: Any, name: str) -> NDArray[np.float64]:
+    if hasattr(given, "columns") and not isinstance(given, np.ndarray):
+        raise TypeError(f"{name} is a table with columns, which may be records or points; expected an array, as frame.to_numpy().T")
+    if np.ma.isMaskedArray(given) and np.ma.getmaskarray(given).any():
+        raise StandfastError(f"{name} has masked values; expected all of them")
     try:
         found = np.asarray(given)
         if found.dtype.kind not in "fiu":
@@ -185,6 +190,14 @@ def _steps(dt: Any, count: int) -> list[float]:
     if len(steps) != count:
         raise StandfastError(f"dt has {len(steps)} steps, and there are {count} records; expected one, or as many")
     return steps
+
+
+def _same_times(base: Any, steps: list[float]) -> None:
+    """Refuses a Series or a DataArray whose own times are others than those by ``dt``."""
+    for place, one in enumerate(base if isinstance(base, (list, tuple)) else [base]):
+        times = own_times(one) if np.ndim(one) == 1 else None
+        if times is not None and len(times) > 1 and np.abs(times - times[0] - np.arange(len(times)) * steps[place]).max() > 1e-6 * (times[-1] - times[0]):
+            raise StandfastError(f"record {place} has times of its own, {times[1] - times[0]:.6g} apart at first, and dt is {steps[place]:.6g}")
 
 
 def _bodies(vary: Mapping[str, Any] | None) -> tuple[list[str], list[list[float]], int]:

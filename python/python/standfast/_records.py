@@ -99,7 +99,7 @@ def _check_own_unit(values: Any, name: str, unit: str | None) -> None:
 
 def _record(name: str, given: Any, dt: Any, unit: str | None) -> _Record:
     values = _values(given, name)
-    own = _own_times(given)
+    own = own_times(given)
     if dt is None:
         if own is None:
             raise TypeError(f"dt is missing; expected the step of time between the values of {name}, or their times")
@@ -120,7 +120,7 @@ def _record(name: str, given: Any, dt: Any, unit: str | None) -> _Record:
     return times, values, unit
 
 
-def _own_times(given: Any) -> NDArray[np.float64] | None:
+def own_times(given: Any) -> NDArray[np.float64] | None:
     """The times in the index of a Series of pandas, or along the dimension of a DataArray; ``None`` of numbers and labels of rows."""
     if is_of(given, "pandas", "Series"):
         index = given.index

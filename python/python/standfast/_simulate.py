@@ -236,6 +236,8 @@ def copies_of(
     if not (copies is None or whole(copies) and 1 <= copies <= 1_000_000):
         raise StandfastError(f"copies is {copies!r}; expected a whole number from 1 to 1000000")
     shares: float | list[tuple[str, float]] | None
+    if isinstance(spread, Mapping) and not spread:
+        raise StandfastError("spread is empty; expected one name with a share at least")
     if isinstance(spread, Mapping):
         shares = [(str(name), share(value)) for name, value in spread.items()]
     else:

@@ -135,7 +135,11 @@ fn row(key: Key) -> String {
         _ => info.words,
     };
     let silent = info.silent.and_then(|silent| silent.split_once(": ")).map_or("", |(_, taken)| taken);
-    let (name, kind, example) = (key.entry(), takes(info.kind), info.example);
+    let kind = match key {
+        Key::InitialSlideO => "two numbers, of O and of O'".to_owned(),
+        _ => takes(info.kind),
+    };
+    let (name, example) = (key.entry(), info.example);
     format!("| `{name}` | {symbol} | {words} | {kind} | `{name} = {example}` | {silent} |\n")
 }
 

@@ -5,8 +5,10 @@ use crate::case::Case;
 use crate::couple::{Variable, vary};
 use crate::error::{CaseError, Fault};
 use crate::inputs::Inputs;
+use crate::key::Table;
 use crate::motion::{Follow, FollowedMotion};
 use standfast_model::{CaseFile, Criterion, MotionCriterion, at_first_instant, motions};
+use standfast_motion::MotionError;
 use standfast_watch::Portion;
 
 use super::error::DesignError;
@@ -94,6 +96,12 @@ impl Subject {
             Target::Motion(criterion) if self.time.is_none() => {
                 Err(DesignError::NotInTime { name: criterion.name() })
             }
+            Target::Motion(MotionCriterion::OverturnedShare(_)) => match &self.time {
+                Some(time) if !time.file.inputs().has(Table::Copies) => {
+                    Err(time.file.motion_refused(MotionError::NoCopies).into())
+                }
+                _ => Ok(true),
+            },
             Target::Motion(_) => Ok(true),
             Target::Utilisation(_) => Ok(self.asks_of_motion()),
             _ => Ok(false),

@@ -92,6 +92,12 @@ pub enum MotionsError {
         /// The option.
         option: &'static str,
     },
+    /// A number of the shaking that records stand in place of.
+    #[error("{name} is of the base, whose motion is that of the records")]
+    OfBase {
+        /// The name.
+        name: String,
+    },
     /// A motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
@@ -209,6 +215,9 @@ pub fn motions_of(
     let file = &file.on_base(&still_base(file, has_vertical));
     let rows = MotionRows::of(file, asked.names)?;
     rows.all_vary(asked.names)?;
+    if let Some((place, _)) = rows.varied().find(|(_, key)| key.starts_with("motion.base.")) {
+        return Err(MotionsError::OfBase { name: asked.names[place].clone() });
+    }
     // Of each piece the body, and the records under which it stands.
     let pieces: Vec<(usize, Vec<usize>)> = match (asked.is_crossed, records == 1, bodies == 1) {
         (false, false, false) => (0..bodies).map(|both| (both, vec![both])).collect(),

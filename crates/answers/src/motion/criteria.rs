@@ -76,8 +76,9 @@ impl MotionCheck {
     pub fn value_words(&self) -> String {
         match (self.value, self.criterion.bound()) {
             (MotionValue::Number(value), Some(bound)) => {
+                let at_most = if self.is_of_copies() { "at most " } else { "" };
                 let text = if value == bound { digits(value) } else { apart(&[value, bound])[0].clone() };
-                text + self.criterion.unit(self.si)
+                at_most.to_owned() + &text + self.criterion.unit(self.si)
             }
             (MotionValue::Number(value), None) => digits(value),
             (MotionValue::Truth(true), _) => "yes".to_owned(),

@@ -119,6 +119,12 @@ impl PointAnswer {
                 }
             }
         }
+        // Nothing is felt in a fall, but for rounding.
+        for extreme in extremes.iter_mut().flat_map(|extreme| [&mut extreme.least, &mut extreme.largest]) {
+            if extreme[0].abs() < 1e-13 * gravity {
+                extreme[0] = 0.0;
+            }
+        }
         let mut jumps = Vec::new();
         for (place, event) in outcome.events.iter().enumerate() {
             let is_sudden = matches!(event.why, Why::Impact | Why::Settle | Why::Grip);

@@ -30,8 +30,11 @@ pub enum ResumeError {
         cell: String,
     },
     /// The row is one just before an event.
-    #[error("it is just before an event, which the row behind it has behind it; expected that one")]
+    #[error("it is just before an event; take the row below it, which is just after")]
     BeforeAnEvent,
+    /// The body has overturned.
+    #[error("the body has overturned there, and what comes after is not followed")]
+    Overturned,
 }
 
 /// Puts a row of a series, each column with its cell, in the place of `[motion.initial]`.
@@ -64,11 +67,16 @@ pub fn resume(inputs: &mut Inputs, row: &[(String, String)]) -> Result<(), Resum
         Some(Slip::Left) => "left",
         Some(Slip::Right) => "right",
     };
+    let theta = number("theta")?;
+    // A row is rounded where it is written by others.
+    if theta.abs() >= std::f64::consts::FRAC_PI_2 - 1e-9 {
+        return Err(ResumeError::Overturned);
+    }
     let flies = mode == Mode::Flight;
     let mut numbers = vec![
         (Key::InitialTime, number("t")?),
         (Key::InitialX, number("x")?),
-        (Key::InitialTheta, number("theta")?),
+        (Key::InitialTheta, theta),
         (Key::InitialOmega, number("omega")?),
         (Key::InitialSlideO, number("slide_O")?),
         (Key::InitialSlideOPrime, number("slide_O'")?),

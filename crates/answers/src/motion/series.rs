@@ -80,7 +80,10 @@ impl SeriesAsked {
     ) -> impl Iterator<Item = SeriesRow> + 'a {
         // Of a motion that goes on from a moment: that moment, and then the multiples of the step.
         let begin = case.problem.initial.time;
-        let [first, last] = [begin, outcome.t_final].map(|t| (t / self.dt + 1e-9).floor() as u64);
+        // Of a body that has overturned nothing more is known.
+        let last =
+            outcome.events.last().filter(|_| outcome.overturned()).map_or(outcome.t_final, |event| event.t);
+        let [first, last] = [begin, last].map(|t| (t / self.dt + 1e-9).floor() as u64);
         let after = (first + 1..=last).map(move |i| i as f64 * self.dt);
         let mut even = std::iter::once(begin).chain(after).peekable();
         let mut events = outcome.events.iter().map(|event| event.t).filter(move |_| self.events).peekable();

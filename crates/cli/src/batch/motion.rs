@@ -33,7 +33,8 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     let format = super::format(&args.output, args.output_format, "--output-format");
     let format = format?;
     let nulls = args.on_error == OnError::Null;
-    let options = TableOptions { from, head: args.head(), ..TableOptions::new(&name) };
+    let options =
+        TableOptions { from, sheet: args.sheet_name.clone(), head: args.head(), ..TableOptions::new(&name) };
     let table = MotionTable::of(&read(args, &name, files)?, &options)?;
     let header = table.columns();
     if args.output != Path::new("-") {
@@ -45,7 +46,11 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile, files: &FilesRead)
     let read = case_file::beside(case, files);
     let file = file.with_some_files(&read, &|id| !named(&id.to_string()))?;
     let rows = table.varying(&file)?;
-    let results = if args.columns.is_empty() { rows.results() } else { results(&args.columns)? };
+    let results = match &args.columns[..] {
+        [] => rows.results(),
+        [all] if all.trim() == super::ALL => (0..ROW_RESULTS.len()).collect(),
+        names => results(names)?,
+    };
     let appended: Vec<&'static str> =
         results.iter().map(|i| ROW_RESULTS[*i]).chain(nulls.then_some("problem")).collect();
     if let Some(column) =

@@ -559,7 +559,7 @@ pub fn expected_type(kind: Kind) -> &'static str {
         Kind::Measured(..) => "a number, or a text with a number and its unit",
         Kind::InGravity | Kind::Reached => "a text with a number and its unit, as \"0.2 g\"",
         Kind::Plain(_) => "a number without unit or quotes",
-        Kind::OneOf(2, _) => "a list of two numbers, x and y",
+        Kind::OneOf(2, _) => "a list of two numbers",
         Kind::OneOf(..) => "a list of three numbers",
         Kind::Truth => "true or false",
         Kind::Choice { words, .. } => words,
