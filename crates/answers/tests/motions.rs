@@ -136,6 +136,22 @@ fn added_mass_of_a_body_that_turns() {
     }
 }
 
+/// What a shaking adds to the pressure of a backfill is left out of a motion: said where the base is shaken and the body has one.
+#[test]
+fn backfill_of_a_body_that_is_shaken() {
+    let body = "[body]\nwidth = 10\nheight = 8\ndensity = 2300\nfriction = 0.6\n";
+    let fill = "[[backfill]]\nface = \"right\"\nfriction_angle_deg = 35\nunit_weight = 18e3\n";
+    let shaking = "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"0.1 g\", duration = 1 }\n";
+    let push = push("push", 0.1, 4.0, "{ shape = \"rect\", duration = 0.4 }");
+    for (text, warned) in [
+        (format!("{body}{fill}{shaking}"), true),
+        (format!("{body}{fill}{push}"), false),
+        (format!("{body}{shaking}"), false),
+    ] {
+        assert_eq!(warns(&one(&text), "backfill-kept"), warned, "{text}");
+    }
+}
+
 /// The pressure of water under a base that is lifted is left as it is: said where there is such a pressure and the body turns.
 #[test]
 fn uplift_under_a_lifted_base() {

@@ -280,6 +280,13 @@ fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting)
                 .to_owned();
         warnings.push(MotionWarning { name: "ground-left-out", words });
     }
+    let shaken = problem.base.horizontal.is_some() || problem.base.vertical.is_some();
+    if shaken && !case.soils.is_empty() {
+        let words = "the backfill presses as it does at rest: what the shaking adds to its pressure is left out, and the motion is too small; \
+                     `assess` with [earthquake] has that pressure"
+            .to_owned();
+        warnings.push(MotionWarning { name: "backfill-kept", words });
+    }
     warnings.extend(slips(&problem, motion.step));
     Ok(BlockCase {
         title: case.title.clone(),

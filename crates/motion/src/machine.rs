@@ -108,6 +108,8 @@ struct Machine<'a> {
     known_levers: Option<(Corner, f64, [f64; 2])>,
     mode: Mode,
     pose: Pose,
+    /// In flight, the heights of O and O' above the base, apart from the pose, so that a low bounce keeps its digits.
+    gaps: [f64; 2],
     /// True if the corner's slip is zero at this moment, up to rounding: a state of slip begins.
     slip_begins: bool,
     /// Condition that is zero at this moment beside it, and the state that failed.
@@ -179,6 +181,7 @@ impl<'a> Machine<'a> {
             known_levers: None,
             mode: Mode::Rest,
             pose: begin::started(block, &problem.initial),
+            gaps: [0.0; 2],
             slip_begins: false,
             begins: (None, None),
             channels: Channels::EMPTY,
@@ -364,6 +367,10 @@ impl<'a> Machine<'a> {
     fn take(&mut self, mode: Mode, slip_begins: bool) {
         self.mode = mode;
         self.slip_begins = slip_begins && mode.slip().is_some();
+        if mode == Mode::Flight {
+            // Its lower corner has just left the base.
+            self.gaps = self.gaps_above(0.0);
+        }
         if mode.corner().is_none() && mode != Mode::Flight {
             self.pose = Pose { θ: 0.0, ω: 0.0, y: self.block.d, vy: 0.0, ..self.pose };
             if mode == Mode::Rest || self.slip_begins {
@@ -371,6 +378,12 @@ impl<'a> Machine<'a> {
             }
         }
         self.see_slide();
+    }
+
+    /// Gaps of a body whose lower corner is so high.
+    fn gaps_above(&self, height: f64) -> [f64; 2] {
+        let rise = (self.block.b1 + self.block.b2) * self.pose.θ.sin();
+        [height + (-rise).max(0.0), height + rise.max(0.0)]
     }
 
     /// The impulse by which a corner that slips grips: the corner that leaves the other one no way into the base. It is within μ_k, as D ≤ 0

@@ -22,9 +22,19 @@ use crate::series::{Pose, lever, velocity};
 /// Share of the velocities before an impact, and of the impulses given, below which a velocity counts as zero.
 const ROUNDING: f64 = 1e-12;
 
-/// Impulses at O and O', upwards, that make one pose of another: at these corners, which stand upright if they are both.
-fn impulses(block: &Block, before: &Pose, after: &Pose, at: [bool; 2]) -> [f64; 2] {
-    let (all, tangential) = (block.m_y * (after.vy - before.vy), block.m_x * (after.vx - before.vx));
+/// Share of the velocity upwards below which a rotation counts as none.
+const FLAT: f64 = 1e-14;
+
+/// Impulses at O and O', upwards, that make what is after an impact with this friction of a pose: at these corners, which stand upright if they
+/// are both.
+fn impulses(block: &Block, before: &Pose, impact: &ImpactState, μ: f64, at: [bool; 2]) -> [f64; 2] {
+    let after = &impact.pose;
+    let all = block.m_y * (after.vy - before.vy);
+    let tangential = match impact.slip {
+        None => block.m_x * (after.vx - before.vx),
+        // Beside a fast slip the difference of its velocities has lost its digits.
+        Some(slip) => -slip.sign() * μ * all,
+    };
     let normal = match at {
         [true, false] => [all, 0.0],
         [false, true] => [0.0, all],
@@ -141,6 +151,10 @@ impl Expansion<'_> {
         let closed = [0, 1].map(|i| self.touching[i] && (more[i] || rises[i] <= self.tiny));
         match closed {
             [true, true] => (after.vy, after.ω) = (0.0, 0.0),
+            // A body that bounces flat does not begin to turn by rounding.
+            [false, false] if (after.ω * self.block.b1.max(self.block.b2)).abs() < FLAT * after.vy => {
+                after.ω = 0.0;
+            }
             [false, false] => {}
             _ => after.vy = -c[usize::from(closed[1])] * after.ω,
         }
@@ -163,7 +177,7 @@ impl Law {
             return Some(compressed);
         }
         let at = if touching == [true, true] { compressed.closed } else { touching };
-        let given = impulses(block, pose, &compressed.pose, at).map(|normal| self.e * normal);
+        let given = impulses(block, pose, &compressed, self.μ, at).map(|normal| self.e * normal);
         let speed = |pose: &Pose| {
             let turn = pose.ω * block.rho2.sqrt();
             pose.vx.abs().max(pose.vy.abs()).max(turn.abs())

@@ -5,7 +5,7 @@ mod common;
 use common::{Random, problem};
 use standfast::History;
 use standfast::contact::Block;
-use standfast_motion::{Impact, Initial, Keep, MotionOutcome, MotionProblem, simulate};
+use standfast_motion::{End, Impact, Initial, Keep, MotionOutcome, MotionProblem, Why, simulate};
 
 fn followed(problem: &MotionProblem) -> MotionOutcome {
     simulate(problem, Keep::default()).unwrap()
@@ -69,6 +69,52 @@ fn flat_falls() {
             assert!((outcome.slide - expected).abs() < 1e-9, "{γ} {e}: {} {expected}", outcome.slide);
         }
     }
+}
+
+/// A block that falls flat while it slips, with a friction of impacts of its own: the impulses of the floor up to the time T of the last bounce are
+/// g T, their moment about T is T²/2 − H, and after it the body slides on.
+#[test]
+fn flat_falls_with_a_friction_of_impacts() {
+    let (height, μ, v) = (0.02, 0.3, 0.7);
+    for (e, μ_impact) in [(0.3, 0.15), (0.5, 0.45), (0.7, 0.2), (0.1, 0.6), (0.8, 0.25)] {
+        let mut problem = bouncing(Block::uniform(0.5, μ), e);
+        problem.mu_impact = Some(μ_impact);
+        problem.initial = Initial { gap: height, vx: Some(v), ..Initial::default() };
+        let outcome = followed(&problem);
+        assert!(outcome.at_rest() && outcome.max_theta < 1e-14, "{e} {μ_impact}: {}", outcome.max_theta);
+        let t = (2.0f64 * height).sqrt() * (1.0 + e) / (1.0 - e);
+        let left = v - μ_impact * t;
+        let expected = v * t - μ_impact * (0.5 * t * t - height) + left * left / (2.0 * μ);
+        assert!(left > 0.0 && (outcome.slide - expected).abs() < 1e-12, "{e} {μ_impact}: {}", outcome.slide);
+        assert!(outcome.energy_residual().abs() < 1e-12, "{}", outcome.energy_residual());
+    }
+}
+
+/// Bounces within bounces come to an end, whatever friction impacts have: the body rests, turns over, or moves until the time is over.
+#[test]
+fn bounces_within_bounces_end() {
+    let (mut bounces, mut settled) = (0, 0);
+    for seed in 0..200 {
+        let mut random = Random::new(seed + 3000);
+        let mut problem = problem(&mut random);
+        (problem.impact, problem.restitution) = match seed % 2 {
+            0 => (Impact::Energetic, random.between(0.05, 0.8)),
+            _ => (Impact::Poisson, random.between(0.05, 0.8)),
+        };
+        problem.mu_impact = Some(problem.block.mu_s * random.between(0.3, 1.3));
+        problem.initial.theta = random.between(-0.3, 0.3) / problem.block.d;
+        let outcome = followed(&problem);
+        assert!(
+            !matches!(outcome.end, End::NoContinuation | End::TooManyEvents),
+            "{seed}: {:?}",
+            outcome.end
+        );
+        let size = 1.0 + outcome.work.abs() + outcome.friction_loss + outcome.impact_loss;
+        assert!(outcome.energy_residual().abs() < 1e-10 * size, "{seed}: {}", outcome.energy_residual());
+        bounces += outcome.bounces;
+        settled += outcome.events.iter().filter(|event| event.why == Why::Settle).count();
+    }
+    assert!(bounces > 1000 && settled > 100, "{bounces} {settled}");
 }
 
 /// The corner that lands gives back e of its impulse: θ̇⁺ = θ̇⁻[r_H − e(1 − r_H)], which leaves rocking as it would be, but for second order in the

@@ -88,7 +88,7 @@ def motions(
     >>> table.record.to_pylist(), table.height.to_pylist()
     ([0, 0, 0, 1, 1, 1], [1.5, 2.0, 2.5, 1.5, 2.0, 2.5])
     >>> table.max_theta_of_balance.to_numpy().round(3)
-    array([0.   , 0.   , 0.   , 0.   , 0.125, 0.221])
+    array([0.   , 0.   , 0.   , 0.   , 0.829, 6.669])
     """
     if unit is not None and unit not in _UNITS:
         raise StandfastError(f"unit is {unit!r}; expected one of {', '.join(map(repr, _UNITS))}")

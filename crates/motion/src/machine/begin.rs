@@ -30,9 +30,19 @@ impl Machine<'_> {
         }
         self.max_theta[0] = self.pose.θ.abs();
         let tiny = tiny / self.scales.time;
-        if self.initial.touching.is_some() {
-            return self.resume(touching, tiny);
+        let end = if self.initial.touching.is_some() {
+            self.resume(touching, tiny)?
+        } else {
+            self.begin_with(touching, tiny)?
+        };
+        if touching == [false, false] {
+            self.gaps = self.gaps_above(self.initial.gap);
         }
+        Ok(end)
+    }
+
+    /// The state of a body that begins with these corners on the base.
+    fn begin_with(&mut self, touching: [bool; 2], tiny: f64) -> Result<Option<End>, MotionError> {
         let [left, right] = CORNERS.map(|corner| velocity(self.block, corner, &self.pose));
         let up = [left[1], right[1]];
         let approach = (0..2).any(|i| touching[i] && up[i] < -tiny);

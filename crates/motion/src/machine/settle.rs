@@ -158,10 +158,15 @@ impl Machine<'_> {
 
 /// A sequence of bounces whose remaining time is longer than this share of √(B/g) is followed bounce by bounce.
 const BRIEF: f64 = 1e-6;
-/// An angle, or a slip in B over √(B/g), that is next to none.
+/// An angle, or a slip in B over √(B/g), that is next to none; and a slip that is none.
 const NEARLY: f64 = 1e-6;
+const NONE: f64 = 1e-12;
 /// Below this share of g B the energy of what bounces at both corners is left.
 const CHATTER: f64 = 1e-15;
+/// The same of a body that slips with a friction of impacts which is not that of slip: how they share the impulse is not known.
+const MIXED_CHATTER: f64 = 1e-18;
+/// Below this share of g B it is left whatever goes on.
+const ENDED: f64 = 1e-24;
 
 /// A corner that lands within this share of √(B/g) after the other does so as good as with it, and a velocity in B over √(B/g) below which that is of
 /// no account.
@@ -242,12 +247,9 @@ impl Machine<'_> {
         if !is_short || self.t + τ >= self.forcing.stop(self.segment).min(self.t_max) {
             return None;
         }
-        if slip.is_some() && self.law.μ != self.block.mu_k {
-            return None;
-        }
         if !is_flat {
             let other = one.opposite();
-            let gap = self.pose.y - lever(self.block, other, self.pose.θ)[1];
+            let gap = self.gaps[other as usize];
             let (up, down) = (rises(other), falls(other).abs());
             let stays_open = if up > 0.0 { up > down * τ } else { gap + 2.0 * τ * (up - down * τ) > 0.0 };
             if !stays_open {
@@ -307,6 +309,14 @@ impl Machine<'_> {
         // What slipped all the way slips on, and what stuck sticks.
         let after = self.law.inelastic(self.block, &before, on);
         let after = after.filter(|after| after.slip == slip && after.closed == on)?;
+        // The impulses came one by one, e/(1 + e) of the time before the end in the mean.
+        let ahead = τ * self.law.e / (1.0 + self.law.e);
+        let mut settled = after.pose;
+        settled.x += (settled.vx - before.vx) * ahead;
+        if !is_flat {
+            settled.θ += (settled.ω - before.ω) * ahead;
+            settled.y = lever(self.block, self.bouncing_of(touching), settled.θ)[1];
+        }
         let (block, gravity) = (self.block, self.gravity);
         let energy = |pose: &Pose| kinetic(block, pose) + gravity * pose.y;
         let had = energy(&self.pose);
@@ -314,8 +324,8 @@ impl Machine<'_> {
         flying(block, &self.pose, &self.channels, ORDER, &mut self.motion);
         let work = self.work;
         self.book(τ);
-        self.impact_loss += had + (self.work - work) - energy(&after.pose);
-        self.pose = after.pose;
+        self.impact_loss += had + (self.work - work) - energy(&settled);
+        self.pose = settled;
         self.t += τ;
         self.go_on_touching(Why::Settle, after.closed, after.slip, false)
     }
@@ -325,20 +335,26 @@ impl Machine<'_> {
     fn flat(&self) -> Option<Option<Slip>> {
         let [x, p, m] = self.channels.wrench(0.0);
         let Block { b1, b2, d, rho2, m_y, mu_s, mu_k, .. } = *self.block;
-        let Pose { y, vx, vy, θ, ω, .. } = self.pose;
+        let Pose { vx, vy, θ, ω, .. } = self.pose;
         let Scales { time, length, acceleration } = self.scales;
-        let energy = 0.5 * m_y * vy * vy + 0.5 * rho2 * ω * ω + p * (y - d).max(0.0);
-        if !(p > 0.0 && energy < CHATTER * acceleration * length && θ.abs() < NEARLY) {
+        let height = (b2 * self.gaps[0] + b1 * self.gaps[1]) / (b1 + b2);
+        let energy = 0.5 * m_y * vy * vy + 0.5 * rho2 * ω * ω + p * height;
+        let is_below = |share: f64| energy < share * acceleration * length;
+        if !(p > 0.0 && is_below(CHATTER) && θ.abs() < NEARLY) {
             return None;
         }
-        let along = vx + d * ω;
+        let (along, speed) = (vx + d * ω, length / time);
         let inside = |moment: f64| b1 * p + moment > 0.0 && b2 * p - moment > 0.0;
-        if along.abs() < NEARLY * length / time {
-            let holds = mu_s.min(mu_k) * p > x.abs() && inside(x * d - m);
-            return holds.then_some(None);
+        let is_slow = along.abs() < NEARLY * speed;
+        let is_over = is_below(ENDED);
+        let rests = is_slow && mu_s.min(mu_k) * p > x.abs() && inside(x * d - m);
+        if rests || (is_over && along.abs() < NONE * speed) {
+            return Some(None);
         }
         let slip = if along > 0.0 { Slip::Right } else { Slip::Left };
-        (self.law.μ == mu_k && inside(slip.sign() * mu_k * d * p - m)).then_some(Some(slip))
+        let is_known = self.law.μ == mu_k || is_below(MIXED_CHATTER);
+        let slides = !is_slow && is_known && inside(slip.sign() * mu_k * d * p - m);
+        (slides || is_over).then_some(Some(slip))
     }
 
     /// Puts the body flat, to rest or to slide on.
@@ -350,6 +366,8 @@ impl Machine<'_> {
             // Friction's impulse up to any later time, whatever the impacts do.
             Some(slip) => self.pose.vx + slip.sign() * mu_k * m_y / m_x * self.pose.vy,
         };
+        let slip = slip.filter(|slip| slip.sign() * vx > 0.0);
+        let vx = if slip.is_some() { vx } else { 0.0 };
         self.t_rest_is_bound = true;
         self.pose = Pose { θ: 0.0, ω: 0.0, y: d, vx, vy: 0.0, ..self.pose };
         self.impact_loss += had - kinetic(self.block, &self.pose) - self.gravity * d;

@@ -126,11 +126,12 @@ impl Machine<'_> {
         match (self.mode, self.mode.corner()) {
             (Mode::Flight, _) => {
                 for corner in CORNERS {
-                    let mut gap = gap_along(block, corner, N, motion);
+                    let mut gap = self.gap_in_flight(corner);
                     let mut zeros = 0;
-                    if gap[0].abs() <= 1e-13 * scales.length {
+                    if gap[0] == 0.0 {
                         zeros = 1;
-                        if gap[1].abs() <= 1e-12 * scales.length / scales.time {
+                        let made_of = [motion.y[1], block.d * motion.h[1], arm(block, corner) * motion.c[1]];
+                        if gap[1].abs() <= 1e-12 * made_of.into_iter().map(f64::abs).sum::<f64>() {
                             // It left the base as its reaction went through zero.
                             let known = if zero == Some(Zero::Normal) { 3 } else { 2 };
                             zeros = known + leading(scales, &gap[known..], scales.acceleration);
@@ -223,6 +224,13 @@ impl Machine<'_> {
             }
         }
         first
+    }
+
+    /// The gap of a corner over a step in flight, from the height that is kept of it.
+    fn gap_in_flight(&self, corner: Corner) -> Series {
+        let mut gap = gap_along(self.block, corner, ORDER, &self.motion);
+        gap[0] = self.gaps[corner as usize];
+        gap
     }
 
     /// Books work, losses, the largest rotation and slide over a step.
@@ -369,6 +377,7 @@ impl Machine<'_> {
         match (self.mode, self.mode.corner()) {
             (Mode::Rest, _) => {}
             (Mode::Flight, _) => {
+                self.gaps = CORNERS.map(|corner| at(&self.gap_in_flight(corner), ORDER).max(0.0));
                 self.pose = Pose {
                     x: at(&motion.x, ORDER + 1),
                     y: at(&motion.y, ORDER + 1),
@@ -433,10 +442,10 @@ impl Machine<'_> {
         self.see_slide();
         let landing = self.mode == Mode::Flight;
         let touching = if landing {
-            let tiny = 1e-13 * self.scales.length;
-            CORNERS.map(|other| {
-                other == corner || self.pose.y - lever(self.block, other, self.pose.θ)[1] <= tiny
-            })
+            // What rounding makes of a height over this flight.
+            let flown = self.t - self.events.last().map_or(self.initial.time, |event| event.t);
+            let tiny = 1e-13 * self.scales.length.min(self.scales.acceleration * flown * flown);
+            CORNERS.map(|other| other == corner || self.gaps[other as usize] <= tiny)
         } else {
             self.pose.θ = 0.0;
             self.pose.y = self.block.d;
