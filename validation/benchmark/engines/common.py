@@ -7,7 +7,7 @@ An adapter has a class with the settings of the engine as keyword arguments, and
     step()
     state() -> x, y, theta, vx, vy, omega                            # y upwards, angles counter-clockwise
 
-and a number `dt`. Run an adapter as `python ENGINE.py [onset|motions|tune] [SETTING]`.
+and a number `dt`. Run an adapter as `python ENGINE.py [onset|motions|again|tune|tune-window|tune-motions] [SETTING]`.
 """
 
 import csv
@@ -15,6 +15,7 @@ import json
 import math
 import random
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -24,6 +25,8 @@ sys.path.insert(0, str(HERE.parent))
 import score  # noqa: E402
 
 G = 9.81
+#: Where files of answers are written.
+RESULTS = HERE.parent / "results"
 
 
 def onset_problems():
@@ -107,7 +110,7 @@ def motion(engine, item):
 
 
 def write(name, rows):
-    path = HERE.parent / "results" / name
+    path = RESULTS / name
     with open(path, "w", newline="", encoding="utf-8") as file:
         csv.writer(file, lineterminator="\n").writerows(rows)
     return path
@@ -119,8 +122,8 @@ def digits(number):
 
 
 def places(number):
-    """Five decimals."""
-    return repr(round(number, 5) + 0.0) if math.isfinite(number) else "nan"
+    """Seven decimals."""
+    return f"{round(number, 7) + 0.0:.7f}".rstrip("0").rstrip(".") if math.isfinite(number) else "nan"
 
 
 def answer_onset(name, make, settings, window, chosen=None):
@@ -225,6 +228,23 @@ def tune_motions(make, several, number=20):
         print(f"{counts} of {len(errors)}, median {errors[len(errors) // 2]:.3g}, {time.time() - begin:.0f} s, {settings}", flush=True)
 
 
+def again(answer):
+    """Asks the engine once more, beside the files of results, and compares the counts. `answer` takes "onset" or "motions"."""
+    global RESULTS
+    stored = RESULTS
+    with tempfile.TemporaryDirectory() as folder:
+        RESULTS = Path(folder)
+        answer("onset")
+        answer("motions")
+        same = []
+        for path in sorted(RESULTS.iterdir()):
+            if (stored / path.name).exists():
+                same.append(score.again(path, stored / path.name))
+            else:
+                print(f"{path.name}: there is no stored file to compare with")
+    sys.exit(not all(same))
+
+
 def main(name, make, settings, motion_settings, some=None, several=None, first=()):
     what = sys.argv[1] if len(sys.argv) > 1 else "onset"
     only = sys.argv[2:]
@@ -234,11 +254,16 @@ def main(name, make, settings, motion_settings, some=None, several=None, first=(
         tune_window(make, settings["default"][0])
     elif what == "tune-motions":
         tune_motions(make, several)
-    elif what == "onset":
-        for setting, (values, window) in settings.items():
-            if not only or setting in only:
-                answer_onset(f"{name}-{setting}", make, values, window)
+    elif what not in ("onset", "motions", "again"):
+        sys.exit(f"unknown: {what}; it is onset, motions, again, tune, tune-window or tune-motions")
     else:
-        for setting, values in motion_settings.items():
-            if not only or setting in only:
-                answer_motions(f"{name}-{setting}", make, values)
+
+        def answer(kind):
+            for setting, values in (settings if kind == "onset" else motion_settings).items():
+                if not only or setting in only:
+                    if kind == "onset":
+                        answer_onset(f"{name}-{setting}", make, values[0], values[1])
+                    else:
+                        answer_motions(f"{name}-{setting}", make, values)
+
+        again(answer) if what == "again" else answer(what)
