@@ -287,7 +287,6 @@ const ROWS: &[Row] = &[
         measured: false,
         places: &[
             ("300", PEERS, "python motion_events.py PATH/TO/standfast 0 300"),
-            ("all", PEERS, "of 300 cases have the same events, at the same times to 1e-7"),
             ("1e-7", PEERS, "of 300 cases have the same events, at the same times to 1e-7"),
         ],
     },
@@ -296,7 +295,7 @@ const ROWS: &[Row] = &[
         against: "the same rules by scipy's integrator",
         independent: "the same rules, another code; bounces followed, not summed",
         count: "322",
-        result: "318 have the same events and slides to 4e-9 of B; of 4 rounding decides the order of bounces",
+        result: "318 have the same events and slides to 4e-9 of B; of the others rounding decides the order of bounces",
         repeat: "`python validation/peers/motion_events.py PATH/TO/standfast 0 400 --rebound`",
         measured: false,
         places: &[
