@@ -564,6 +564,54 @@ mod tests {
         ),
     ];
 
+    /// What the page tells of structures that stand, and the lines of the output of the script.
+    const SURVEYED: &[(&str, &[&str])] = &[
+        ("are asked at 1614 stated levels", &["222 structures, 1614 situations"]),
+        (
+            "in 1140 situations, and 48 of these do not stand**: 46 times the ground gives way, twice a joint moves",
+            &[
+                "821           200    1140",
+                "a joint, the ground or time says otherwise                        2             3            40             1             0             2             0      48",
+                "passes both, the ground gives way                                   2             3            40             1             0             0             0      46",
+                "passes both, a joint does not                                       0             0             0             0             0             2             0       2",
+            ],
+        ),
+        (
+            "in 5 of 42 that pass both.** Narrowed until they just pass, it does in 40 of 42",
+            &[
+                "  all                                                              24            18            42",
+            ],
+        ),
+        (
+            "below 1 in 458 situations; of 446 followed in time 227 hardly move",
+            &["72     458", "72     446", "  30 mm and 0.2 of the angle of balance: 227 of 446"],
+        ),
+        (
+            "below 1 in 331 situations, and 145 overturn",
+            &[
+                "60     331",
+                "    overturns                                                       0             0             0             0             0           135            10     145",
+            ],
+        ),
+        (
+            "57 of 62 objects below 1.2 m fall",
+            &[
+                "  0 to 0.6 m              5     2     3        2     0     2        0     0     0        0     0     0",
+                "  0.6 to 1.2 m           13     3    10       16     0    16       14     0    14       12     0    12",
+            ],
+        ),
+    ];
+
+    #[test]
+    fn every_number_of_the_survey_stands_in_the_output_of_the_script() {
+        for (told, lines) in SURVEYED {
+            assert!(REST.contains(told), "the page says no longer: {told}");
+            for line in *lines {
+                stands("validation/decision/structures/survey.txt", line);
+            }
+        }
+    }
+
     #[test]
     fn every_number_of_the_decisions_stands_in_the_output_of_the_script() {
         for (told, lines) in DECIDED {
