@@ -200,6 +200,8 @@ fn led(folder: &Path, up: &str, target: &str, files: [&Files; 2], root: &Path) -
     let end = anchor.map_or_else(String::new, |anchor| format!("#{anchor}"));
     let inside = full.strip_prefix("docs").ok().map(slashes);
     Ok(match inside {
+        // The paper is no page of the book.
+        Some(inside) if inside.starts_with("paper/") => Led::Outside(slashes(&full)),
         Some(inside) if inside == "README.md" => Led::To(format!("{up}index.md{end}")),
         Some(inside) => Led::To(format!("{up}{inside}{end}")),
         None if BESIDE.iter().any(|beside| full.starts_with(beside)) => {
