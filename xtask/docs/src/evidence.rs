@@ -409,7 +409,7 @@ const ROWS: &[Row] = &[
         against: "measured tosses of the same cube, with the friction of the slides",
         independent: "nature",
         count: "36",
-        result: "35 faces right; it travels 0.66 of the measured way in the median, for the real cube bounces",
+        result: "35 faces right; it travels 0.66 of the measured way in the median, with the reported rebound too",
         repeat: "`cargo test -p standfast-motion --test measured`",
         measured: true,
         places: &[
