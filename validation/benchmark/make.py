@@ -396,7 +396,12 @@ def main():
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
     program = sys.argv[1]
-    version = run(program, "--version").split("(")[0].strip()
+    try:
+        version = run(program, "--version").split("(")[0].strip()
+    except OSError as error:
+        raise SystemExit(f"{program} cannot be run: {error.strerror}") from None
+    if not version.startswith("standfast "):
+        raise SystemExit(f"{program} is not standfast: it says {version!r} of itself")
     with tempfile.TemporaryDirectory() as folder:
         write_onset(onset(program, folder), version)
         write_motions(motions(program, folder), version)

@@ -8,7 +8,7 @@
 
 Answers to onset problems have the columns `id` and `mode`, or `id`, `slip_left`, `lift_left`, `slip_right` and `lift_right`:
 accelerations in g of the bottom corners soon after the force, along the floor to the right and upwards. Answers to motions have
-`id`, `t`, `x`, `y` and `theta`. Where an engine gave no number, write nan. Python 3.9 and its standard library do.
+`id`, `t`, `x`, `y` and `theta`. Where an engine gave no number or mode, write nan. Python 3.9 and its standard library do.
 """
 
 import argparse
@@ -96,8 +96,9 @@ def parse(path):
     missing = [name for name in needed if name not in columns]
     if missing:
         alone = kind == "motions" and not set(POINT) & set(columns)
+        hint = "; separate them by commas" if len(columns) == 1 and set(";\t") & set(columns[0]) else "; names are in lower case" if "id" not in columns and "id" in map(str.lower, columns) else ""
         want = "`mode`, or `slip_left` and so on, or `t`, `x`, `y` and `theta`" if alone else ", ".join(f"`{name}`" for name in missing)
-        raise Wrong(f"columns are missing: {'`id` and ' if alone and 'id' in missing else ''}{want}; the columns are {', '.join(columns)[:200]}")
+        raise Wrong(f"columns are missing: {'`id` and ' if alone and 'id' in missing else ''}{want}; the columns are {', '.join(columns)[:200]}{hint}")
     if len(set(columns)) < len(columns):
         raise Wrong("two columns have the same name")
     if not rows:
@@ -118,6 +119,9 @@ def parse(path):
         if name in found:
             raise Wrong(f"line {line}: {name} has an answer above")
         mode = (row.get("mode") or "").strip().replace("₋", "-").replace("₊", "+").replace("−", "-").replace("’", "'")
+        mode = "?" if mode.lower() == "nan" else mode
+        if not mode and "mode" in columns and not set(CORNERS) <= set(columns):
+            raise Wrong(f"line {line}: mode is empty; where there is none, write nan")
         if mode and mode not in WORDS:
             raise Wrong(f"line {line}: the mode `{mode[:40]}` is unknown; it is one of {', '.join(WORDS)}")
         corners = None if mode and not set(CORNERS) <= set(columns) else [number(row, part, line) for part in CORNERS]
@@ -203,7 +207,18 @@ def why(problem, mode, corners, threshold):
     return words
 
 
-def motions(answers, failed):
+def state_at(item, t):
+    """The state at a moment, in words, as far as events are listed."""
+    before = [event for event in item["events"] if event["t"] <= t]
+    if not before:
+        return ""
+    listed, last = item["events"], before[-1]
+    if item["events_in_all"] > len(listed) and len(listed) > 1 and listed[-2]["t"] <= t < listed[-1]["t"]:
+        return f"; events between t = {listed[-2]['t']:.6g} and {listed[-1]['t']:.6g} are not listed"
+    return f"; expected state {last['state']} since {last['why']} at t = {last['t']:.6g}"
+
+
+def motions(answers, failed, within=SHARES[1]):
     items = load("motions")
     scored, gaps, others = [], 0, 0
     for item in items:
@@ -244,12 +259,11 @@ def motions(answers, failed):
     print("The error of a motion is its worst at any checkpoint, of x or y in half widths B, or of θ in rad; the final slide is that of bodies that rest.\n")
     table(lines)
     if failed:
-        print(f"\nFailed, by more than {100 * SHARES[1]:.0f} %: {sum(entry[1] > SHARES[1] for entry in scored)}")
+        print(f"\nFailed, by more than {100 * within:g} %: {sum(entry[1] > within for entry in scored)}")
         for item, worst, at, part, _ in scored:
-            if worst > SHARES[1]:
-                before = [event for event in item["events"] if event["t"] <= (at or 0)]
-                state = f"; expected state {before[-1]['state']} since {before[-1]['why']} at t = {before[-1]['t']:.6g}" if before else ""
-                print(f"{item['id']} ({item['kind']}, {item['response']}, γ {item['half_height']}, μ {item['friction']}): {f'{100 * worst:.3g} %, ' if worst < math.inf else ''}{part}, at t = {at:.6g} of {item['t_end']}{state}; divergence {item['divergence']:g}")
+            if worst > within:
+                error = f"{100 * worst:.3g} %, " if worst < math.inf else ""
+                print(f"{item['id']} ({item['kind']}, {item['response']}, γ {item['half_height']}, μ {item['friction']}): {error}{part}, at t = {at:.6g} of {item['t_end']}{state_at(item, at or 0)}; divergence {item['divergence']:g}")
     return result
 
 
@@ -263,8 +277,8 @@ def finite(value):
     return None if value is None or not math.isfinite(value) else value
 
 
-def ask(kind, found, threshold=THRESHOLD, failed=False):
-    return onset(found, threshold, failed) if kind == "onset" else motions(found, failed)
+def ask(kind, found, threshold=THRESHOLD, failed=False, within=SHARES[1]):
+    return onset(found, threshold, failed) if kind == "onset" else motions(found, failed, within)
 
 
 def counts(kind, found, threshold):
@@ -298,10 +312,17 @@ def main():
     parser.add_argument("answers", nargs="+", help="CSV files of answers")
     parser.add_argument("--failed", action="store_true", help="list what failed, and why")
     parser.add_argument("--threshold", type=float, default=THRESHOLD, help="in g: a slower corner is at rest [default: 0.01]")
+    parser.add_argument("--within", type=float, default=SHARES[1], help="a motion that is farther off failed, for --failed [default: 0.05]")
     parser.add_argument("--json", action="store_true", help="print one line of JSON after each table")
     parser.add_argument("--brief", action="store_true", help="one line a file in place of the tables")
     parser.add_argument("--again", metavar="OTHER", type=Path, help="compare the counts with those of another file, or of the file of the same name in a folder")
     chosen = parser.parse_args()
+    for name in ("threshold", "within"):
+        value = getattr(chosen, name)
+        if not 0 <= value < math.inf:
+            parser.error(f"--{name} is {value}; expected a number that is not below zero")
+    if chosen.brief and (chosen.json or chosen.failed):
+        parser.error("--brief is one line a file: --json and --failed do not go with it")
     results, good = {"onset": [], "motions": []}, True
     for path in chosen.answers:
         name = Path(path).name
@@ -319,7 +340,7 @@ def main():
                 results[kind].append((name, ask(kind, found, chosen.threshold)))
             continue
         print(f"{name}\n")
-        result = ask(kind, found, chosen.threshold, chosen.failed)
+        result = ask(kind, found, chosen.threshold, chosen.failed, chosen.within)
         if chosen.json:
             print("\n" + json.dumps(result))
         print()
@@ -345,6 +366,9 @@ def brief(results):
             g = result["groups"]["all"]
             lines.append([name, result["answered"], *(percent(c, g["answered"]) for c in g["within"].values()), share(g["median_error"], 2), share(g["median_final_slide_error"], 2)])
         table(lines)
+        for name, result in results["motions"]:
+            if result["checkpoints_missing"]:
+                print(f"{name}: {result['checkpoints_missing']} checkpoints are missing")
 
 
 if __name__ == "__main__":

@@ -257,6 +257,10 @@ def main(name, make, settings, motion_settings, some=None, several=None, first=(
     elif what not in ("onset", "motions", "again"):
         sys.exit(f"unknown: {what}; it is onset, motions, again, tune, tune-window or tune-motions")
     else:
+        known = dict.fromkeys([*settings, *motion_settings])
+        for setting in only:
+            if setting not in known:
+                sys.exit(f"unknown setting: {setting}; it is {', '.join(known)}")
 
         def answer(kind):
             for setting, values in (settings if kind == "onset" else motion_settings).items():
