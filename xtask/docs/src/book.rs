@@ -204,7 +204,10 @@ fn led(folder: &Path, up: &str, target: &str, files: [&Files; 2], root: &Path) -
         Some(inside) if inside.starts_with("paper/") => Led::Outside(slashes(&full)),
         Some(inside) if inside == "README.md" => Led::To(format!("{up}index.md{end}")),
         Some(inside) => Led::To(format!("{up}{inside}{end}")),
-        None if BESIDE.iter().any(|beside| full.starts_with(beside)) => {
+        // mdBook leads to a page where it sees the name of one.
+        None if BESIDE.iter().any(|beside| full.starts_with(beside))
+            && full.extension().is_none_or(|ending| ending != "md") =>
+        {
             Led::To(format!("{up}{}{end}", slashes(&full)))
         }
         None => Led::Outside(slashes(&full)),
