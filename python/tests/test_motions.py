@@ -136,3 +136,13 @@ def test_a_case_of_a_file_needs_no_record_of_its_own(tmp_path: Path) -> None:
     )
     table = standfast.motions(tmp_path / "case.toml", base=[shaking(1), shaking(2)], dt=0.02, unit="m/s2")
     assert table.column_names[-1] == "end" and "met" in table.column_names
+
+
+def test_a_table_at_rest_says_what_follows_motions(tmp_path: Path) -> None:
+    record = tmp_path / "record.csv"
+    record.write_text("t_s,a_g\n0,0\n0.1,0.4\n0.2,0\n")
+    case = tmp_path / "case.toml"
+    case.write_text('[body]\nwidth = 0.6\nheight = 2\nlength = 0.6\ndensity = 2600\nfriction = 0.4\n[motion.base]\nhorizontal = { file = "record.csv" }\n')
+    with pytest.raises(standfast.StandfastError, match="the case is one in time") as raised:
+        standfast.assess_table(case, {"friction": [0.3, 0.4]})
+    assert "standfast.motions" in str(raised.value)

@@ -39,7 +39,7 @@ impl CaseTable {
     /// # Errors
     /// If the file's own values do not go together.
     pub fn of(file: CaseFile) -> Result<CaseTable, CaseError> {
-        file.case()?;
+        Sweep::of(&file, Vec::new())?;
         Ok(CaseTable { file, results: AskedResults::All })
     }
 

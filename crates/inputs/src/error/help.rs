@@ -198,7 +198,7 @@ impl Problem {
             }
             Problem::NoCase { table: Table::Block } => "`standfast simulate` follows it".into(),
             Problem::NoCase { .. } => "`standfast probability` answers it".into(),
-            Problem::TableInTime => "`standfast batch` with --case follows the motion of every row".into(),
+            Problem::TableInTime => "`standfast batch` follows the motion of every row; in Python `standfast.motions` does".into(),
             Problem::NoInertia => {
                 "(1 + d²)/3 is taken for b1 = b2 = 1 only, a uniform block; else give I/m about C, rho2".into()
             }
