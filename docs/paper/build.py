@@ -34,8 +34,10 @@ def pandoc() -> str:
     found = shutil.which("pandoc")
     if found:
         return found
-    import pypandoc
-
+    try:
+        import pypandoc
+    except ImportError:
+        raise SystemExit("pandoc was not found: pip install pypandoc_binary") from None
     return str(pypandoc.get_pandoc_path())
 
 
@@ -72,6 +74,8 @@ def main() -> None:
     to = parser.parse_args().output
     if to.suffix not in (".pdf", ".html"):
         sys.exit(f"--output is {to}; expected a .pdf or .html")
+    if not to.resolve().parent.is_dir():
+        sys.exit(f"--output is {to}, and there is no folder {to.parent}")
     html = page()
     if to.suffix == ".html":
         to.write_text(html, encoding="utf-8")

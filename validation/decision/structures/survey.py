@@ -61,7 +61,10 @@ agreed = Counter()
 
 
 def run(arguments: list[str], text: str) -> str:
-    said = subprocess.run([program, *arguments], input=text, capture_output=True, text=True, check=False, encoding="utf-8")
+    try:
+        said = subprocess.run([program, *arguments], input=text, capture_output=True, text=True, check=False, encoding="utf-8")
+    except OSError as error:
+        sys.exit(f"{program} cannot be run: {error.strerror}")
     if said.returncode != 0:
         sys.exit(f"{' '.join(arguments)}\n{said.stderr}\n{text}")
     return said.stdout
@@ -213,20 +216,25 @@ def wall_factors(row: dict) -> tuple[float, float]:
 # --- cases ---------------------------------------------------------------------------------------------------------------------------------
 
 
-def caisson_case(row: dict, width: float, level: tuple[float, float, float], times: float = 1, extra: str = "", time: bool = False) -> str:
-    height, base = row["height_m"], row["base_depth_m"]
-    above, under = caisson_weights(row, width, height)
-    history = 'history = { shape = "triangle", duration = "shimosako-takahashi" }\n' if time else ""
+def box(row: dict, width: float, density: float, density_below_water: float) -> str:
+    """The body of a caisson or of a quay."""
     return f"""[body]
 friction = {row["friction"]!r}
 [[part]]
 left = 0
 width = {width!r}
 bottom = 0
-height = {height!r}
-density = {above!r}
-density_below_water = {under!r}
-[water]
+height = {row["height_m"]!r}
+density = {density!r}
+density_below_water = {density_below_water!r}
+"""
+
+
+def caisson_case(row: dict, width: float, level: tuple[float, float, float], times: float = 1, extra: str = "", time: bool = False) -> str:
+    height, base = row["height_m"], row["base_depth_m"]
+    above, under = caisson_weights(row, width, height)
+    history = 'history = { shape = "triangle", duration = "shimosako-takahashi" }\n' if time else ""
+    return f"""{box(row, width, above, under)}[water]
 level = {base!r}
 density = {row["water_density_kg_m3"]!r}
 [wave]
@@ -255,16 +263,7 @@ def quay_case(row: dict, width: float, shaking: float, extra: str = "") -> str:
     density = row["unit_weight_kN_m3"] * 1e3 / G * solid
     surcharge = "" if shaking else 'surcharge = "20 kPa"\n'
     earthquake = f'[earthquake]\nhorizontal = "{shaking!r} g"\n[added_mass]\nsides = "left"\n' if shaking else ""
-    return f"""[body]
-friction = {row["friction"]!r}
-[[part]]
-left = 0
-width = {width!r}
-bottom = 0
-height = {height!r}
-density = {density!r}
-density_below_water = {density + 1025 * (1 - solid)!r}
-[water]
+    return f"""{box(row, width, density, density + 1025 * (1 - solid))}[water]
 left = {still!r}
 right = {still + 0.5!r}
 density = 1025

@@ -214,7 +214,7 @@ pub fn all(folder: &Path) -> io::Result<Vec<PathBuf>> {
         // The paper is built apart.
         if path.is_dir() && !path.ends_with("docs/paper") {
             found.extend(all(&path)?);
-        } else if path.is_file() && path.extension().is_some_and(|ending| ending == "md") {
+        } else if path.extension().is_some_and(|ending| ending == "md") {
             found.push(path);
         }
     }

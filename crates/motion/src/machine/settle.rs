@@ -299,12 +299,11 @@ impl Machine<'_> {
     /// Jumps to the end of a sequence of bounces: free flight over its time, and one impact without rebound.
     fn landed(&mut self, τ: f64, touching: [bool; 2], slip: Option<Slip>) -> Option<End> {
         let is_flat = self.bounces_flat(touching);
-        let on = if is_flat { touching } else { CORNERS.map(|corner| corner == self.bouncing_of(touching)) };
+        let one = self.bouncing_of(touching);
+        let on = if is_flat { touching } else { CORNERS.map(|corner| corner == one) };
         let mut before = self.fallen(τ)?;
         if is_flat {
             (before.θ, before.ω, before.y) = (0.0, 0.0, self.block.d);
-        } else {
-            before.y = lever(self.block, self.bouncing_of(touching), before.θ)[1];
         }
         // What slipped all the way slips on, and what stuck sticks.
         let after = self.law.inelastic(self.block, &before, on);
@@ -315,7 +314,7 @@ impl Machine<'_> {
         settled.x += (settled.vx - before.vx) * ahead;
         if !is_flat {
             settled.θ += (settled.ω - before.ω) * ahead;
-            settled.y = lever(self.block, self.bouncing_of(touching), settled.θ)[1];
+            settled.y = lever(self.block, one, settled.θ)[1];
         }
         let (block, gravity) = (self.block, self.gravity);
         let energy = |pose: &Pose| kinetic(block, pose) + gravity * pose.y;
